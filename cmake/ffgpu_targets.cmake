@@ -1,0 +1,38 @@
+# How ffgpu's targets are made: the warnings, the arithmetic, and one library a folder.
+
+add_library(ffgpu_options INTERFACE)
+target_compile_options(ffgpu_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+  -ffp-contract=off) # gcc and clang both fuse a multiply and an add otherwise: other bits.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # False alarms of GCC 12 inside its own and other libraries' inlined templates.
+  target_compile_options(ffgpu_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow)
+endif()
+target_include_directories(ffgpu_options INTERFACE ${PROJECT_SOURCE_DIR})
+
+# ffgpu_library(name folder [LINKS ...]): a static library of all .cpp files of the folder.
+function(ffgpu_library name folder)
+  cmake_parse_arguments(arg "" "" "LINKS" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
+  if(sources)
+    add_library(${name} STATIC ${sources})
+    target_link_libraries(${name} PUBLIC ffgpu_options ${arg_LINKS})
+  else()
+    add_library(${name} INTERFACE)
+    target_link_libraries(${name} INTERFACE ffgpu_options ${arg_LINKS})
+  endif()
+endfunction()
+
+# ffgpu_test(folder [LINKS ...]): one Catch2 program of all *_test.cpp files of tests/<folder>.
+function(ffgpu_test folder)
+  cmake_parse_arguments(arg "" "" "LINKS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  string(REPLACE "/" "_" name ${folder})
+  add_executable(${name}_test ${sources})
+  target_link_libraries(${name}_test PRIVATE catch_main ffgpu_options ${arg_LINKS})
+  target_compile_definitions(${name}_test PRIVATE FFGPU_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  add_test(NAME ${name} COMMAND ${name}_test)
+endfunction()

@@ -1,0 +1,22 @@
+// The sizes of the machine that its users can see.
+
+#pragma once
+
+#include <cstdint>
+
+namespace ffgpu {
+
+constexpr unsigned TextureUnits = 8;
+constexpr unsigned Lights = 8;
+constexpr unsigned ClipPlanes = 6;
+constexpr unsigned MaxTextureLevels = 13; // 4096 down to 1.
+constexpr unsigned MaxTextureSize = 4096; // 1-D, 2-D, cube and rectangle images, in texels.
+constexpr unsigned MaxTexture3dSize = 512;
+constexpr unsigned MaxSurfaceSize = 4096; // Colour and depth targets, viewport, in pixels.
+constexpr unsigned SubPixelBits = 8;      // Vertices snap to 1/256 pixel.
+
+// Window coordinates after clipping lie within this many pixels of the origin, so that an edge
+// function's step fits 24 bits (see model/raster).
+constexpr int GuardBand = 8192;
+
+} // namespace ffgpu

@@ -1,0 +1,85 @@
+// FragmentBatch: up to 64 quads of one draw and one screen tile, in structure-of-arrays form. It is
+// what passes from stage to stage of the fragment pipe, what the work stream records, and what an
+// RTL stage is fed with.
+//
+// A quad is 2x2 pixels at even coordinates; its fragments are lanes 4q .. 4q + 3 in the order
+// (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1). No pixel occurs twice in a batch, so
+// a stage may treat its fragments in any order. All four lanes of a quad are computed up to the
+// texture coordinates (a level of detail needs neighbours); `live` tells which count.
+
+#pragma once
+
+#include "model/device/limits.h"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+namespace ffgpu {
+
+constexpr unsigned BatchQuads = 64;
+constexpr unsigned BatchFragments = 4 * BatchQuads;
+
+// One bit a fragment, bit i % 64 of word i / 64 for lane i.
+struct FragmentMask {
+    alignas(32) std::array<std::uint64_t, BatchFragments / 64> words{};
+
+    bool any() const { return (words[0] | words[1] | words[2] | words[3]) != 0; }
+    bool test(unsigned lane) const { return (words[lane / 64] >> (lane % 64)) & 1; }
+    void set(unsigned lane) { words[lane / 64] |= std::uint64_t{1} << (lane % 64); }
+    // The four bits of quad q, bit i for its lane i.
+    unsigned quad(unsigned q) const {
+        return static_cast<unsigned>(words[q / 16] >> (4 * (q % 16))) & 0xf;
+    }
+    unsigned count() const {
+        unsigned sum = 0;
+        for (const std::uint64_t word : words)
+            sum += static_cast<unsigned>(std::popcount(word));
+        return sum;
+    }
+    // Bytes for Highway's LoadMaskBits: byte i holds lanes 8 i .. 8 i + 7 (little endian hosts).
+    const std::uint8_t* bytes() const {
+        return reinterpret_cast<const std::uint8_t*>(words.data());
+    }
+    std::uint8_t* bytes() { return reinterpret_cast<std::uint8_t*>(words.data()); }
+
+    bool operator==(const FragmentMask&) const = default;
+};
+
+// Four channels of 256 fragments, each value 0 .. 255 (8-bit unsigned normalised) held in 16 bits:
+// the lanes that products need.
+struct ColorPlanes {
+    alignas(64) std::array<std::uint16_t, BatchFragments> r, g, b, a;
+};
+
+// Texture coordinates of one unit, before the division by q, and the perspective already undone.
+struct TexCoordPlanes {
+    alignas(64) std::array<float, BatchFragments> s, t, r, q;
+};
+
+struct FragmentBatch {
+    unsigned quad_count = 0;
+    std::uint16_t tile_x = 0, tile_y = 0; // the tile's lower left pixel
+
+    // Per quad.
+    alignas(64) std::array<std::uint16_t, BatchQuads> x; // window pixel of lane 0, even
+    alignas(64) std::array<std::uint16_t, BatchQuads> y;
+    std::array<std::uint32_t, BatchQuads> primitive;         // PrimitiveKey::primitive
+    std::array<std::uint64_t, BatchQuads / 64> front_facing; // one bit a quad
+
+    FragmentMask live; // Covered, and not killed so far. Bits of lanes >= 4 quad_count are 0.
+
+    // Per fragment.
+    alignas(64) std::array<std::uint32_t, BatchFragments> depth; // in units of the depth target
+    alignas(64) std::array<float, BatchFragments> fog_coordinate;
+    alignas(64) std::array<std::uint16_t,
+                           BatchFragments> antialias; // 0 .. 255 coverage, if the draw has it
+    ColorPlanes primary;
+    ColorPlanes secondary;                         // a is 0
+    std::array<ColorPlanes, TextureUnits> texture; // samples; only of the draw's enabled units
+    ColorPlanes color; // after the environments; then the running colour down to the blend
+
+    unsigned lanes() const { return 4 * quad_count; }
+};
+
+} // namespace ffgpu
