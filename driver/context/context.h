@@ -1,0 +1,78 @@
+// Context: one GL rendering context. It holds the state, knows the device, and lowers the one to
+// the registers of the other before each draw. The GL commands themselves are the functions of
+// ffgpu::gl::api (driver/api/, a file a chapter).
+
+#pragma once
+
+#include "driver/context/dirty.h"
+#include "driver/gl_types.h"
+#include "driver/memory_allocator.h"
+#include "driver/state/state.h"
+#include "model/device/device.h"
+
+#include <memory>
+
+namespace ffgpu::gl {
+
+class Drawable;        // driver/framebuffer/drawable.h: the window's or off-screen surface set
+class VertexAssembler; // driver/vertex/: immediate mode, arrays -> draws
+class ListCompiler;    // driver/lists/
+struct SharedObjects;  // driver/objects/shared_objects.h: textures, buffers, lists, renderbuffers
+
+class Context {
+public:
+    // `shared` may be another context's (glXCreateContext's share list). The context is not
+    // bound to a drawable yet; see make_current in driver/context/current.h.
+    Context(Device& device, std::shared_ptr<SharedObjects> shared);
+    ~Context();
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+    State state;
+    ClientState client;
+    DirtyGroups dirty = DirtyGroups::all();
+
+    Device& device() { return device_; }
+    SharedObjects& shared() { return *shared_; }
+    VertexAssembler& vertices() { return *vertices_; }
+    ListCompiler& lists() { return *lists_; }
+
+    // Null where the context was made current without a drawable.
+    Drawable* draw_drawable() { return draw_drawable_; }
+    Drawable* read_drawable() { return read_drawable_; }
+    void set_drawables(Drawable* draw, Drawable* read);
+
+    // Records an error: the first one stays until glGetError reads it (GL 1.5, 2.5). The command
+    // that failed has no other effect: `return context.error(GL_INVALID_ENUM);`
+    void error(GLenum code);
+    GLenum take_error();
+
+    // Between glBegin and glEnd most commands are errors: `if (context.fails_inside_begin())
+    // return;` records GL_INVALID_OPERATION and says true there.
+    bool fails_inside_begin();
+
+    // Ends pending immediate-mode batching, lowers what is dirty and sends the registers that
+    // changed. False: nothing can be drawn (incomplete framebuffer: the error is recorded; empty
+    // drawable).
+    bool prepare_draw();
+
+    // Sends `commands` after everything before them.
+    void submit(const CommandStream& commands);
+
+    // Vertices merged across glBegin/glEnd pairs are drawn now. Every command that changes state
+    // which a draw depends on, or reads back, calls it first (the dispatcher does it for all
+    // commands but those of vertices: see driver/entry_points/dispatch.h).
+    void flush_vertices();
+
+private:
+    Device& device_;
+    std::shared_ptr<SharedObjects> shared_;
+    std::unique_ptr<VertexAssembler> vertices_;
+    std::unique_ptr<ListCompiler> lists_;
+    Drawable* draw_drawable_ = nullptr;
+    Drawable* read_drawable_ = nullptr;
+    GLenum error_ = GL_NO_ERROR;
+    Registers on_device_; // What the device's registers hold.
+};
+
+} // namespace ffgpu::gl
