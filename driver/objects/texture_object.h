@@ -1,0 +1,95 @@
+// TextureObject: the images and parameters of one texture (GL 1.5, 3.8).
+//
+// Texels are kept once, in the device's format. An image that fits into the chain of levels that
+// the sampler reads lives in device memory, laid out by model/device/texture_layout.h from the base
+// level on; an image that does not (yet) is kept by the host. Residency (driver/texture/
+// residency.h) moves them; nothing else needs to know where they are.
+
+#pragma once
+
+#include "driver/gl_types.h"
+#include "driver/objects/device_block.h"
+#include "driver/state/texture_state.h"
+#include "driver/texture/internal_format.h"
+#include "model/device/limits.h"
+#include "model/device/texture_layout.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ffgpu::gl {
+
+// One level of one face. Sizes are GL's: they include the border.
+struct TextureLevel {
+    GLenum internal_format = 1; // as the application asked
+    InternalFormat format;      // base None: not defined
+    GLsizei width = 0, height = 0, depth = 0;
+    GLint border = 0;
+
+    bool resident = false;         // in the object's block, else
+    std::vector<std::byte> texels; // layers, rows of blocks, tightly packed
+
+    bool defined() const { return format.base != BaseFormat::None && width > 0; }
+};
+
+struct TextureParameters {
+    GLenum wrap_s = GL_REPEAT, wrap_t = GL_REPEAT, wrap_r = GL_REPEAT;
+    GLenum min_filter = GL_NEAREST_MIPMAP_LINEAR;
+    GLenum mag_filter = GL_LINEAR;
+    std::array<float, 4> border_color{0, 0, 0, 0};
+    float priority = 1;
+    float min_lod = -1000, max_lod = 1000;
+    GLint base_level = 0, max_level = 1000;
+    float lod_bias = 0;
+    float max_anisotropy = 1;
+    bool generate_mipmap = false;
+    GLenum depth_mode = GL_LUMINANCE;
+    GLenum compare_mode = GL_NONE;
+    GLenum compare_func = GL_LEQUAL;
+};
+
+// What the sampler may read: the chain of consistent levels from the base level on.
+struct TextureChain {
+    bool complete = false; // GL 1.5, 3.8.10: the texture can be used with its filters
+    TextureShape shape;    // kind None: there is no base image
+    std::uint32_t base_level = 0;
+};
+
+class TextureObject {
+public:
+    TextureObject(GLuint name, TextureTarget target);
+
+    GLuint name() const { return name_; }
+    TextureTarget target() const { return target_; }
+    unsigned faces() const { return target_ == TextureTarget::Cube ? 6 : 1; }
+
+    TextureParameters parameters;
+    bool deleted = false; // glDeleteTextures took its name; only references keep it.
+
+    // level < MaxTextureLevels.
+    TextureLevel& level(unsigned face, unsigned level) { return levels_[face][level]; }
+    const TextureLevel& level(unsigned face, unsigned level) const { return levels_[face][level]; }
+
+    // To be called after a change of levels' definitions or of parameters.
+    void changed() { chain_known_ = false; }
+    const TextureChain& chain(); // computed when something changed
+
+    // The resident images: `block` holds those of levels base_level .. + shape.levels - 1.
+    struct Resident {
+        DeviceBlock block;
+        TextureShape shape;
+        std::uint32_t base_level = 0;
+    };
+    Resident resident;
+
+private:
+    GLuint name_;
+    TextureTarget target_;
+    std::vector<std::array<TextureLevel, MaxTextureLevels>> levels_; // by face
+    TextureChain chain_;
+    bool chain_known_ = false;
+};
+
+} // namespace ffgpu::gl

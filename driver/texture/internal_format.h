@@ -1,0 +1,53 @@
+// What GL's internal formats (GL 1.5, tables 3.15 to 3.17) become on the device.
+
+#pragma once
+
+#include "driver/gl_types.h"
+#include "model/device/formats.h"
+
+#include <cstdint>
+
+namespace ffgpu::gl {
+
+enum class BaseFormat : std::uint8_t {
+    None,
+    Alpha,
+    Luminance,
+    LuminanceAlpha,
+    Intensity,
+    Rgb,
+    Rgba,
+    Depth,
+    DepthStencil,
+    Stencil, // renderbuffers only
+};
+
+// Bits of each component, as glGetTexLevelParameter reports them.
+struct ComponentBits {
+    std::uint8_t red = 0, green = 0, blue = 0, alpha = 0;
+    std::uint8_t luminance = 0, intensity = 0;
+    std::uint8_t depth = 0, stencil = 0;
+};
+
+struct InternalFormat {
+    BaseFormat base = BaseFormat::None;
+    Format format = Format::None;
+};
+
+// base None: GL does not know it as a texture's internal format. Formats wider than the device's
+// are stored in 8 bits a channel; generic compressed formats are stored uncompressed.
+InternalFormat texture_format(GLenum internal_format);
+
+// The same of a renderbuffer: Rgba8, Rgbx8, Rgb565, Depth16 or Depth24Stencil8.
+InternalFormat renderbuffer_format(GLenum internal_format);
+
+ComponentBits component_bits(InternalFormat format);
+
+// The internal format that a query returns: generic compressed formats are resolved.
+GLenum queried_format(GLenum internal_format);
+
+bool is_compressed(Format format); // S3TC
+bool is_s3tc(GLenum internal_format);
+bool is_renderable(Format format); // as a colour, depth or stencil attachment
+
+} // namespace ffgpu::gl
