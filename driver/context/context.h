@@ -4,9 +4,12 @@
 
 #pragma once
 
+#include "driver/context/attribute_stack.h"
 #include "driver/context/dirty.h"
+#include "driver/context/register_file.h"
 #include "driver/gl_types.h"
 #include "driver/memory_allocator.h"
+#include "driver/objects/query_objects.h"
 #include "driver/state/state.h"
 #include "model/device/device.h"
 
@@ -31,6 +34,13 @@ public:
     State state;
     ClientState client;
     DirtyGroups dirty = DirtyGroups::all();
+    bool was_bound = false; // to a drawable: viewport and scissor have their initial values.
+    AttributeStack attributes;
+    QueryObjects queries;
+
+    // What the device's registers must hold for the next command. prepare_draw() fills and updates
+    // all but vertex_format and current, which are the draw path's.
+    RegisterFile registers;
 
     Device& device() { return device_; }
     SharedObjects& shared() { return *shared_; }
@@ -51,12 +61,11 @@ public:
     // return;` records GL_INVALID_OPERATION and says true there.
     bool fails_inside_begin();
 
-    // Ends pending immediate-mode batching, lowers what is dirty and sends the registers that
-    // changed. False: nothing can be drawn (incomplete framebuffer: the error is recorded; empty
-    // drawable).
+    // Lowers what is dirty and notes the registers that changed in registers.pending(). False:
+    // nothing can be drawn (incomplete framebuffer: the error is recorded; empty drawable).
     bool prepare_draw();
 
-    // Sends `commands` after everything before them.
+    // Sends registers.pending(), then `commands`, after everything before them.
     void submit(const CommandStream& commands);
 
     // Vertices merged across glBegin/glEnd pairs are drawn now. Every command that changes state
@@ -72,7 +81,8 @@ private:
     Drawable* draw_drawable_ = nullptr;
     Drawable* read_drawable_ = nullptr;
     GLenum error_ = GL_NO_ERROR;
-    Registers on_device_; // What the device's registers hold.
+    bool targets_complete_ = false;    // As prepare_draw() found them last,
+    unsigned drawable_generation_ = 0; // with this Drawable::generation().
 };
 
 } // namespace ffgpu::gl

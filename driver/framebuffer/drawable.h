@@ -24,7 +24,7 @@ struct PixelFormat {
 
 class Drawable {
 public:
-    // Throws std::bad_alloc if device memory is full.
+    // Sizes beyond MaxSurfaceSize are cut to it. Throws std::bad_alloc if device memory is full.
     Drawable(Device& device,
              MemoryAllocator& memory,
              PixelFormat format,
@@ -34,30 +34,43 @@ public:
     Drawable(const Drawable&) = delete;
     Drawable& operator=(const Drawable&) = delete;
 
-    // New size, at most MaxSurfaceSize; the contents of the common part (from the lower left) stay,
-    // the rest is zero.
+    // The contents of the common part (from the lower left) stay, the rest is zero; so is all of
+    // the accumulation buffer. Throws as the constructor, and then nothing has changed.
     void resize(unsigned width, unsigned height);
+
+    // Counts the changes of the surfaces below (resize, swap), so that contexts notice them.
+    unsigned generation() const { return generation_; }
 
     const PixelFormat& format() const { return format_; }
     unsigned width() const { return width_; }
     unsigned height() const { return height_; }
-    const Surface& front() const { return front_; }
-    const Surface& back() const { return format_.double_buffer ? back_ : front_; }
-    const Surface& depth() const { return depth_; }
-    std::vector<std::int16_t>& accumulation() {
-        return accumulation_;
-    } // r g b a a pixel, made at first use
+    const Surface& front() const { return surfaces_.front; }
+    const Surface& back() const { return format_.double_buffer ? surfaces_.back : surfaces_.front; }
+    const Surface& depth() const { return surfaces_.depth; }
+
+    // r g b a of each pixel, from the lower left; all 0 at first. Empty where the format has none.
+    std::vector<std::int16_t>& accumulation();
 
     // The back buffer becomes the front buffer; the back buffer's content is then undefined (it is
     // the picture before the last).
     void swap();
 
 private:
+    struct Surfaces {
+        Surface front, back, depth;
+    };
+    Surface allocate(Format format, unsigned width, unsigned height);
+    Surfaces allocate_all(unsigned width, unsigned height);
+    void release(Surfaces& surfaces);
+    void clear(const Surface& surface);
+    void copy_common_part(const Surface& from, const Surface& to);
+
     Device& device_;
     MemoryAllocator& memory_;
     PixelFormat format_;
     unsigned width_ = 0, height_ = 0;
-    Surface front_, back_, depth_;
+    unsigned generation_ = 0;
+    Surfaces surfaces_;
     std::vector<std::int16_t> accumulation_;
 };
 
