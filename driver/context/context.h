@@ -17,10 +17,20 @@
 
 namespace ffgpu::gl {
 
-class Drawable;        // driver/framebuffer/drawable.h: the window's or off-screen surface set
-class VertexAssembler; // driver/vertex/: immediate mode, arrays -> draws
-class ListCompiler;    // driver/lists/
-struct SharedObjects;  // driver/objects/shared_objects.h: textures, buffers, lists, renderbuffers
+class Drawable;          // driver/framebuffer/drawable.h: the window's or off-screen surface set
+class VertexAssembler;   // driver/vertex/vertex_assembler.h
+class ImmediateVertices; // driver/vertex/immediate_vertices.h: glBegin/glEnd -> draws
+class DrawPath;          // driver/vertex/draw_path.h: vertices -> device
+class ListCompiler;      // driver/lists/
+class RenderModes;       // driver/feedback/render_modes.h: selection and feedback
+struct SharedObjects;    // driver/objects/shared_objects.h: textures, buffers, lists, renderbuffers
+
+// Where the context stands between glBegin and glEnd.
+enum class VertexPhase : std::uint8_t {
+    Idle,    // outside; nothing waits
+    Pending, // outside; vertices wait to be merged with the next primitive
+    Inside,  // between glBegin and glEnd
+};
 
 class Context {
 public:
@@ -44,8 +54,13 @@ public:
 
     Device& device() { return device_; }
     SharedObjects& shared() { return *shared_; }
+    // Where the commands of vertices go: to the immediate mode, or to the list being compiled.
     VertexAssembler& vertices() { return *vertices_; }
+    void redirect_vertices(VertexAssembler& to) { vertices_ = &to; }
+    ImmediateVertices& immediate() { return *immediate_; }
+    DrawPath& draw_path() { return *draw_path_; }
     ListCompiler& lists() { return *lists_; }
+    RenderModes& render_modes() { return *render_modes_; }
 
     // Null where the context was made current without a drawable.
     Drawable* draw_drawable() { return draw_drawable_; }
@@ -58,8 +73,28 @@ public:
     GLenum take_error();
 
     // Between glBegin and glEnd most commands are errors: `if (context.fails_inside_begin())
-    // return;` records GL_INVALID_OPERATION and says true there.
-    bool fails_inside_begin();
+    // return;` records GL_INVALID_OPERATION and says true there. (The dispatcher has seen to it for
+    // calls that come through an entry point.)
+    bool fails_inside_begin() {
+        if (vertex_phase != VertexPhase::Inside) [[likely]]
+            return false;
+        error(GL_INVALID_OPERATION);
+        return true;
+    }
+    VertexPhase vertex_phase = VertexPhase::Idle; // Set by ImmediateVertices.
+
+    // Before a command that is not a vertex's: false, with the error recorded, between glBegin and
+    // glEnd; else what waits is drawn.
+    bool settle_vertices() {
+        if (vertex_phase == VertexPhase::Idle) [[likely]]
+            return true;
+        if (fails_inside_begin()) return false;
+        flush_vertices();
+        return true;
+    }
+
+    // Lowers what is dirty to registers.wanted, whether or not something can be drawn.
+    void lower_state();
 
     // Lowers what is dirty and notes the registers that changed in registers.pending(). False:
     // nothing can be drawn (incomplete framebuffer: the error is recorded; empty drawable).
@@ -76,7 +111,10 @@ public:
 private:
     Device& device_;
     std::shared_ptr<SharedObjects> shared_;
-    std::unique_ptr<VertexAssembler> vertices_;
+    std::unique_ptr<DrawPath> draw_path_;
+    std::unique_ptr<RenderModes> render_modes_;
+    std::unique_ptr<ImmediateVertices> immediate_;
+    VertexAssembler* vertices_;
     std::unique_ptr<ListCompiler> lists_;
     Drawable* draw_drawable_ = nullptr;
     Drawable* read_drawable_ = nullptr;

@@ -1,14 +1,25 @@
 #!/usr/bin/env python3
-"""Writes driver/entry_points/commands.inc from the Khronos registry (Debian package khronos-api).
+"""Writes the lists of entry points from the Khronos registry (Debian package khronos-api):
 
-    driver/entry_points/generate.py [/usr/share/khronos-api/gl.xml] > driver/entry_points/commands.inc
+    driver/entry_points/generate.py commands > driver/entry_points/commands.inc
+    driver/entry_points/generate.py arrays   > driver/entry_points/array_lengths.inc
 
-Each command of OpenGL 1.0 to 1.5 and of the extensions below becomes one row, in alphabetical order:
+commands.inc: each command of OpenGL 1.0 to 1.5 and of the extensions below, in alphabetical order:
 
-    GL_COMMAND(return type, Name, (parameters), (arguments), Compiled | Immediate)
+    GL_COMMAND(return type, Name, (parameters), (arguments), Class)
     GL_ALIAS(return type, Name, (parameters), (arguments), TheCommandItEquals)
 
-Immediate: executed at once even while a display list is compiled (GL 1.5, section 5.4).
+Class says how a command meets glBegin/glEnd and display lists (GL 1.5, sections 2.6.3 and 5.4):
+
+    Immediate  executed at once even while a list is compiled; an error between glBegin and glEnd
+    Compiled   recorded in a list that is being compiled; an error between glBegin and glEnd
+    Inside     recorded; allowed between glBegin and glEnd (CallList, Material, EvalCoord)
+    Vertex     glBegin, glEnd and what a vertex is made of: assembled into vertices, in lists too
+
+array_lengths.inc: the recorded commands with array arguments whose length the registry gives,
+elements an array:
+
+    GL_ARRAYS(Name, (parameters), elements)
 """
 import re
 import sys
@@ -19,23 +30,23 @@ ARB_copy_buffer ARB_draw_elements_base_vertex ARB_framebuffer_object ARB_map_buf
 ARB_occlusion_query ARB_point_parameters ARB_provoking_vertex ARB_sync ARB_texture_compression ARB_texture_storage
 ARB_transpose_matrix ARB_vertex_array_object ARB_vertex_buffer_object ARB_window_pos
 ARB_internalformat_query ARB_sampler_objects ARB_clear_texture KHR_debug EXT_debug_marker EXT_debug_label
-APPLE_vertex_array_object APPLE_object_purgeable ATI_separate_stencil EXT_bindable_uniform_none
+APPLE_vertex_array_object APPLE_object_purgeable ATI_separate_stencil
 EXT_blend_color EXT_blend_equation_separate EXT_blend_func_separate EXT_blend_minmax EXT_compiled_vertex_array
 EXT_copy_texture EXT_depth_bounds_test EXT_draw_range_elements EXT_fog_coord EXT_framebuffer_blit
 EXT_framebuffer_multisample EXT_framebuffer_object EXT_multi_draw_arrays EXT_point_parameters EXT_polygon_offset
 EXT_polygon_offset_clamp EXT_provoking_vertex EXT_secondary_color EXT_stencil_two_side EXT_subtexture EXT_texture3D
 EXT_texture_object EXT_vertex_array GREMEDY_string_marker MESA_window_pos NV_point_sprite NV_primitive_restart
-SGIS_point_parameters_none ATI_meminfo_none EXT_texture_perturb_normal_none NV_texture_barrier_none ARB_robustness_none
 """.split()
-EXTENSIONS = [e for e in EXTENSIONS if not e.endswith("_none")]
 # Left out until something needs them.
 EXTENSIONS = [e for e in EXTENSIONS if e not in (
     "ARB_sync", "ARB_sampler_objects", "ARB_clear_texture", "KHR_debug", "EXT_debug_marker", "EXT_debug_label",
     "ARB_internalformat_query", "ARB_texture_storage", "APPLE_object_purgeable")]
 
+CORE_VERSIONS = {f"GL_VERSION_1_{i}" for i in range(6)}
+
 IMMEDIATE = set("""
-AreTexturesResident ArrayElement_no BindBuffer BindFramebuffer BindFramebufferEXT BindRenderbuffer BindRenderbufferEXT
-BindVertexArray BlitFramebuffer_no BufferData BufferSubData CheckFramebufferStatus ClientActiveTexture ColorPointer
+AreTexturesResident BindBuffer BindFramebuffer BindFramebufferEXT BindRenderbuffer BindRenderbufferEXT
+BindVertexArray BufferData BufferSubData CheckFramebufferStatus ClientActiveTexture ColorPointer
 CopyBufferSubData DeleteBuffers DeleteFramebuffers DeleteLists DeleteQueries DeleteRenderbuffers DeleteTextures
 DeleteVertexArrays DisableClientState EdgeFlagPointer EnableClientState EndList FeedbackBuffer Finish Flush
 FlushMappedBufferRange FogCoordPointer FramebufferRenderbuffer FramebufferTexture1D FramebufferTexture2D
@@ -45,58 +56,99 @@ IsRenderbuffer IsTexture IsVertexArray LockArraysEXT MapBuffer MapBufferRange Ne
 PixelStorei PopClientAttrib PushClientAttrib ReadPixels RenderMode RenderbufferStorage RenderbufferStorageMultisample
 SecondaryColorPointer SelectBuffer StringMarkerGREMEDY TexCoordPointer UnlockArraysEXT UnmapBuffer VertexPointer
 GetError GetString GetStringi DeleteTexturesEXT GenTexturesEXT IsTextureEXT AreTexturesResidentEXT
+PrimitiveRestartIndexNV
 ColorPointerEXT EdgeFlagPointerEXT IndexPointerEXT NormalPointerEXT TexCoordPointerEXT VertexPointerEXT
 """.split())
 
 
-def text_of(element, without=()):
-    return "".join(element.itertext())
+VERTEX = re.compile(
+    "((Vertex|Color|SecondaryColor|Normal|TexCoord|MultiTexCoord)[1-4](b|s|i|f|d|ub|us|ui)v?"
+    "|FogCoord[fd]v?|Index(d|f|i|s|ub)v?|EdgeFlagv?|Begin|End|ArrayElement|PrimitiveRestartNV)$")
+INSIDE = re.compile("(CallLists?|Material[fi]v?|EvalCoord[12][fd]v?|EvalPoint[12])$")
+
+
+def class_of(short):
+    base = re.sub(r"(ARB|EXT|ATI|NV|MESA|APPLE)$", "", short)
+    if short in IMMEDIATE or base in IMMEDIATE or short.startswith("Get"):
+        return "Immediate"
+    if VERTEX.match(short):
+        return "Vertex"
+    return "Inside" if INSIDE.match(short) else "Compiled"
+
+
+def text_of(element):
+    return re.sub(r"\s+", " ", "".join(element.itertext())).strip()
+
+
+class Command:
+    def __init__(self, element):
+        proto = element.find("proto")
+        self.name = proto.find("name").text
+        self.returned = text_of(proto)[: -len(self.name)].strip()
+        self.parameters = []  # (type, name)
+        self.lengths = []  # of the arrays among them
+        for parameter in element.findall("param"):
+            name = parameter.find("name").text
+            full = text_of(parameter)
+            self.parameters.append(
+                (re.sub(r"\s*\*\s*", " *", full[: full.rindex(name)]).strip(), name))
+            if "*" in full:
+                self.lengths.append(parameter.get("len"))
+        alias = element.find("alias")
+        self.alias = alias.get("name") if alias is not None else None
+
+    def declared(self):
+        return ", ".join(f"{t}{'' if t.endswith('*') else ' '}{n}" for t, n in self.parameters)
+
+    def arguments(self):
+        return ", ".join(n for _, n in self.parameters)
+
+
+def read_registry(path):
+    """The wanted commands in alphabetical order; `alias` is set only where it is one of them."""
+    root = ET.parse(path).getroot()
+    commands = {c.name: c for c in map(Command, root.find("commands"))}
+    core, wanted = set(), set()
+    for feature in root.findall("feature"):
+        if feature.get("api") == "gl" and feature.get("name") in CORE_VERSIONS:
+            core.update(c.get("name") for r in feature.findall("require") for c in r.findall("command"))
+    for extension in root.find("extensions"):
+        if extension.get("name")[3:] in EXTENSIONS:
+            for r in extension.findall("require"):
+                if r.get("api", "gl") == "gl":
+                    wanted.update(c.get("name") for c in r.findall("command"))
+    wanted |= core
+    for name in wanted:
+        command = commands[name]
+        while command.alias and commands.get(command.alias) and commands[command.alias].alias:
+            command.alias = commands[command.alias].alias
+        if name in core or command.alias not in wanted:
+            command.alias = None
+    return [commands[name] for name in sorted(wanted)]
+
+
+def print_commands(commands):
+    for c in commands:
+        last = c.alias[2:] if c.alias else class_of(c.name[2:])
+        macro = "GL_ALIAS" if c.alias else "GL_COMMAND"
+        print(f"{macro}({c.returned}, {c.name[2:]}, ({c.declared()}), ({c.arguments()}), {last})")
+
+
+def print_array_lengths(commands):
+    for c in commands:
+        lengths = set(c.lengths)
+        if c.alias or len(lengths) != 1 or class_of(c.name[2:]) not in ("Compiled", "Inside"):
+            continue
+        length = lengths.pop().replace("COMPSIZE(pname)", "parameter_count(pname)")
+        if "COMPSIZE" not in length and not c.name.startswith("glMultiDraw"):
+            print(f"GL_ARRAYS({c.name[2:]}, ({c.declared()}), {length})")
 
 
 def main():
-    path = sys.argv[1] if len(sys.argv) > 1 else "/usr/share/khronos-api/gl.xml"
-    root = ET.parse(path).getroot()
-    commands = {}
-    for c in root.find("commands"):
-        proto = c.find("proto")
-        name = proto.find("name").text
-        returned = re.sub(r"\s+", " ", text_of(proto)[: -len(name)]).strip()
-        params = []
-        for p in c.findall("param"):
-            pname = p.find("name").text
-            full = re.sub(r"\s+", " ", text_of(p)).strip()
-            params.append((re.sub(r"\s*\*\s*", " *", full[: full.rindex(pname)]).strip(), pname))
-        alias = c.find("alias")
-        commands[name] = (returned, params, alias.get("name") if alias is not None else None)
-
-    wanted = {}
-    for f in root.findall("feature"):
-        if f.get("api") == "gl" and f.get("name") in {f"GL_VERSION_1_{i}" for i in range(6)}:
-            for r in f.findall("require"):
-                wanted.update({c.get("name"): True for c in r.findall("command")})
-    core = set(wanted)
-    for e in root.find("extensions"):
-        if e.get("name")[3:] in EXTENSIONS:
-            for r in e.findall("require"):
-                if r.get("api", "gl") == "gl":
-                    wanted.update({c.get("name"): True for c in r.findall("command")})
-
+    what = sys.argv[1] if len(sys.argv) > 1 else "commands"
+    path = sys.argv[2] if len(sys.argv) > 2 else "/usr/share/khronos-api/gl.xml"
     print("// Made by driver/entry_points/generate.py from the Khronos registry. Not edited by hand.")
-    for name in sorted(wanted):
-        returned, params, alias = commands[name]
-        while alias and commands.get(alias, (0, 0, None))[2]:
-            alias = commands[alias][2]
-        if name in core or alias not in wanted:
-            alias = None
-        short = name[2:]
-        declared = ", ".join(f"{t}{'' if t.endswith('*') else ' '}{n}" for t, n in params)
-        arguments = ", ".join(n for _, n in params)
-        if alias:
-            print(f"GL_ALIAS({returned}, {short}, ({declared}), ({arguments}), {alias[2:]})")
-        else:
-            base = re.sub(r"(ARB|EXT|ATI|NV|MESA|APPLE)$", "", short)
-            now = short in IMMEDIATE or base in IMMEDIATE or short.startswith("Get")
-            print(f"GL_COMMAND({returned}, {short}, ({declared}), ({arguments}), {'Immediate' if now else 'Compiled'})")
+    {"commands": print_commands, "arrays": print_array_lengths}[what](read_registry(path))
 
 
 main()

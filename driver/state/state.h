@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "driver/state/buffer_state.h"
 #include "driver/state/current_state.h"
 #include "driver/state/evaluator_state.h"
 #include "driver/state/fragment_state.h"
@@ -37,6 +38,7 @@ struct State {
 struct ClientState {
     VertexArrayState arrays;
     PixelStoreState pixel_store;
+    BufferState buffers; // bindings of buffer objects
 };
 
 } // namespace ffgpu::gl
