@@ -3,10 +3,12 @@
 // RTL stage is fed with.
 //
 // A quad is 2x2 pixels at even coordinates; its fragments are lanes 4q .. 4q + 3 in the order
-// (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1). No pixel is live twice in a
-// batch, so a stage may treat its fragments in any order; but neighbours along a shared edge may
-// both have the quad, each with its own live lanes: dead lanes must not be stored. All four lanes of a quad are computed up to the
+// (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1). All four lanes of a quad are computed up to the
 // texture coordinates (a level of detail needs neighbours); `live` tells which count.
+//
+// No pixel is live twice in a batch, so a stage may treat its fragments in any order. Neighbours
+// along a shared edge may both have the quad, each with its own live lanes: a stage must not store
+// dead lanes.
 
 #pragma once
 

@@ -40,8 +40,9 @@ struct Primitive {
     bool from_polygon = false; // a line or point of a polygon in its mode: its offset applies
     std::uint32_t key = 0;     // PrimitiveKey::primitive
     std::uint16_t stipple_counter = 0; // lines: the stipple counter s at the first vertex
-    std::array<const WindowVertex*, 3>
-        vertices{}; // 1, 2 or 3; with flat shading their colours are equal
+    // 1, 2 or 3; with flat shading their colours are equal. A line or point from a polygon may
+    // carry the polygon's other vertices behind its own, which give the slope for its depth offset.
+    std::array<const WindowVertex*, 3> vertices{};
 };
 
 // The rasterizer's entrance. Vertices live until the call returns.

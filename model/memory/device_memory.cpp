@@ -1,0 +1,25 @@
+#include "model/memory/device_memory.h"
+
+#include "model/base/check.h"
+
+#include <new>
+
+#include <sys/mman.h>
+
+namespace ffgpu {
+
+DeviceMemory::DeviceMemory(std::uint64_t bytes) {
+    check(bytes > 0 && bytes <= std::uint64_t{1} << 32, "device memory is 1 byte to 4 GiB");
+    void* const range = mmap(nullptr,
+                             bytes + SlackBytes,
+                             PROT_READ | PROT_WRITE,
+                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE,
+                             -1,
+                             0);
+    if (range == MAP_FAILED) throw std::bad_alloc();
+    bytes_ = {static_cast<std::byte*>(range), bytes};
+}
+
+DeviceMemory::~DeviceMemory() { munmap(bytes_.data(), bytes_.size() + SlackBytes); }
+
+} // namespace ffgpu
