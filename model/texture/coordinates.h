@@ -1,0 +1,53 @@
+// Texture coordinates: division by q, and the face of a cube map.
+
+#pragma once
+
+#include "model/packets/fragment_batch.h"
+
+#include <array>
+#include <cstdint>
+
+namespace ffgpu {
+
+struct TexCoord {
+    float s = 0, t = 0, r = 0; // never NaN
+};
+
+// One IEEE division; NaN becomes 0. A negative q divides as any other, as OpenGL has it (the
+// picture behind a projector is mirrored); q = 0 gives infinities, which the wrap modes take.
+constexpr float divide_by_q(float coordinate, float q) {
+    const float quotient = coordinate / q;
+    return quotient == quotient ? quotient : 0.0f;
+}
+
+inline TexCoord project(const TexCoordPlanes& planes, unsigned lane) {
+    const float q = planes.q[lane];
+    return {divide_by_q(planes.s[lane], q),
+            divide_by_q(planes.t[lane], q),
+            divide_by_q(planes.r[lane], q)};
+}
+
+// Faces count +x -x +y -y +z -z. The major axis is the one of largest magnitude, of equal ones the
+// first; a zero counts as positive.
+constexpr unsigned cube_face(const TexCoord& direction) {
+    const auto magnitude = [](float x) { return x < 0 ? -x : x; };
+    const float x = magnitude(direction.s), y = magnitude(direction.t), z = magnitude(direction.r);
+    if (x >= y && x >= z) return direction.s < 0 ? 1 : 0;
+    if (y >= z) return direction.t < 0 ? 3 : 2;
+    return direction.r < 0 ? 5 : 4;
+}
+
+// GL 1.5, table 3.19: (s, t) on the given face. Equation 3.21 with one rounding more or less:
+// (sc / |ma|) / 2 + 1/2. The centre stands for a direction that has none.
+constexpr TexCoord project_to_face(unsigned face, const TexCoord& d) {
+    const float sign = face % 2 == 0 ? 1.0f : -1.0f;
+    const unsigned axis = face / 2;
+    const float major = axis == 0 ? d.s : axis == 1 ? d.t : d.r;
+    const float sc = axis == 0 ? -sign * d.r : axis == 1 ? d.s : sign * d.s;
+    const float tc = axis == 1 ? sign * d.r : -d.t;
+    const float magnitude = major < 0 ? -major : major;
+    return {
+        divide_by_q(sc, magnitude) * 0.5f + 0.5f, divide_by_q(tc, magnitude) * 0.5f + 0.5f, d.r};
+}
+
+} // namespace ffgpu

@@ -1,0 +1,200 @@
+// The texture unit's scalar specification: one fragment after the other, one texel after the other.
+
+#include "model/texture/coordinates.h"
+#include "model/texture/depth_compare.h"
+#include "model/texture/level_of_detail.h"
+#include "model/texture/texel_read.h"
+#include "model/texture/texture_unit.h"
+
+#include <array>
+#include <vector>
+
+namespace ffgpu {
+namespace {
+
+struct Fragment {
+    TexCoord coord; // of cube maps: on the face
+    unsigned face = 0;
+    std::uint32_t reference = 0; // depth to compare with
+};
+
+// Where reads and accesses are told; both may be null.
+struct Witness {
+    TexelObserver* observer = nullptr;
+    std::vector<TexelAccess>* accesses = nullptr;
+    unsigned lane = 0;
+};
+
+struct Neighbourhood {
+    std::array<AxisTexels, 3> axes;
+    bool linear = false;
+};
+
+AxisTexels
+axis_texels(const TextureUnit& unit, unsigned axis, unsigned level, float s, bool linear) {
+    const WrapRule& rule = linear ? unit.linear_rules[axis] : unit.nearest_rules[axis];
+    const std::int32_t size = level_extent(unit, axis, level);
+    const float scale = unit.normalized ? static_cast<float>(256 * size) : 256.0f;
+    const float folded = fold_coordinate(rule.fold, s, unit.extent[axis]);
+    const std::int32_t coordinate = texel_coordinate(folded, scale, size, rule);
+    return linear ? linear_texels(coordinate, size, rule) : nearest_texel(coordinate, size, rule);
+}
+
+Neighbourhood
+neighbourhood(const TextureUnit& unit, const TexCoord& coord, unsigned level, bool linear) {
+    Neighbourhood result{{}, linear};
+    const std::array<float, 3> coords{coord.s, coord.t, coord.r};
+    for (unsigned axis = 0; axis < unit.dimensions; ++axis)
+        result.axes[axis] = axis_texels(unit, axis, level, coords[axis], linear);
+    return result;
+}
+
+TexelAccess make_access(const TextureUnit& unit,
+                        const Neighbourhood& near,
+                        unsigned level,
+                        unsigned face,
+                        unsigned lane) {
+    const auto stored = [&](unsigned axis, std::int32_t index) -> std::uint16_t {
+        if (axis >= unit.dimensions) return static_cast<std::uint16_t>(axis == 2 ? face : 0);
+        return stored_coordinate(unit, index, level_extent(unit, axis, level));
+    };
+    const auto& [x, y, z] = near.axes;
+    const unsigned linear = near.linear ? (1u << unit.dimensions) - 1 : 0;
+    return {static_cast<std::uint16_t>(lane),
+            static_cast<std::uint8_t>(level),
+            static_cast<std::uint8_t>(linear),
+            stored(0, x.first),
+            stored(0, x.second),
+            stored(1, y.first),
+            stored(1, y.second),
+            stored(2, z.first),
+            stored(2, z.second)};
+}
+
+// Horizontally, then vertically, then between slices; an axis that the filter does not have, or a
+// nearest filter, reads no second texel.
+Rgba filter_level(const TextureUnit& unit,
+                  const Fragment& fragment,
+                  unsigned level,
+                  bool linear,
+                  const Witness& witness) {
+    const Neighbourhood near = neighbourhood(unit, fragment.coord, level, linear);
+    const auto& [x, y, z] = near.axes;
+    if (witness.accesses)
+        witness.accesses->push_back(make_access(unit, near, level, fragment.face, witness.lane));
+
+    const auto texel = [&](std::int32_t at_x, std::int32_t at_y, std::int32_t at_z) {
+        const TexelPlace place{level, fragment.face, at_x, at_y, at_z};
+        return read_texel(unit, place, fragment.reference, witness.observer);
+    };
+    const auto row = [&](std::int32_t at_y, std::int32_t at_z) {
+        const Rgba first = texel(x.first, at_y, at_z);
+        return linear ? lerp8w(first, texel(x.second, at_y, at_z), x.weight) : first;
+    };
+    const auto slice = [&](std::int32_t at_z) {
+        const Rgba first = row(y.first, at_z);
+        if (!linear || unit.dimensions < 2) return first;
+        return lerp8w(first, row(y.second, at_z), y.weight);
+    };
+    const Rgba first = slice(z.first);
+    if (!linear || unit.dimensions < 3) return first;
+    return lerp8w(first, slice(z.second), z.weight);
+}
+
+Rgba filter_levels(const TextureUnit& unit,
+                   const Fragment& fragment,
+                   const QuadSampling& quad,
+                   const Witness& witness) {
+    const Rgba fine = filter_level(unit, fragment, quad.level, quad.linear, witness);
+    if (quad.weight == 0) return fine;
+    const Rgba coarse = filter_level(unit, fragment, quad.next_level, quad.linear, witness);
+    return lerp8w(fine, coarse, quad.weight);
+}
+
+// Probe i of n stands at i / (n + 1) - 1/2 of the longer side (EXT_texture_filter_anisotropic).
+Fragment probe(const Fragment& fragment, const QuadSampling& quad, unsigned i) {
+    const float at = static_cast<float>(i) / static_cast<float>(quad.probes + 1) - 0.5f;
+    const auto move = [at](float coordinate, float step) {
+        const float moved = coordinate + step * at;
+        return moved == moved ? moved : 0.0f;
+    };
+    Fragment result = fragment;
+    result.coord.s = move(fragment.coord.s, quad.major_step.s);
+    result.coord.t = move(fragment.coord.t, quad.major_step.t);
+    result.coord.r = move(fragment.coord.r, quad.major_step.r);
+    return result;
+}
+
+Rgba filter_fragment(const TextureUnit& unit,
+                     const Fragment& fragment,
+                     const QuadSampling& quad,
+                     const Witness& witness) {
+    if (quad.probes == 1) return filter_levels(unit, fragment, quad, witness);
+    std::array<unsigned, 4> sum{};
+    for (unsigned i = 1; i <= quad.probes; ++i) {
+        const Rgba sampled = filter_levels(unit, probe(fragment, quad, i), quad, witness);
+        for (unsigned channel = 0; channel < 4; ++channel)
+            sum[channel] += sampled[channel];
+    }
+    Rgba mean{};
+    for (unsigned channel = 0; channel < 4; ++channel)
+        mean[channel] = static_cast<std::uint8_t>((sum[channel] + quad.probes / 2u) / quad.probes);
+    return mean;
+}
+
+struct Quad {
+    std::array<Fragment, 4> fragments;
+    QuadSampling sampling;
+};
+
+Quad make_quad(const TextureUnit& unit, const TexCoordPlanes& planes, unsigned first_lane) {
+    Quad quad;
+    std::array<TexCoord, 4> coords;
+    bool one_face = true;
+    for (unsigned i = 0; i < 4; ++i) {
+        coords[i] = project(planes, first_lane + i);
+        Fragment& fragment = quad.fragments[i];
+        fragment.reference = reference_depth(coords[i].r);
+        fragment.coord = coords[i];
+        if (unit.kind != TextureKind::Cube) continue;
+        fragment.face = cube_face(coords[i]);
+        fragment.coord = project_to_face(fragment.face, coords[i]);
+        coords[i] = project_to_face(quad.fragments[0].face, coords[i]);
+        one_face &= fragment.face == quad.fragments[0].face;
+    }
+    quad.sampling = sample_quad(unit, coords, one_face);
+    return quad;
+}
+
+void store(ColorPlanes& out, unsigned lane, const Rgba& color) {
+    out.r[lane] = color[0];
+    out.g[lane] = color[1];
+    out.b[lane] = color[2];
+    out.a[lane] = color[3];
+}
+
+} // namespace
+
+void sample_reference(const TextureUnit& unit,
+                      const TexCoordPlanes& coordinates,
+                      unsigned quad_count,
+                      const FragmentMask& live,
+                      ColorPlanes& out,
+                      TexelFootprints* footprints,
+                      TexelObserver* observer) {
+    for (unsigned lane = 0; lane < 4 * quad_count && !unit.valid; ++lane)
+        store(out, lane, {0, 0, 0, 255});
+    for (unsigned q = 0; q < quad_count && unit.valid; ++q) {
+        const Quad quad = make_quad(unit, coordinates, 4 * q);
+        for (unsigned i = 0; i < 4; ++i) {
+            const unsigned lane = 4 * q + i;
+            const bool told = live.test(lane);
+            const Witness witness{told ? observer : nullptr,
+                                  told && footprints ? &footprints->accesses : nullptr,
+                                  lane};
+            store(out, lane, filter_fragment(unit, quad.fragments[i], quad.sampling, witness));
+        }
+    }
+}
+
+} // namespace ffgpu

@@ -1,0 +1,85 @@
+// The texture unit: a stage over a batch's quads. Texture coordinates in, colours out.
+//
+//   divide by q -> cube face -> derivatives -> level of detail -> wrap -> texels -> filter
+//
+// compile_texture_unit() turns the two registers into a TextureUnit once a draw; sample() then
+// carries out a batch with vectors, sample_reference() with plain scalar code, which is the
+// specification (docs/arithmetic/texture.md): both give the same bits.
+
+#pragma once
+
+#include "model/device/registers/texture.h"
+#include "model/packets/fragment_batch.h"
+#include "model/packets/texel_footprint.h"
+#include "model/texture/wrap.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace ffgpu {
+
+// Levels as one array a property, padded to a power of two: a vector gathers from them.
+struct LevelTable {
+    static constexpr unsigned Size = 16;
+
+    std::array<std::uint32_t, Size> offset{};       // bytes from the texture's first
+    std::array<std::uint32_t, Size> row_stride{};   // bytes
+    std::array<std::uint32_t, Size> layer_stride{}; // bytes
+};
+
+struct TextureUnit {
+    bool valid = false; // An image was given, and all of it lies in memory. Else: opaque black.
+
+    TextureKind kind = TextureKind::None;
+    Format format = Format::None;
+    unsigned dimensions = 2;            // of the filter: 1, 2 or 3
+    std::array<std::int32_t, 3> size{}; // of level 0, in texels, without the border
+    std::int32_t border = 0;            // texels stored around the image: 0 or 1
+    std::uint32_t last_level = 0;       // the coarsest that may be used
+    const std::byte* texels = nullptr;  // level 0's first byte
+    LevelTable levels;
+
+    bool normalized = true;         // coordinates run to 1; else they count texels (rectangle)
+    std::array<float, 3> extent{};  // coordinate of the far edge
+    std::array<float, 3> density{}; // texels of level 0 for each unit of the coordinate
+    std::array<WrapRule, 3> nearest_rules{}, linear_rules{};
+    bool border_color = false; // The border colour can be read.
+
+    Sampler sampler;
+    std::int32_t magnify_limit = 0; // Level of detail, 8 fraction bits, up to which it magnifies.
+    unsigned max_probes = 1;
+};
+
+// `memory` is the device's; 64 bytes behind it can be read, and their values do not matter.
+TextureUnit compile_texture_unit(const TextureImage& image,
+                                 const Sampler& sampler,
+                                 std::span<const std::byte> memory);
+
+// Samples quads 0 .. quad_count - 1. Fragments that are not live get some colour. With footprints,
+// appends the accesses of the live ones.
+void sample(const TextureUnit& unit,
+            const TexCoordPlanes& coordinates,
+            unsigned quad_count,
+            const FragmentMask& live,
+            ColorPlanes& out,
+            TexelFootprints* footprints);
+
+// Told of each texel as the reference reads it; tests hold the footprints against it. Coordinates
+// as in TexelAccess.
+class TexelObserver {
+public:
+    virtual ~TexelObserver() = default;
+    virtual void read(unsigned level, unsigned layer, unsigned x, unsigned y) = 0;
+};
+
+void sample_reference(const TextureUnit& unit,
+                      const TexCoordPlanes& coordinates,
+                      unsigned quad_count,
+                      const FragmentMask& live,
+                      ColorPlanes& out,
+                      TexelFootprints* footprints,
+                      TexelObserver* observer = nullptr);
+
+} // namespace ffgpu
