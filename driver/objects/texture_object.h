@@ -50,11 +50,14 @@ struct TextureParameters {
     GLenum compare_func = GL_LEQUAL;
 };
 
-// What the sampler may read: the chain of consistent levels from the base level on.
+// The levels that fit together around the base level: they share one block of device memory.
 struct TextureChain {
+    TextureShape shape;    // of level `root`; kind None: there is no base image
+    unsigned root = 0;     // GL's number of the first level in the chain
+    unsigned base = 0;     // the first level that the sampler reads
+    unsigned last = 0;     // the last one
     bool complete = false; // GL 1.5, 3.8.10: the texture can be used with its filters
-    TextureShape shape;    // kind None: there is no base image
-    std::uint32_t base_level = 0;
+    BaseFormat base_format = BaseFormat::None;
 };
 
 class TextureObject {
@@ -73,16 +76,18 @@ public:
     const TextureLevel& level(unsigned face, unsigned level) const { return levels_[face][level]; }
 
     // To be called after a change of levels' definitions or of parameters.
-    void changed() { chain_known_ = false; }
+    void changed() { chain_known_ = resident_is_current_ = false; }
     const TextureChain& chain(); // computed when something changed
 
-    // The resident images: `block` holds those of levels base_level .. + shape.levels - 1.
+    // Where the resident levels are: `shape` has those from `root` on.
     struct Resident {
         DeviceBlock block;
         TextureShape shape;
-        std::uint32_t base_level = 0;
+        unsigned root = 0;
     };
     Resident resident;
+    bool resident_is_current() const { return resident_is_current_; } // all of the chain is there
+    void note_resident() { resident_is_current_ = true; }
 
 private:
     GLuint name_;
@@ -90,6 +95,7 @@ private:
     std::vector<std::array<TextureLevel, MaxTextureLevels>> levels_; // by face
     TextureChain chain_;
     bool chain_known_ = false;
+    bool resident_is_current_ = false;
 };
 
 } // namespace ffgpu::gl

@@ -1,0 +1,28 @@
+#include "driver/lower/texture_image.h"
+
+namespace ffgpu::gl {
+
+TextureObject* texture_in_force(const TextureUnit& unit) {
+    for (std::size_t target = TextureTargets; target-- > 0;) {
+        if (unit.enabled[target]) return unit.bound[target].get();
+    }
+    return nullptr;
+}
+
+TextureImage lower_texture_image(TextureObject& texture) {
+    const TextureChain& chain = texture.chain();
+    const TextureObject::Resident& resident = texture.resident;
+    const unsigned skipped = chain.base - resident.root; // Levels larger than the base level.
+
+    TextureImage image;
+    image.shape = resident.shape;
+    image.shape.width = level_size(image.shape.width, skipped);
+    image.shape.height = level_size(image.shape.height, skipped);
+    image.shape.depth = level_size(image.shape.depth, skipped);
+    image.shape.levels = chain.last - chain.base + 1;
+    image.address = static_cast<DeviceAddress>(resident.block.address() +
+                                               level_layout(resident.shape, skipped).offset);
+    return image;
+}
+
+} // namespace ffgpu::gl
