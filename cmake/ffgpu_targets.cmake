@@ -10,10 +10,14 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 target_include_directories(ffgpu_options INTERFACE ${PROJECT_SOURCE_DIR})
 
-# ffgpu_library(name folder [LINKS ...]): a static library of all .cpp files of the folder.
+# ffgpu_library(name folder [EXCLUDE subfolder] [LINKS ...]): a static library of all .cpp files of
+# the folder, but for those of the subfolder.
 function(ffgpu_library name folder)
-  cmake_parse_arguments(arg "" "" "LINKS" ${ARGN})
+  cmake_parse_arguments(arg "" "EXCLUDE" "LINKS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
+  if(arg_EXCLUDE)
+    list(FILTER sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${folder}/${arg_EXCLUDE}/")
+  endif()
   if(sources)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC ffgpu_options ${arg_LINKS})

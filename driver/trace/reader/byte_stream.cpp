@@ -1,0 +1,27 @@
+#include "driver/trace/reader/byte_stream.h"
+
+namespace ffgpu::trace {
+
+void ByteStream::rewind() {
+    container_->rewind();
+    chunk_.clear();
+    at_ = end_ = chunk_.data();
+    chunk_start_ = 0;
+}
+
+bool ByteStream::next_chunk() {
+    chunk_start_ += chunk_.size();
+    do {
+        const bool more = container_->next(chunk_);
+        at_ = chunk_.data();
+        end_ = at_ + chunk_.size();
+        if (!more) return false;
+    } while (at_ == end_); // An empty block is legal.
+    return true;
+}
+
+void ByteStream::need_chunk() {
+    if (!next_chunk()) throw Damage{"the trace ends here"};
+}
+
+} // namespace ffgpu::trace

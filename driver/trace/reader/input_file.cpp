@@ -1,0 +1,34 @@
+#include "driver/trace/reader/input_file.h"
+
+#include "model/base/input_error.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace ffgpu::trace {
+
+InputFile::InputFile(const std::string& path)
+    : path_(path)
+    , file_(std::fopen(path.c_str(), "rb")) {
+    if (!file_) throw InputError(path + ": cannot be opened: " + std::strerror(errno));
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        throw InputError(path + ": is a directory; a trace file was expected");
+    const int first = std::fgetc(file_.get());
+    if (first == EOF) throw InputError(path + ": is empty; a trace was expected");
+    std::ungetc(first, file_.get());
+}
+
+std::size_t InputFile::read(std::span<std::byte> bytes) {
+    const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), file_.get());
+    position_ += count;
+    return count;
+}
+
+void InputFile::rewind() {
+    std::rewind(file_.get());
+    position_ = 0;
+}
+
+} // namespace ffgpu::trace
