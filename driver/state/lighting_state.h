@@ -28,6 +28,8 @@ struct MaterialFace {
     Vec4 emission{0, 0, 0, 1};
     float shininess = 0;
     std::array<float, 3> color_indexes{0, 1, 1}; // ambient, diffuse, specular
+
+    bool operator==(const MaterialFace&) const = default;
 };
 
 struct LightModel {
