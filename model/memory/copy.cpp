@@ -42,7 +42,7 @@ struct RowConverter {
     void convert(const std::byte* source, std::byte* destination, std::uint32_t width) {
         if (from == to) {
             std::memcpy(destination, source, row_bytes(from, width));
-        } else if (format_info(from).is_depth) {
+        } else if (is_depth_target(from)) {
             load_depth24(from, source, pixels);
             store_depth24(to, pixels, destination);
         } else {
@@ -71,8 +71,7 @@ void copy_rectangle(const CopyRectangleCommand& copy, std::span<std::byte> memor
     if (!surface_fits(copy.destination, memory.size())) return;
     if (!inside(copy.source, copy.source_x, copy.source_y, copy)) return;
     if (!inside(copy.destination, copy.destination_x, copy.destination_y, copy)) return;
-    if (format_info(copy.source.format).is_depth != format_info(copy.destination.format).is_depth)
-        return;
+    if (is_depth_target(copy.source.format) != is_depth_target(copy.destination.format)) return;
 
     // Where the two meet in memory the source is read first, as a whole.
     const Extent from = extent(copy.source, copy.source_x, copy.source_y, copy);

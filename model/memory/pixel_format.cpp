@@ -45,10 +45,6 @@ constexpr std::uint16_t rgb5a1_from_rgba8(std::uint32_t color) {
 
 } // namespace
 
-bool is_plain_color(Format format) {
-    return format >= Format::Rgba8 && format <= Format::Rgb5a1;
-}
-
 void load_rgba8(Format format, const std::byte* from, std::span<std::uint32_t> colors) {
     const auto load8 = [&](auto&& convert) {
         for_pixels<1>(colors.size(), from, [&](std::size_t i, const std::byte* at) {
@@ -162,7 +158,7 @@ void store_depth24(Format format, std::span<const std::uint32_t> depths, std::by
 }
 
 bool surface_fits(const Surface& surface, std::uint64_t memory_size) {
-    if (!is_plain_color(surface.format) && !format_info(surface.format).is_depth) return false;
+    if (!is_plain_color(surface.format) && !is_depth_target(surface.format)) return false;
     if (surface.width == 0 || surface.height == 0) return false;
     const std::uint64_t row = row_bytes(surface.format, surface.width);
     if (surface.height > 1 && surface.stride < row) return false;

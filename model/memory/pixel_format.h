@@ -103,7 +103,14 @@ void store_word(std::byte* at, Word word) {
 }
 
 // Uncompressed and with colour: what load_rgba8 and store_rgba8 take.
-bool is_plain_color(Format format);
+constexpr bool is_plain_color(Format format) {
+    return format >= Format::Rgba8 && format <= Format::Rgb5a1;
+}
+
+// What load_depth24 and store_depth24 take. (A format from a file may be none of the list.)
+constexpr bool is_depth_target(Format format) {
+    return format == Format::Depth16 || format == Format::Depth24Stencil8;
+}
 
 // Consecutive pixels of a row. Luminance takes red, intensity red, alpha formats alpha; a channel
 // that a format lacks reads as formats.h says, and its stored spare byte is 255.

@@ -1,0 +1,33 @@
+// The comparison that alpha, stencil and depth test share: value (compare) reference.
+
+#pragma once
+
+#include "model/device/registers/texture.h"
+
+#include <cstdint>
+
+namespace ffgpu {
+
+constexpr bool compare(Compare function, std::uint32_t value, std::uint32_t reference) {
+    switch (function) {
+    case Compare::Never:
+        return false;
+    case Compare::Less:
+        return value < reference;
+    case Compare::Equal:
+        return value == reference;
+    case Compare::Lequal:
+        return value <= reference;
+    case Compare::Greater:
+        return value > reference;
+    case Compare::Notequal:
+        return value != reference;
+    case Compare::Gequal:
+        return value >= reference;
+    case Compare::Always:
+        return true;
+    }
+    return true;
+}
+
+} // namespace ffgpu

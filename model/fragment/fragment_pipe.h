@@ -1,0 +1,64 @@
+// The fragment pipe behind the texture units: from samples to pixels.
+//
+//     early_depth_test   kills hidden fragments before they are textured, where that changes
+//     nothing shade              texture environments, colour sum, fog, antialiasing coverage write
+//     alpha test, stencil and depth, blending or logic operation, masks, dither
+//
+// A stage is a file: its scalar functions are its specification (and fragment_reference.h the
+// pipe made of them), its _simd.cpp file computes the same bits on a batch.
+
+#pragma once
+
+#include "model/fragment/blend.h"
+#include "model/fragment/fog.h"
+#include "model/fragment/stencil_depth.h"
+#include "model/packets/draw_state.h"
+#include "model/packets/fragment_batch.h"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+
+namespace ffgpu {
+
+struct ColorTarget {
+    Surface surface;             // Format::None: nothing is written
+    std::uint8_t write_mask = 0; // one bit a channel, of those that the format has
+};
+
+// What a draw needs, compiled once from its registers. Targets that do not fit into memory, or
+// that do not hold the whole scissor rectangle, are left out: registers may come from a file.
+struct FragmentPipe {
+    std::shared_ptr<const Registers> registers;
+    std::span<std::byte> memory;
+
+    std::uint8_t sampled_units = 0; // DrawState::units
+    bool early_depth = false;       // early_depth_test() does what write() would do later.
+    bool antialias = false;
+    FogCurve fog;
+    StencilDepthState stencil_depth;
+    Surface depth_target;
+    ColorOperation color_operation = ColorOperation::Replace;
+    std::array<ColorTarget, 2> color_targets;
+};
+
+FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> memory);
+
+// Clears bits of `live`; writes depth if the draw does. Does nothing for a pipe that tests late.
+void early_depth_test(const FragmentPipe& pipe, FragmentBatch& batch);
+
+// From primary, secondary, texture samples, fog coordinate and antialias to `color`, for every
+// lane.
+void shade(const FragmentPipe& pipe, FragmentBatch& batch);
+
+// The fragments left after each test; the tests of a stage that is off let all pass.
+struct FragmentFates {
+    FragmentMask after_alpha, after_stencil, after_depth;
+};
+
+// Only pixels of live fragments are touched. `live` ends as after_depth: what occlusion queries
+// count.
+void write(const FragmentPipe& pipe, FragmentBatch& batch, FragmentFates& fates);
+
+} // namespace ffgpu

@@ -1,0 +1,162 @@
+#include "model/fragment/fragment_reference.h"
+
+#include "model/fragment/compare.h"
+#include "model/fragment/texture_environment.h"
+#include "model/fragment/unorm8.h"
+
+#include <algorithm>
+
+namespace ffgpu {
+namespace {
+
+PixelColor plane_color(const ColorPlanes& planes, unsigned lane) {
+    const auto byte = [&](std::uint16_t value) { return static_cast<std::uint8_t>(value); };
+    return {byte(planes.r[lane]), byte(planes.g[lane]), byte(planes.b[lane]), byte(planes.a[lane])};
+}
+
+void set_plane_color(ColorPlanes& planes, unsigned lane, const PixelColor& color) {
+    planes.r[lane] = color[0];
+    planes.g[lane] = color[1];
+    planes.b[lane] = color[2];
+    planes.a[lane] = color[3];
+}
+
+CombineInputs combine_inputs(const FragmentPipe& pipe, const FragmentBatch& batch, unsigned lane) {
+    CombineInputs inputs{};
+    for (unsigned unit = 0; unit < TextureUnits; ++unit)
+        inputs.texture[unit] = (pipe.sampled_units >> unit & 1) != 0
+                                   ? plane_color(batch.texture[unit], lane)
+                                   : UnsampledTexture;
+    inputs.primary = plane_color(batch.primary, lane);
+    inputs.previous = inputs.primary;
+    return inputs;
+}
+
+PixelColor shade_fragment(const FragmentPipe& pipe, const FragmentBatch& batch, unsigned lane) {
+    const Registers& registers = *pipe.registers;
+    CombineInputs inputs = combine_inputs(pipe, batch, lane);
+    for (const Combiner& combiner : registers.combiners)
+        if (combiner.enable) inputs.previous = combine(combiner, inputs);
+
+    PixelColor color = inputs.previous;
+    if (registers.fragment.color_sum) {
+        const PixelColor secondary = plane_color(batch.secondary, lane);
+        for (unsigned channel = 0; channel < 3; ++channel)
+            color[channel] =
+                static_cast<std::uint8_t>(std::min(255, color[channel] + secondary[channel]));
+    }
+    if (pipe.fog.mode != FogMode::Off)
+        color = apply_fog(pipe.fog, fog_factor(pipe.fog, batch.fog_coordinate[lane]), color);
+    if (pipe.antialias) color[3] = multiply_unorm8(color[3], batch.antialias[lane]);
+    return color;
+}
+
+// --- Targets ----------------------------------------------------------------------------------
+
+struct Position {
+    std::uint32_t x, y;
+};
+
+Position position(const FragmentBatch& batch, unsigned lane) {
+    return {batch.x[lane / 4] + (lane & 1), batch.y[lane / 4] + (lane >> 1 & 1)};
+}
+
+bool front_facing(const FragmentBatch& batch, unsigned lane) {
+    const unsigned quad = lane / 4;
+    return (batch.front_facing[quad / 64] >> (quad % 64) & 1) != 0;
+}
+
+StencilDepthPixel load_stencil_depth(Format format, const std::byte* at) {
+    if (format == Format::Depth16) return {load_word<std::uint16_t>(at), 0};
+    const auto word = load_word<std::uint32_t>(at);
+    return {word >> 8, static_cast<std::uint8_t>(word)};
+}
+
+void store_stencil_depth(Format format, StencilDepthPixel pixel, std::byte* at) {
+    if (format == Format::Depth16) return store_word(at, static_cast<std::uint16_t>(pixel.depth));
+    store_word(at, pixel.depth << 8 | pixel.stencil);
+}
+
+StencilDepthResult
+visit_depth_target(const FragmentPipe& pipe, const FragmentBatch& batch, unsigned lane) {
+    if (!pipe.stencil_depth.active()) return {true, true, {}};
+    const auto [x, y] = position(batch, lane);
+    std::byte* at = pixel_address(pipe.depth_target, pipe.memory, x, y);
+    const Format format = pipe.depth_target.format;
+    const StencilDepthPixel stored = load_stencil_depth(format, at);
+    const StencilDepthResult result = test_stencil_depth(
+        pipe.stencil_depth, front_facing(batch, lane), batch.depth[lane], stored);
+    if (result.pixel != stored) store_stencil_depth(format, result.pixel, at);
+    return result;
+}
+
+// The colour in the precision of the target: as it reads once it is stored.
+PixelColor to_target(Format format, std::uint32_t threshold, PixelColor color) {
+    if (format != Format::Rgb565) return color;
+    return unpack_rgba8(rgba8_from_rgb565(rgb565_from_rgba8(pack_rgba8(color), threshold)));
+}
+
+void write_color(const FragmentPipe& pipe,
+                 const ColorTarget& target,
+                 Position at,
+                 PixelColor source) {
+    const Registers& registers = *pipe.registers;
+    const Format format = target.surface.format;
+    std::byte* address = pixel_address(target.surface, pipe.memory, at.x, at.y);
+    const PixelColor stored = unpack_rgba8(load_rgba8(format, address));
+    const std::uint32_t threshold =
+        registers.fragment.dither ? dither_threshold(at.x, at.y) : RoundToNearest;
+
+    PixelColor color = source;
+    if (pipe.color_operation == ColorOperation::Blend)
+        color = blend(registers.blend, source, stored);
+    color = to_target(format, threshold, color);
+    if (pipe.color_operation == ColorOperation::Logic)
+        color = unpack_rgba8(
+            apply_logic_op(registers.blend.logic_op, pack_rgba8(color), pack_rgba8(stored)));
+    for (unsigned channel = 0; channel < 4; ++channel)
+        if ((target.write_mask >> channel & 1) == 0) color[channel] = stored[channel];
+    store_rgba8(format, pack_rgba8(color), address);
+}
+
+} // namespace
+
+void early_depth_test_reference(const FragmentPipe& pipe, FragmentBatch& batch) {
+    if (!pipe.early_depth) return;
+    FragmentMask passed;
+    for (unsigned lane = 0; lane < batch.lanes(); ++lane)
+        if (batch.live.test(lane) && visit_depth_target(pipe, batch, lane).passes_depth)
+            passed.set(lane);
+    batch.live = passed;
+}
+
+void shade_reference(const FragmentPipe& pipe, FragmentBatch& batch) {
+    for (unsigned lane = 0; lane < batch.lanes(); ++lane)
+        set_plane_color(batch.color, lane, shade_fragment(pipe, batch, lane));
+}
+
+void write_reference(const FragmentPipe& pipe, FragmentBatch& batch, FragmentFates& fates) {
+    const FragmentControl& control = pipe.registers->fragment;
+    fates = {};
+    for (unsigned lane = 0; lane < batch.lanes(); ++lane) {
+        if (!batch.live.test(lane)) continue;
+        const PixelColor color = plane_color(batch.color, lane);
+        if (control.alpha_test &&
+            !compare(control.alpha_compare, color[3], control.alpha_reference))
+            continue;
+        fates.after_alpha.set(lane);
+
+        StencilDepthResult result{true, true, {}};
+        if (!pipe.early_depth) result = visit_depth_target(pipe, batch, lane);
+        if (!result.passes_stencil) continue;
+        fates.after_stencil.set(lane);
+        if (!result.passes_depth) continue;
+        fates.after_depth.set(lane);
+
+        for (const ColorTarget& target : pipe.color_targets)
+            if (target.write_mask != 0) write_color(pipe, target, position(batch, lane), color);
+    }
+    batch.live = fates.after_depth;
+}
+
+} // namespace ffgpu
