@@ -48,6 +48,8 @@ struct TextureParameters {
     GLenum depth_mode = GL_LUMINANCE;
     GLenum compare_mode = GL_NONE;
     GLenum compare_func = GL_LEQUAL;
+
+    bool operator==(const TextureParameters&) const = default;
 };
 
 // The levels that fit together around the base level: they share one block of device memory.
