@@ -5,6 +5,7 @@
 
 #include "driver/gl_types.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>

@@ -1,0 +1,96 @@
+#include "driver/trace/player/client_memory.h"
+
+#include "driver/objects/buffer_object.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace ffgpu::trace {
+namespace {
+
+std::uint64_t component_bytes(GLenum type) {
+    switch (type) {
+    case GL_BYTE:
+    case GL_UNSIGNED_BYTE:
+        return 1;
+    case GL_SHORT:
+    case GL_UNSIGNED_SHORT:
+    case GL_HALF_FLOAT:
+        return 2;
+    case GL_DOUBLE:
+        return 8;
+    default:
+        return 4;
+    }
+}
+
+std::byte* make_room(Blob& blob, std::size_t bytes) {
+    blob.clear();
+    blob.pad(std::max<std::size_t>(bytes, 1));
+    return blob.data();
+}
+
+} // namespace
+
+void ClientMemory::keep_array(const gl::Context& context, const void* array, Blob& blob) {
+    arrays_[{&context, array}].swap(blob);
+}
+
+std::uint64_t ClientMemory::bytes_from(const void* pointer) const {
+    const auto* const at = static_cast<const std::byte*>(pointer);
+    for (const auto& [key, blob] : arrays_) {
+        const std::byte* const end = blob.data() + blob.size();
+        // std::less orders pointers of different objects.
+        if (!std::less<>()(at, blob.data()) && std::less<>()(at, end))
+            return static_cast<std::uint64_t>(end - at);
+    }
+    return 0;
+}
+
+std::uint64_t ClientMemory::vertices_available(const gl::VertexArray& array) const {
+    const std::uint64_t element =
+        static_cast<std::uint64_t>(array.size) * component_bytes(array.type);
+    const std::uint64_t stride =
+        array.stride > 0 ? static_cast<std::uint64_t>(array.stride) : element;
+    const std::uint64_t bytes = bytes_from(array.pointer);
+    return bytes < element ? 0 : (bytes - element) / stride + 1;
+}
+
+std::uint64_t ClientMemory::vertices_available(const gl::Context& context) const {
+    std::uint64_t available = ~std::uint64_t{0};
+    for (const gl::VertexArray& array : context.client.arrays.object->arrays)
+        if (array.enabled && !array.buffer)
+            available = std::min(available, vertices_available(array));
+    return available;
+}
+
+void ClientMemory::map(std::uint64_t address, std::shared_ptr<gl::BufferObject> buffer) {
+    std::erase_if(mappings_, [&](const auto& mapping) {
+        const auto before = mapping.second.lock();
+        return !before || !before->mapped || before == buffer;
+    });
+    if (address != 0 && buffer->mapped) mappings_[address] = buffer;
+}
+
+void ClientMemory::write(std::uint64_t address, std::span<const std::byte> bytes) {
+    auto mapping = mappings_.upper_bound(address);
+    if (mapping == mappings_.begin()) return;
+    --mapping;
+    const auto buffer = mapping->second.lock();
+    if (!buffer || !buffer->mapped) return;
+    const std::uint64_t offset = address - mapping->first;
+    if (offset >= buffer->map_length) return;
+    const std::size_t count = std::min<std::uint64_t>(bytes.size(), buffer->map_length - offset);
+    if (std::byte* const to = buffer->at(buffer->map_offset + offset, count))
+        std::copy_n(bytes.data(), count, to);
+}
+
+GLfloat* ClientMemory::feedback(const gl::Context& context, std::size_t elements) {
+    return reinterpret_cast<GLfloat*>(make_room(feedback_[&context], elements * sizeof(GLfloat)));
+}
+
+GLuint* ClientMemory::selection(const gl::Context& context, std::size_t elements) {
+    return reinterpret_cast<GLuint*>(make_room(selection_[&context], elements * sizeof(GLuint)));
+}
+
+} // namespace ffgpu::trace

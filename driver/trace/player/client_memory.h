@@ -1,0 +1,50 @@
+// ClientMemory: the memory of the traced program that outlives a call: vertex arrays, mapped
+// buffers, and where feedback and selection results go.
+
+#pragma once
+
+#include "driver/context/context.h"
+#include "driver/gl_types.h"
+#include "driver/trace/reader/blob.h"
+#include "driver/trace/reader/call.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <tuple>
+
+namespace ffgpu::trace {
+
+class ClientMemory {
+public:
+    // Takes the bytes of a gl*Pointer call, which stay until the same array of the context gets
+    // others. `array`: whatever tells one array from another.
+    void keep_array(const gl::Context& context, const void* array, Blob& blob);
+
+    // Vertices 0 .. n - 1 can be fetched from all arrays that are enabled; a damaged trace's draw
+    // may ask for more. Arrays in buffer objects are the driver's business.
+    std::uint64_t vertices_available(const gl::Context& context) const;
+
+    // The memory at `address` of the traced program is the mapped part of `buffer`, for as long as
+    // that is mapped.
+    void map(std::uint64_t address, std::shared_ptr<gl::BufferObject> buffer);
+    // The program's write to its memory: into the mapping it hits, if any.
+    void write(std::uint64_t address, std::span<const std::byte> bytes);
+
+    // Room for glFeedbackBuffer or glSelectBuffer; the one before is given up.
+    GLfloat* feedback(const gl::Context& context, std::size_t elements);
+    GLuint* selection(const gl::Context& context, std::size_t elements);
+
+private:
+    std::uint64_t vertices_available(const gl::VertexArray& array) const;
+    // Bytes from `pointer` to the end of the blob it points into; 0: none.
+    std::uint64_t bytes_from(const void* pointer) const;
+
+    std::map<std::pair<const gl::Context*, const void*>, Blob> arrays_;
+    std::map<std::uint64_t, std::weak_ptr<gl::BufferObject>> mappings_; // by traced address
+    std::map<const gl::Context*, Blob> feedback_, selection_;
+};
+
+} // namespace ffgpu::trace

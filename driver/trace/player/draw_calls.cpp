@@ -1,0 +1,114 @@
+// Vertex arrays in the program's memory, and the commands that draw from them. A draw that goes
+// beyond the bytes that the trace holds is left out: the program would have crashed.
+
+#include "driver/context/current.h"
+#include "driver/objects/buffer_object.h"
+#include "driver/trace/player/player.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ffgpu::trace {
+namespace {
+
+constexpr std::uint64_t Unlimited = ~std::uint64_t{0};
+
+std::uint64_t positive(const Value& value) {
+    return static_cast<std::uint64_t>(std::max<std::int64_t>(0, to_number<std::int64_t>(value)));
+}
+
+std::uint64_t largest(const Value& numbers) {
+    std::uint64_t most = 0;
+    const auto see = [&](const Value& number) { most = std::max(most, positive(number)); };
+    if (numbers.kind == ValueKind::Array) {
+        Call::for_each(numbers, see);
+    } else {
+        see(numbers);
+    }
+    return most;
+}
+
+// One more than the largest of the indices; 0 if there are none.
+template <class Index>
+std::uint64_t vertices_used(std::span<const std::byte> bytes, const GLuint* restart) {
+    const auto* const begin = reinterpret_cast<const Index*>(bytes.data());
+    const auto* const end = begin + bytes.size() / sizeof(Index);
+    if (begin == end) return 0;
+    if (!restart) return std::uint64_t{*std::max_element(begin, end)} + 1;
+    std::uint64_t used = 0;
+    for (const Index* index = begin; index != end; ++index)
+        if (*index != *restart) used = std::max(used, std::uint64_t{*index} + 1);
+    return used;
+}
+
+std::uint64_t vertices_used(std::span<const std::byte> bytes, GLenum type, const GLuint* restart) {
+    if (type == GL_UNSIGNED_BYTE) return vertices_used<GLubyte>(bytes, restart);
+    if (type == GL_UNSIGNED_SHORT) return vertices_used<GLushort>(bytes, restart);
+    return vertices_used<GLuint>(bytes, restart);
+}
+
+} // namespace
+
+void TracePlayer::set_array(const GlCommand* command, Call& call) {
+    const gl::Context& context = *gl::current_context();
+    play_plain(*command, call);
+    const Value& pointer = call.argument(call.argument_count() - 1);
+    if (pointer.kind != ValueKind::Blob) return;
+    // An array is told by its command, and the texture unit it is for.
+    const auto* const key =
+        reinterpret_cast<const char*>(command) + context.client.arrays.active_unit;
+    static_assert(sizeof(GlCommand) > TextureUnits);
+    memory_.keep_array(context, key, call.blob(pointer));
+}
+
+void TracePlayer::draw_checked(const GlCommand* command, Call& call, std::uint64_t vertices) {
+    if (vertices > memory_.vertices_available(*gl::current_context()))
+        return warn_once(std::string(call.name()) +
+                         " draws more vertices than its arrays have: left out at call " +
+                         std::to_string(call.number()));
+    play_plain(*command, call);
+}
+
+// glDrawArrays(mode, first, count), glLockArraysEXT(first, count), glArrayElement(i)
+void TracePlayer::draw_arrays(const GlCommand* command, Call& call) {
+    const std::size_t count = call.argument_count();
+    const std::uint64_t last = count == 1 ? 1 : positive(call.argument(count - 1));
+    const std::uint64_t first = positive(call.argument(count == 3 ? 1 : 0));
+    draw_checked(command, call, last == 0 ? 0 : first + last);
+}
+
+void TracePlayer::multi_draw_arrays(const GlCommand* command, Call& call) {
+    draw_checked(command, call, largest(call.argument(1)) + largest(call.argument(2)));
+}
+
+// glDrawElements, glDrawRangeElements, glMultiDrawElements and their forms with base vertices.
+// Indices in a buffer object are looked at all together, which only a program does that has its
+// indices there and its vertices not.
+void TracePlayer::draw_elements(const GlCommand* command, Call& call) {
+    const gl::VertexArrayState& arrays = gl::current_context()->client.arrays;
+    if (memory_.vertices_available(*gl::current_context()) == Unlimited) {
+        play_plain(*command, call);
+        return;
+    }
+    const auto type = to_number<GLenum>(call.argument("type"));
+    const GLuint* const restart = arrays.primitive_restart ? &arrays.restart_index : nullptr;
+    std::uint64_t vertices = 0;
+    const auto see = [&](const Value& indices) {
+        std::span<const std::byte> bytes;
+        if (arrays.object->element_buffer) {
+            bytes = arrays.object->element_buffer->bytes();
+        } else if (indices.kind == ValueKind::Blob) {
+            bytes = std::as_const(call).blob(indices).bytes();
+        }
+        vertices = std::max(vertices, vertices_used(bytes, type, restart));
+    };
+    const Value& indices = call.argument("indices");
+    if (indices.kind == ValueKind::Array) {
+        Call::for_each(indices, see);
+    } else {
+        see(indices);
+    }
+    draw_checked(command, call, vertices + largest(call.argument("basevertex")));
+}
+
+} // namespace ffgpu::trace

@@ -1,0 +1,142 @@
+#include "driver/trace/player/player.h"
+
+#include "driver/context/current.h"
+#include "driver/trace/player/names.h"
+
+namespace ffgpu::trace {
+namespace {
+
+// What does not change any state. glGetTexImage and glReadPixels do where a buffer object takes
+// their result.
+bool only_asks(std::string_view name) {
+    return name.starts_with("glGet") || name.starts_with("glIs") ||
+           name.starts_with("glAreTexturesResident") ||
+           name.starts_with("glCheckFramebufferStatus");
+}
+
+bool has_buffer(OffsetInto into, const gl::Context& context) {
+    const gl::ClientState& client = context.client;
+    switch (into) {
+    case OffsetInto::VertexBuffer:
+        return client.buffers.array != nullptr;
+    case OffsetInto::IndexBuffer:
+        return client.arrays.object->element_buffer != nullptr;
+    case OffsetInto::PixelUnpack:
+        return client.buffers.pixel_unpack != nullptr;
+    case OffsetInto::PixelPack:
+        return client.buffers.pixel_pack != nullptr;
+    default:
+        return false;
+    }
+}
+
+const char* error_name(GLenum error) {
+    switch (error) {
+    case GL_INVALID_ENUM:
+        return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE:
+        return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION:
+        return "GL_INVALID_OPERATION";
+    case GL_STACK_OVERFLOW:
+        return "GL_STACK_OVERFLOW";
+    case GL_STACK_UNDERFLOW:
+        return "GL_STACK_UNDERFLOW";
+    case GL_OUT_OF_MEMORY:
+        return "GL_OUT_OF_MEMORY";
+    default:
+        return "a GL error";
+    }
+}
+
+} // namespace
+
+TracePlayer::TracePlayer(Device& device, TraceReader& trace, Options options)
+    : trace_(trace)
+    , options_(std::move(options))
+    , windows_(device) {}
+
+std::optional<ShownFrame> TracePlayer::play_frame() {
+    while (Call* const call = trace_.next()) {
+        play(*call);
+        ++calls_played_;
+        if (const std::optional<Surface> shown = windows_.take_shown()) [[unlikely]]
+            return ShownFrame{frames_++, *shown};
+    }
+    return std::nullopt;
+}
+
+void TracePlayer::play(Call& call) {
+    const Action& action = action_of(call.signature());
+    switch (action.kind) {
+    case Action::Kind::Unknown:
+    case Action::Kind::Ignore:
+        return;
+    case Action::Kind::WindowSystem:
+        windows_.enter_thread(call.thread());
+        return (windows_.*action.handler)(call);
+    case Action::Kind::Plain:
+    case Action::Kind::Special:
+        windows_.enter_thread(call.thread());
+        if (!gl::current_context()) return; // As GL does without a context: nothing.
+        if (action.kind == Action::Kind::Plain) {
+            play_plain(*action.command, call);
+        } else {
+            (this->*action.special)(action.command, call);
+        }
+        if (options_.report_errors) report_error(call);
+    }
+}
+
+std::uint64_t TracePlayer::play_plain(const GlCommand& command, Call& call) {
+    const gl::Context& context = *gl::current_context();
+    arguments_.begin(call, context, command.array_size, has_buffer(command.offset_into, context));
+    const std::uint64_t result = command.call(command.function, arguments_);
+    if (arguments_.refused())
+        warn_once(std::string(call.name()) + " reads too much memory: left out at call " +
+                  std::to_string(call.number()));
+    return result;
+}
+
+const TracePlayer::Action& TracePlayer::action_of(const Signature& signature) {
+    if (signature.id >= known_.size()) {
+        known_.resize(signature.id + 1);
+        actions_.resize(signature.id + 1);
+    }
+    if (!known_[signature.id]) {
+        known_[signature.id] = true;
+        actions_[signature.id] = make_action(signature.name);
+    }
+    return actions_[signature.id];
+}
+
+TracePlayer::Action TracePlayer::make_action(const std::string& name) {
+    using Kind = Action::Kind;
+    Action action;
+    action.command = find_gl_command(name);
+    if ((action.handler = WindowSystem::find(name))) {
+        action.kind = Kind::WindowSystem;
+    } else if ((action.special = find_special(name)) && (action.command || name == "memcpy")) {
+        action.kind = Kind::Special;
+    } else if (only_asks(name) || WindowSystem::is_harmless(name)) {
+        action.kind = Kind::Ignore;
+    } else if (action.command) {
+        action.kind = Kind::Plain;
+    } else {
+        warn_once("not supported yet: " + name);
+    }
+    return action;
+}
+
+void TracePlayer::report_error(const Call& call) {
+    const GLenum error = gl::current_context()->take_error();
+    if (error == GL_NO_ERROR) return;
+    options_.warn("call " + std::to_string(call.number()) + " " + std::string(call.name()) + ": " +
+                  error_name(error));
+}
+
+void TracePlayer::warn_once(const std::string& line) {
+    if (warned_.insert(line).second) options_.warn(line);
+}
+
+} // namespace ffgpu::trace
