@@ -8,6 +8,7 @@
 #include "driver/context/dirty.h"
 #include "driver/context/register_file.h"
 #include "driver/gl_types.h"
+#include "driver/lower/targets.h"
 #include "driver/memory_allocator.h"
 #include "driver/objects/query_objects.h"
 #include "driver/state/state.h"
@@ -93,12 +94,16 @@ public:
         return true;
     }
 
-    // Lowers what is dirty to registers.wanted, whether or not something can be drawn.
+    // Lowers what is dirty to registers.wanted, whether or not something can be drawn, and notes
+    // the registers that changed in registers.pending().
     void lower_state();
 
-    // Lowers what is dirty and notes the registers that changed in registers.pending(). False:
-    // nothing can be drawn (incomplete framebuffer: the error is recorded; empty drawable).
+    // Lowers what is dirty. False: nothing can be drawn (incomplete framebuffer: the error is
+    // recorded; empty drawable).
     bool prepare_draw();
+
+    // What prepare_draw() or lower_state() found to draw to.
+    const DrawTarget& draw_target() const { return draw_target_; }
 
     // Sends registers.pending(), then `commands`, after everything before them.
     void submit(const CommandStream& commands);
@@ -119,7 +124,7 @@ private:
     Drawable* draw_drawable_ = nullptr;
     Drawable* read_drawable_ = nullptr;
     GLenum error_ = GL_NO_ERROR;
-    bool targets_complete_ = false;    // As prepare_draw() found them last,
+    DrawTarget draw_target_;           // As it was lowered last,
     unsigned drawable_generation_ = 0; // with this Drawable::generation().
 };
 

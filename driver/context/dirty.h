@@ -31,10 +31,12 @@ public:
     }
 
     constexpr void mark(Dirty group) { bits_ |= static_cast<std::uint32_t>(group); }
+    constexpr void mark(DirtyGroups groups) { bits_ |= groups.bits_; }
     constexpr bool has(Dirty group) const {
         return (bits_ & static_cast<std::uint32_t>(group)) != 0;
     }
     constexpr void clear() { bits_ = 0; }
+    constexpr bool operator==(const DirtyGroups&) const = default;
 
 private:
     std::uint32_t bits_ = 0;

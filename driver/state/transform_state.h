@@ -58,7 +58,7 @@ struct ViewportState { // GL_VIEWPORT_BIT
 
 struct TransformGroup { // GL_TRANSFORM_BIT
     GLenum matrix_mode = GL_MODELVIEW;
-    std::uint8_t clip_plane_enable = 0;         // one bit a plane
+    std::array<bool, ClipPlanes> clip_plane_enable{};
     std::array<Vec4, ClipPlanes> clip_planes{}; // in eye coordinates
     bool normalize = false;
     bool rescale_normal = false;

@@ -1,0 +1,30 @@
+// Lowers fog and the per-fragment operations.
+
+#pragma once
+
+#include "driver/state/fragment_state.h"
+#include "driver/state/framebuffer_state.h"
+#include "driver/state/lighting_state.h"
+#include "model/device/registers/fragment.h"
+
+namespace ffgpu::gl {
+
+// What the depth target offers. A test of what is not there always passes, and nothing is written
+// (GL 1.5, 4.1.5 and 4.1.6).
+struct DepthTarget {
+    unsigned depth_bits = 0;
+    unsigned stencil_bits = 0;
+};
+
+Fog lower_fog(const FogState& gl);
+FragmentControl lower_fragment_control(const FragmentState& gl,
+                                       const LightingState& lighting,
+                                       bool query_is_active);
+Stencil lower_stencil(const StencilState& gl, DepthTarget target);
+DepthControl lower_depth(const DepthState& gl, DepthTarget target);
+Blend lower_blend(const BlendState& gl, const std::array<bool, 4>& color_mask);
+
+// A colour in [0, 1] as rgba8, red in the lowest byte.
+std::uint32_t pack_rgba8(const Vec4& color);
+
+} // namespace ffgpu::gl
