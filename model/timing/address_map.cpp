@@ -1,0 +1,83 @@
+#include "model/timing/address_map.h"
+
+namespace ffgpu::timing {
+namespace {
+
+constexpr std::uint64_t LevelAlignment = 128; // bytes
+
+} // namespace
+
+std::uint64_t AddressMap::place(std::uint64_t bytes) {
+    const std::uint64_t base = next_;
+    next_ += (bytes + LevelAlignment - 1) / LevelAlignment * LevelAlignment;
+    return base;
+}
+
+PlacedLevel AddressMap::place_level(const TextureImage& image, std::uint32_t level) {
+    const FormatInfo& format = format_info(image.shape.format);
+    const LevelLayout device = level_layout(image.shape, level);
+    const std::uint32_t border = image.shape.border;
+    const std::uint32_t border_y = image.shape.kind == TextureKind::OneD ? 0 : border;
+
+    PlacedLevel placed;
+    placed.block = format.block_width;
+    placed.border = border;
+    placed.layout =
+        ImageLayout::make(config_.texel_cache.layout,
+                          config_.texel_cache.block_width,
+                          config_.texel_cache.superblock_width,
+                          (device.width + 2 * border + placed.block - 1) / placed.block,
+                          (device.height + 2 * border_y + placed.block - 1) / placed.block,
+                          format.block_bytes);
+    placed.layer_bytes = placed.layout.bytes();
+    placed.base = place(placed.layer_bytes * device.layers);
+    return placed;
+}
+
+const std::vector<PlacedLevel>& AddressMap::texture(const TextureImage& image) {
+    Texture& texture = textures_[image.address];
+    if (texture.levels.empty() || !(texture.image == image)) {
+        texture.image = image;
+        texture.bytes = texture_bytes(image.shape);
+        texture.levels.clear();
+        for (std::uint32_t level = 0; level < image.shape.levels; ++level)
+            texture.levels.push_back(place_level(image, level));
+    }
+    return texture.levels;
+}
+
+const PlacedLevel& AddressMap::surface(const Surface& surface, const CacheConfig& cache) {
+    const auto key = std::tuple(surface.address,
+                                surface.format,
+                                std::uint32_t{surface.width},
+                                std::uint32_t{surface.height});
+    const auto [entry, is_new] = surfaces_.try_emplace(key);
+    if (is_new) {
+        PlacedLevel& placed = entry->second;
+        placed.layout = ImageLayout::make(cache.layout,
+                                          cache.block_width,
+                                          cache.block_width,
+                                          surface.width,
+                                          surface.height,
+                                          format_info(surface.format).block_bytes);
+        placed.layer_bytes = placed.layout.bytes();
+        placed.base = place(placed.layer_bytes);
+    }
+    return entry->second;
+}
+
+void AddressMap::memory_written(std::uint64_t at, std::uint64_t bytes) {
+    for (auto& [address, texture] : textures_) {
+        if (address >= at + bytes) break;
+        if (texture.levels.empty() || address + texture.bytes <= at) continue;
+        for (std::uint32_t level = 0; level < texture.levels.size(); ++level) {
+            const LevelLayout device = level_layout(texture.image.shape, level);
+            const std::uint64_t begin = address + device.offset;
+            if (begin < at + bytes && begin + device.bytes > at) {
+                texture.levels[level] = place_level(texture.image, level);
+            }
+        }
+    }
+}
+
+} // namespace ffgpu::timing

@@ -1,0 +1,63 @@
+// AddressMap: gives textures and surfaces their places in the timing model's address space, in the
+// layouts of the configuration. Places are handed out in the order of first use and never reused; a
+// texture level that the driver writes again gets a new place, so that its next reads are
+// compulsory misses, as they are on a real bus.
+
+#pragma once
+
+#include "model/device/registers.h"
+#include "model/timing/config.h"
+#include "model/timing/image_layout.h"
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <vector>
+
+namespace ffgpu::timing {
+
+struct PlacedLevel {
+    ImageLayout layout;
+    std::uint64_t base = 0;
+    std::uint64_t layer_bytes = 0;
+    std::uint32_t block = 1; // texels a side of an element (4 for S3TC)
+    std::uint32_t border = 0;
+
+    // Texel (x, y) of layer `layer`, borders counted from 0 as TexelAccess does.
+    std::uint64_t address(std::uint32_t x, std::uint32_t y, std::uint32_t layer) const {
+        return base + layer * layer_bytes + layout.offset(x / block, y / block);
+    }
+};
+
+class AddressMap {
+public:
+    explicit AddressMap(const TimingConfig& config)
+        : config_(config) {}
+
+    // The levels of a texture; the reference holds until the next call.
+    const std::vector<PlacedLevel>& texture(const TextureImage& image);
+
+    // A colour or depth target, in the layout of its cache.
+    const PlacedLevel& surface(const Surface& surface, const CacheConfig& cache);
+
+    // The driver wrote [at, at + bytes) of device memory.
+    void memory_written(std::uint64_t at, std::uint64_t bytes);
+
+private:
+    struct Texture {
+        TextureImage image;
+        std::uint64_t bytes = 0;
+        std::vector<PlacedLevel> levels;
+    };
+
+    std::uint64_t place(std::uint64_t bytes);
+    PlacedLevel place_level(const TextureImage& image, std::uint32_t level);
+
+    const TimingConfig& config_;
+    std::map<DeviceAddress, Texture> textures_;
+    std::map<std::tuple<DeviceAddress, Format, std::uint32_t, std::uint32_t>, PlacedLevel>
+        surfaces_;
+    std::uint64_t next_ = std::uint64_t{1} << 32; // Above all device addresses.
+};
+
+} // namespace ffgpu::timing

@@ -1,0 +1,69 @@
+#include "model/timing/color_timing.h"
+
+namespace ffgpu::timing {
+
+ColorTiming::ColorTiming(sc_core::sc_module_name name,
+                         const Clock& clock,
+                         const TimingConfig& config,
+                         const Ports& ports,
+                         InFlight& in_flight,
+                         std::function<void(const QuadToken&, Cycle)> on_retire)
+    : Unit(name, clock)
+    , config_(config)
+    , ports_(ports)
+    , in_flight_(in_flight)
+    , on_retire_(std::move(on_retire))
+    , parked_(config.color_cache.fragment_fifo) {}
+
+bool ColorTiming::look_up(Activity& reason) {
+    if (!ports_.quads_in.can_pop()) return false;
+    if (parked_.is_full()) {
+        blame(reason, Activity::StalledMemory);
+        return false;
+    }
+    const QuadToken& token = ports_.quads_in.front();
+    const PreparedDraw& draw = token.draw();
+    std::uint64_t ticket = 0;
+    if (draw.writes_color) {
+        if (!ports_.cache.can_look_up()) {
+            blame(reason, Activity::StalledRequests);
+            return false;
+        }
+        bool missed = false;
+        ticket = ports_.cache.lookup(token.quad().color_line, true, draw.reads_color, missed);
+    }
+    parked_.park(ports_.quads_in.pop(), ticket);
+    return true;
+}
+
+bool ColorTiming::retire(Activity& reason) {
+    if (parked_.empty()) return false;
+    if (!parked_.front_has_data(ports_.cache)) {
+        blame(reason, Activity::StalledMemory);
+        return false;
+    }
+    const QuadToken token = parked_.pop();
+    on_retire_(token, now());
+    ++token.bin->retired_quads;
+    in_flight_.leave();
+    return true;
+}
+
+Activity ColorTiming::step() {
+    while (ports_.responses_in.can_pop())
+        ports_.cache.complete(ports_.responses_in.pop());
+    Activity reason = Activity::Idle;
+    bool worked = false;
+    for (std::uint32_t i = 0; i < config_.raster.quads_per_cycle && retire(reason); ++i)
+        worked = true;
+    for (std::uint32_t i = 0; i < config_.color_cache.lookups_per_cycle && look_up(reason); ++i)
+        worked = true;
+    return worked ? Activity::Busy : reason;
+}
+
+bool ColorTiming::may_sleep() const {
+    return parked_.empty() && ports_.quads_in.holds_nothing() &&
+           ports_.responses_in.holds_nothing() && ports_.cache.all_complete();
+}
+
+} // namespace ffgpu::timing

@@ -1,0 +1,44 @@
+// ColorTiming: blending and the colour cache in time; the end of a quad's way. Lines that are only
+// written are not fetched.
+
+#pragma once
+
+#include "model/timing/channel.h"
+#include "model/timing/in_flight.h"
+#include "model/timing/parked_quads.h"
+#include "model/timing/unit.h"
+
+#include <functional>
+
+namespace ffgpu::timing {
+
+class ColorTiming final : public Unit {
+public:
+    struct Ports {
+        Channel<QuadToken>& quads_in;
+        Channel<std::uint64_t>& responses_in;
+        LineCache& cache;
+    };
+
+    // `on_retire` sees each quad that reaches the end, and the cycle.
+    ColorTiming(sc_core::sc_module_name name,
+                const Clock& clock,
+                const TimingConfig& config,
+                const Ports& ports,
+                InFlight& in_flight,
+                std::function<void(const QuadToken&, Cycle)> on_retire);
+
+private:
+    Activity step() override;
+    bool may_sleep() const override;
+    bool look_up(Activity& reason);
+    bool retire(Activity& reason);
+
+    const TimingConfig& config_;
+    const Ports ports_;
+    InFlight& in_flight_;
+    std::function<void(const QuadToken&, Cycle)> on_retire_;
+    ParkedQuads parked_;
+};
+
+} // namespace ffgpu::timing

@@ -1,0 +1,78 @@
+// CommandProcessor: reads draws, clears and copies in order. Draws stream into the pipe one behind
+// the other; a clear, a copy or the end of a frame waits until the pipe is empty. Clears and copies
+// move whole lines through the command processor's own port to memory.
+
+#pragma once
+
+#include "model/timing/channel.h"
+#include "model/timing/in_flight.h"
+#include "model/timing/line_cache.h"
+#include "model/timing/tokens.h"
+#include "model/timing/unit.h"
+
+#include <deque>
+#include <functional>
+
+namespace ffgpu::timing {
+
+class CommandProcessor final : public Unit {
+public:
+    struct Ports {
+        Channel<DrawToken>& draws_out;
+        Channel<MemoryRequest>& requests_out;
+        Channel<std::uint64_t>& responses_in;
+        LineCache& depth_cache;
+        LineCache& color_cache;
+    };
+
+    CommandProcessor(sc_core::sc_module_name name,
+                     const Clock& clock,
+                     const TimingConfig& config,
+                     const Ports& ports,
+                     AddressMap& addresses,
+                     InFlight& in_flight);
+
+    // The host's side; called while the simulation is paused.
+    void enqueue(PreparedBin& bin);
+    void enqueue_frame_end(std::function<void()> at_end);
+    // Nothing is left to read: the clock must not go on without the host.
+    bool starves() const { return commands_.empty(); }
+
+private:
+    struct Command {
+        DrawToken draw; // bin null: the end of a frame
+        std::function<void()> at_end;
+    };
+    // Lines still to be written (clear, copy) or read (copy).
+    struct Transfer {
+        std::uint64_t line = 0, end = 0;
+        std::uint32_t line_bytes = 64;
+        bool write = true;
+    };
+
+    Activity step() override;
+    bool may_sleep() const override {
+        return false;
+    } // The clock stops where there is nothing to do.
+    Activity draw(const Command& command);
+    Activity wait_then(const Command& command);
+    Activity transfer();
+    void begin_clear(const WorkDraw& work);
+    void begin_copy(const WorkDraw& work);
+    void add_transfer(const PlacedLevel& surface,
+                      std::uint64_t pixels,
+                      std::uint32_t line_bytes,
+                      bool write);
+
+    const TimingConfig& config_;
+    const Ports ports_;
+    AddressMap& addresses_;
+    InFlight& in_flight_;
+    std::deque<Command> commands_;
+    std::deque<Transfer> transfers_;
+    std::uint32_t decode_cycles_left_ = 0;
+    bool decoding_ = false;
+    std::uint32_t last_draw_number_ = ~0u;
+};
+
+} // namespace ffgpu::timing

@@ -1,0 +1,425 @@
+// The configuration of the machine in time: one struct a unit, every field with unit, range and
+// meaning. Defaults describe a mid-size part of the early 2000s: one pipe of four fragments a
+// cycle, a 16 KB texel cache, 16 bytes a cycle of memory bandwidth.
+
+#pragma once
+
+#include "model/base/parameters.h"
+
+#include <array>
+#include <cstdint>
+
+namespace ffgpu::timing {
+
+enum class Traversal : std::uint8_t { Scanline, Column, Tiled };
+inline constexpr std::array<std::string_view, 3> TraversalNames{"scanline", "column", "tiled"};
+
+enum class Architecture : std::uint8_t { Immediate, TileBased };
+inline constexpr std::array<std::string_view, 2> ArchitectureNames{"immediate", "tile_based"};
+
+enum class Layout : std::uint8_t { Linear, Blocked, Blocked6d };
+inline constexpr std::array<std::string_view, 3> LayoutNames{"linear", "blocked", "blocked_6d"};
+
+enum class PagePolicy : std::uint8_t { Open, Closed };
+inline constexpr std::array<std::string_view, 2> PagePolicyNames{"open", "closed"};
+
+struct CommandProcessorConfig {
+    static constexpr std::string_view Name = "command_processor";
+    std::uint32_t draw_cycles = 16;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field("draw_cycles",
+              self.draw_cycles,
+              {.unit = "cycles",
+               .minimum = 1,
+               .maximum = 65536,
+               .meaning = "to decode a draw and its state"});
+    }
+};
+
+struct VertexConfig {
+    static constexpr std::string_view Name = "vertex";
+    std::uint32_t cache_sets = 16;
+    std::uint32_t cache_ways = 4;
+    std::uint32_t line_bytes = 64;
+    std::uint32_t fetch_queue = 16;
+    std::uint32_t reuse_entries = 16;
+    std::uint32_t transform_cycles = 4;
+    std::uint32_t light_cycles = 6;
+    std::uint32_t latency = 40;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field("cache_sets",
+              self.cache_sets,
+              {.unit = "sets",
+               .minimum = 1,
+               .maximum = 65536,
+               .power_of_two = true,
+               .meaning = "vertex fetch cache"});
+        field("cache_ways",
+              self.cache_ways,
+              {.unit = "ways", .minimum = 1, .maximum = 64, .meaning = "vertex fetch cache"});
+        field("line_bytes",
+              self.line_bytes,
+              {.unit = "bytes",
+               .minimum = 16,
+               .maximum = 512,
+               .power_of_two = true,
+               .meaning = "line of the vertex fetch cache"});
+        field("fetch_queue",
+              self.fetch_queue,
+              {.unit = "vertices",
+               .minimum = 1,
+               .maximum = 4096,
+               .meaning = "vertices waiting for their data"});
+        field("reuse_entries",
+              self.reuse_entries,
+              {.unit = "vertices",
+               .minimum = 0,
+               .maximum = 4096,
+               .meaning = "post-transform reuse, first in first out; 0: none"});
+        field("transform_cycles",
+              self.transform_cycles,
+              {.unit = "cycles",
+               .minimum = 1,
+               .maximum = 1024,
+               .meaning = "of the geometry unit a vertex"});
+        field("light_cycles",
+              self.light_cycles,
+              {.unit = "cycles",
+               .minimum = 0,
+               .maximum = 1024,
+               .meaning = "more for each enabled light"});
+        field("latency",
+              self.latency,
+              {.unit = "cycles", .minimum = 1, .maximum = 4096, .meaning = "of the geometry unit"});
+    }
+};
+
+struct SetupConfig {
+    static constexpr std::string_view Name = "setup";
+    std::uint32_t triangle_cycles = 2;
+    std::uint32_t reject_cycles = 1;
+    std::uint32_t queue = 16;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field(
+            "triangle_cycles",
+            self.triangle_cycles,
+            {.unit = "cycles", .minimum = 1, .maximum = 1024, .meaning = "to set up a primitive"});
+        field("reject_cycles",
+              self.reject_cycles,
+              {.unit = "cycles",
+               .minimum = 1,
+               .maximum = 1024,
+               .meaning = "for a primitive that is clipped away or culled"});
+        field("queue",
+              self.queue,
+              {.unit = "primitives",
+               .minimum = 1,
+               .maximum = 4096,
+               .meaning = "between geometry and set-up"});
+    }
+};
+
+struct RasterConfig {
+    static constexpr std::string_view Name = "raster";
+    Architecture architecture = Architecture::Immediate;
+    Traversal traversal = Traversal::Tiled;
+    std::uint32_t tile_width = 8;
+    std::uint32_t bin_size = 32;
+    std::uint32_t quads_per_cycle = 1;
+    std::uint32_t tile_cycles = 1;
+    std::uint32_t queue = 64;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field("architecture",
+              self.architecture,
+              {.meaning = "immediate: primitive after primitive; tile_based: screen bins, each "
+                          "with all its primitives",
+               .choices = ArchitectureNames});
+        field("traversal",
+              self.traversal,
+              {.meaning = "order of a primitive's quads", .choices = TraversalNames});
+        field("tile_width",
+              self.tile_width,
+              {.unit = "pixels",
+               .minimum = 2,
+               .maximum = 512,
+               .power_of_two = true,
+               .meaning = "tiled traversal: width and height"});
+        field("bin_size",
+              self.bin_size,
+              {.unit = "pixels",
+               .minimum = 8,
+               .maximum = 512,
+               .power_of_two = true,
+               .meaning = "tile_based: width and height of a bin"});
+        field("quads_per_cycle",
+              self.quads_per_cycle,
+              {.unit = "quads/cycle",
+               .minimum = 1,
+               .maximum = 16,
+               .meaning = "width of rasterizer, early depth and fragment pipe"});
+        field("tile_cycles",
+              self.tile_cycles,
+              {.unit = "cycles",
+               .minimum = 0,
+               .maximum = 64,
+               .meaning = "to step to a primitive's next tile"});
+        field("queue",
+              self.queue,
+              {.unit = "quads",
+               .minimum = 1,
+               .maximum = 4096,
+               .meaning = "between rasterizer and early depth"});
+    }
+};
+
+// The caches of depth and colour, and the texel cache.
+struct CacheConfig {
+    std::uint32_t sets = 64;
+    std::uint32_t ways = 4;
+    std::uint32_t line_bytes = 64;
+    std::uint32_t lookups_per_cycle = 1;
+    std::uint32_t fragment_fifo = 64;
+    std::uint32_t outstanding_lines = 64;
+    Layout layout = Layout::Blocked;
+    std::uint32_t block_width = 4;
+
+    std::uint32_t bytes() const { return sets * ways * line_bytes; }
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field("sets",
+              self.sets,
+              {.unit = "sets",
+               .minimum = 1,
+               .maximum = 1 << 20,
+               .power_of_two = true,
+               .meaning = "1: fully associative"});
+        field("ways",
+              self.ways,
+              {.unit = "ways", .minimum = 1, .maximum = 1 << 16, .meaning = "1: direct mapped"});
+        field("line_bytes",
+              self.line_bytes,
+              {.unit = "bytes",
+               .minimum = 16,
+               .maximum = 512,
+               .power_of_two = true,
+               .meaning = "of a line"});
+        field("lookups_per_cycle",
+              self.lookups_per_cycle,
+              {.unit = "lines/cycle",
+               .minimum = 1,
+               .maximum = 64,
+               .meaning = "tags compared a cycle"});
+        field("fragment_fifo",
+              self.fragment_fifo,
+              {.unit = "quads",
+               .minimum = 1,
+               .maximum = 65536,
+               .meaning = "quads between tag check and data: hides misses"});
+        field("outstanding_lines",
+              self.outstanding_lines,
+              {.unit = "lines",
+               .minimum = 1,
+               .maximum = 65536,
+               .meaning = "fills under way at once"});
+        field("layout", self.layout, {.meaning = "of the image in memory", .choices = LayoutNames});
+        field("block_width",
+              self.block_width,
+              {.unit = "texels",
+               .minimum = 1,
+               .maximum = 64,
+               .power_of_two = true,
+               .meaning = "blocked layouts: width and height of a block"});
+    }
+};
+
+struct TexelCacheConfig : CacheConfig {
+    static constexpr std::string_view Name = "texel_cache";
+    std::uint32_t bilinear_quads_per_cycle = 1;
+    std::uint32_t superblock_width = 32;
+
+    TexelCacheConfig() {
+        lookups_per_cycle = 4;
+        fragment_fifo = 128;
+    }
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        CacheConfig::visit(self, field);
+        field("bilinear_quads_per_cycle",
+              self.bilinear_quads_per_cycle,
+              {.unit = "quads/cycle",
+               .minimum = 1,
+               .maximum = 16,
+               .meaning = "filtered by the units together; trilinear takes twice as long"});
+        field("superblock_width",
+              self.superblock_width,
+              {.unit = "texels",
+               .minimum = 2,
+               .maximum = 512,
+               .power_of_two = true,
+               .meaning = "blocked_6d: width and height of a superblock"});
+    }
+};
+
+struct DepthCacheConfig : CacheConfig {
+    static constexpr std::string_view Name = "depth_cache";
+};
+
+struct ColorCacheConfig : CacheConfig {
+    static constexpr std::string_view Name = "color_cache";
+};
+
+struct FragmentConfig {
+    static constexpr std::string_view Name = "fragment";
+    std::uint32_t combiner_cycles = 1;
+    std::uint32_t latency = 12;
+    std::uint32_t queue = 64;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field("combiner_cycles",
+              self.combiner_cycles,
+              {.unit = "cycles",
+               .minimum = 1,
+               .maximum = 64,
+               .meaning = "a quad and enabled texture environment"});
+        field("latency",
+              self.latency,
+              {.unit = "cycles",
+               .minimum = 1,
+               .maximum = 1024,
+               .meaning = "of the environments and fog"});
+        field("queue",
+              self.queue,
+              {.unit = "quads",
+               .minimum = 1,
+               .maximum = 4096,
+               .meaning = "between the stages of the fragment pipe"});
+    }
+};
+
+struct MemoryConfig {
+    static constexpr std::string_view Name = "memory";
+    std::uint32_t channels = 2;
+    std::uint32_t banks = 4;
+    std::uint32_t row_bytes = 2048;
+    std::uint32_t interleave_bytes = 256;
+    std::uint32_t bytes_per_cycle = 8;
+    std::uint32_t queue = 16;
+    PagePolicy page_policy = PagePolicy::Open;
+    std::uint32_t row_to_column_cycles = 4;
+    std::uint32_t column_cycles = 4;
+    std::uint32_t precharge_cycles = 4;
+    std::uint32_t turnaround_cycles = 3;
+    std::uint32_t latency = 20;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field("channels",
+              self.channels,
+              {.unit = "channels",
+               .minimum = 1,
+               .maximum = 16,
+               .power_of_two = true,
+               .meaning = "independent buses"});
+        field("banks",
+              self.banks,
+              {.unit = "banks",
+               .minimum = 1,
+               .maximum = 64,
+               .power_of_two = true,
+               .meaning = "a channel"});
+        field("row_bytes",
+              self.row_bytes,
+              {.unit = "bytes",
+               .minimum = 256,
+               .maximum = 65536,
+               .power_of_two = true,
+               .meaning = "of an open row"});
+        field("interleave_bytes",
+              self.interleave_bytes,
+              {.unit = "bytes",
+               .minimum = 64,
+               .maximum = 65536,
+               .power_of_two = true,
+               .meaning = "before the next channel"});
+        field("bytes_per_cycle",
+              self.bytes_per_cycle,
+              {.unit = "bytes/cycle",
+               .minimum = 1,
+               .maximum = 256,
+               .power_of_two = true,
+               .meaning = "of a channel's bus"});
+        field(
+            "queue",
+            self.queue,
+            {.unit = "requests", .minimum = 1, .maximum = 1024, .meaning = "waiting at a channel"});
+        field("page_policy",
+              self.page_policy,
+              {.meaning = "rows after an access", .choices = PagePolicyNames});
+        field("row_to_column_cycles",
+              self.row_to_column_cycles,
+              {.unit = "cycles",
+               .minimum = 0,
+               .maximum = 256,
+               .meaning = "activate to column (tRCD)"});
+        field("column_cycles",
+              self.column_cycles,
+              {.unit = "cycles", .minimum = 0, .maximum = 256, .meaning = "column to data (CL)"});
+        field("precharge_cycles",
+              self.precharge_cycles,
+              {.unit = "cycles", .minimum = 0, .maximum = 256, .meaning = "to close a row (tRP)"});
+        field("turnaround_cycles",
+              self.turnaround_cycles,
+              {.unit = "cycles",
+               .minimum = 0,
+               .maximum = 256,
+               .meaning = "bus idle between read and write"});
+        field("latency",
+              self.latency,
+              {.unit = "cycles",
+               .minimum = 0,
+               .maximum = 4096,
+               .meaning = "of the way to and from the controller"});
+    }
+};
+
+struct TimingConfig {
+    CommandProcessorConfig command_processor;
+    VertexConfig vertex;
+    SetupConfig setup;
+    RasterConfig raster;
+    TexelCacheConfig texel_cache;
+    DepthCacheConfig depth_cache;
+    ColorCacheConfig color_cache;
+    FragmentConfig fragment;
+    MemoryConfig memory;
+
+    // Calls group(name, group) for each; then Group::visit names its fields.
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& group) {
+        const auto each = [&](auto& member) {
+            group(std::remove_cvref_t<decltype(member)>::Name, member);
+        };
+        each(self.command_processor);
+        each(self.vertex);
+        each(self.setup);
+        each(self.raster);
+        each(self.texel_cache);
+        each(self.depth_cache);
+        each(self.color_cache);
+        each(self.fragment);
+        each(self.memory);
+    }
+};
+
+} // namespace ffgpu::timing

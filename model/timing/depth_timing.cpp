@@ -1,0 +1,94 @@
+#include "model/timing/depth_timing.h"
+
+namespace ffgpu::timing {
+
+DepthTiming::DepthTiming(sc_core::sc_module_name name,
+                         const Clock& clock,
+                         const TimingConfig& config,
+                         const Ports& ports,
+                         InFlight& in_flight)
+    : Unit(name, clock)
+    , config_(config)
+    , ports_(ports)
+    , in_flight_(in_flight)
+    , early_(config.depth_cache.fragment_fifo)
+    , late_(config.depth_cache.fragment_fifo) {}
+
+// Takes one quad in and looks its line up if it is tested on this path.
+bool DepthTiming::look_up(Path path, std::uint32_t& lookups_left, Activity& reason) {
+    Channel<QuadToken>& in = path == Path::Early ? ports_.early_in : ports_.late_in;
+    ParkedQuads& parked = path == Path::Early ? early_ : late_;
+    if (!in.can_pop()) return false;
+    if (parked.is_full()) {
+        blame(reason, Activity::StalledMemory);
+        return false;
+    }
+    const QuadToken token = in.front();
+    const PreparedDraw& draw = token.draw();
+    const bool tested_here = draw.uses_depth && draw.work.early_depth == (path == Path::Early);
+    std::uint64_t ticket = 0;
+    if (tested_here) {
+        if (lookups_left == 0) return false;
+        if (!ports_.cache.can_look_up()) {
+            blame(reason, Activity::StalledRequests);
+            return false;
+        }
+        --lookups_left;
+        const bool writes = draw.writes_depth && token.quad().after_depth != 0;
+        bool missed = false;
+        ticket = ports_.cache.lookup(token.quad().depth_line, writes, true, missed);
+    }
+    in.pop();
+    parked.park(token, ticket);
+    return true;
+}
+
+// Sends the oldest quad on if its data have come, or ends it if no fragment is left.
+bool DepthTiming::send(Path path, Activity& reason) {
+    ParkedQuads& parked = path == Path::Early ? early_ : late_;
+    Channel<QuadToken>& out = path == Path::Early ? ports_.early_out : ports_.late_out;
+    if (parked.empty()) return false;
+    if (!parked.front_has_data(ports_.cache)) {
+        blame(reason, Activity::StalledMemory);
+        return false;
+    }
+    const PreparedQuad& quad = parked.front().quad();
+    const bool dies = (path == Path::Early ? quad.after_early_depth : quad.after_depth) == 0;
+    if (!dies && !out.can_push()) {
+        blame(reason, Activity::StalledOutput);
+        return false;
+    }
+    const QuadToken token = parked.pop();
+    if (dies) {
+        ++token.bin->retired_quads;
+        in_flight_.leave();
+    } else {
+        out.push(token);
+    }
+    return true;
+}
+
+Activity DepthTiming::step() {
+    while (ports_.responses_in.can_pop())
+        ports_.cache.complete(ports_.responses_in.pop());
+    Activity reason = Activity::Idle;
+    bool worked = false;
+    std::uint32_t lookups_left = config_.depth_cache.lookups_per_cycle;
+    for (const Path path : {Path::Late, Path::Early}) {
+        for (std::uint32_t i = 0; i < config_.raster.quads_per_cycle && send(path, reason); ++i)
+            worked = true;
+        for (std::uint32_t i = 0;
+             i < config_.raster.quads_per_cycle && look_up(path, lookups_left, reason);
+             ++i)
+            worked = true;
+    }
+    return worked ? Activity::Busy : reason;
+}
+
+bool DepthTiming::may_sleep() const {
+    return early_.empty() && late_.empty() && ports_.early_in.holds_nothing() &&
+           ports_.late_in.holds_nothing() && ports_.responses_in.holds_nothing() &&
+           ports_.cache.all_complete();
+}
+
+} // namespace ffgpu::timing

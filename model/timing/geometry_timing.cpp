@@ -1,0 +1,48 @@
+#include "model/timing/geometry_timing.h"
+
+namespace ffgpu::timing {
+
+void GeometryTiming::begin(const VertexToken& vertex) {
+    vertex_ = vertex;
+    const PreparedDraw& draw = vertex.draw.prepared();
+    const GeometryWork& work = draw.work.geometry;
+    cycles_left_ = vertex.shade ? config_.transform_cycles + work.lights * config_.light_cycles : 1;
+    const std::uint64_t vertices = std::max<std::size_t>(work.vertices.size(), 1);
+    const std::uint64_t primitives = draw.primitives();
+    next_primitive_ = static_cast<std::uint32_t>(vertex.position * primitives / vertices);
+    end_primitive_ = static_cast<std::uint32_t>((vertex.position + 1) * primitives / vertices);
+    last_vertex_ = vertex.position + 1 == vertices;
+    ends_draw_ = last_vertex_ && primitives == 0;
+}
+
+Activity GeometryTiming::step() {
+    if (cycles_left_ == 0 && next_primitive_ == end_primitive_ && !ends_draw_) {
+        if (!ports_.vertices_in.can_pop()) return Activity::Idle;
+        begin(ports_.vertices_in.pop());
+    }
+    if (cycles_left_ > 1) {
+        --cycles_left_;
+        return Activity::Busy;
+    }
+    if (next_primitive_ == end_primitive_ && !ends_draw_) {
+        cycles_left_ = 0;
+        return Activity::Busy;
+    }
+    if (!ports_.primitives_out.can_push()) return Activity::StalledOutput;
+    cycles_left_ = 0;
+    const bool last = last_vertex_ && (ends_draw_ || next_primitive_ + 1 == end_primitive_);
+    ports_.primitives_out.push({vertex_.draw, ends_draw_ ? ~0u : next_primitive_, last});
+    if (ends_draw_) {
+        ends_draw_ = false;
+    } else {
+        ++next_primitive_;
+    }
+    return Activity::Busy;
+}
+
+bool GeometryTiming::may_sleep() const {
+    return cycles_left_ == 0 && next_primitive_ == end_primitive_ && !ends_draw_ &&
+           ports_.vertices_in.holds_nothing();
+}
+
+} // namespace ffgpu::timing

@@ -1,0 +1,341 @@
+#include "model/timing/gpu_timing.h"
+
+#include "model/timing/address_map.h"
+#include "model/timing/color_timing.h"
+#include "model/timing/command_processor.h"
+#include "model/timing/depth_timing.h"
+#include "model/timing/fragment_timing.h"
+#include "model/timing/geometry_timing.h"
+#include "model/timing/memory_arbiter.h"
+#include "model/timing/memory_controller.h"
+#include "model/timing/raster_timing.h"
+#include "model/timing/setup_timing.h"
+#include "model/timing/simulation_context.h"
+#include "model/timing/texture_timing.h"
+#include "model/timing/vertex_fetch.h"
+
+#include <deque>
+#include <utility>
+
+// SystemC's library has a main() of its own that calls this; our programs have theirs.
+__attribute__((visibility("default"))) int sc_main(int, char**) {
+    return 0;
+}
+
+namespace ffgpu::timing {
+namespace {
+
+constexpr std::size_t RequestQueue = 16;
+constexpr std::size_t ResponseQueue = 256; // and as many as a cache may have outstanding
+
+class FrameStatistics : public StatisticsGroup {
+public:
+    Counter& cycles = count("total_cycles", "cycles", "of the machine's clock");
+    Counter& host_written_bytes =
+        count("host_written_bytes", "bytes", "that the driver wrote to device memory");
+    Counter& host_read_bytes =
+        count("host_read_bytes", "bytes", "that the driver read from device memory");
+};
+
+// A cache, its way to memory and back, and the unit that owns it.
+struct CachePort {
+    CachePort(std::string_view name, const Clock& clock, const CacheConfig& config, Client client)
+        : requests(clock, RequestQueue)
+        , responses(clock, ResponseQueue + config.outstanding_lines)
+        , cache(name, config, client, requests) {}
+
+    Channel<MemoryRequest> requests;
+    Channel<std::uint64_t> responses;
+    LineCache cache;
+};
+
+CacheConfig vertex_cache(const VertexConfig& config) {
+    CacheConfig cache;
+    cache.sets = config.cache_sets;
+    cache.ways = config.cache_ways;
+    cache.line_bytes = config.line_bytes;
+    return cache;
+}
+
+} // namespace
+
+// The block diagram. Members are made in this order: clock, memory ports, links, units.
+class GpuTiming::Machine {
+public:
+    explicit Machine(const TimingConfig& wanted)
+        : config(wanted)
+        , addresses(config)
+        , clock("clock", [this] { return must_wait(); })
+        , in_flight(clock)
+        , command_requests(clock, RequestQueue)
+        , command_responses(clock, ResponseQueue)
+        , vertex_port("vertex_cache", clock, vertex_cache(config.vertex), Client::Vertex)
+        , texel_port("texel_cache", clock, config.texel_cache, Client::Texture)
+        , depth_port("depth_cache", clock, config.depth_cache, Client::Depth)
+        , color_port("color_cache", clock, config.color_cache, Client::Color)
+        , draws(clock, 4)
+        , vertices(clock, config.vertex.fetch_queue)
+        , primitives(clock, config.setup.queue, config.vertex.latency)
+        , setups(clock, config.setup.queue)
+        , raster_to_depth(clock, config.raster.queue)
+        , depth_to_texture(clock, config.fragment.queue)
+        , texture_to_fragment(clock, config.fragment.queue)
+        , fragment_to_depth(
+              clock, config.fragment.queue + config.fragment.latency, config.fragment.latency)
+        , depth_to_color(clock, config.fragment.queue)
+        , command_processor("command_processor",
+                            clock,
+                            config,
+                            {.draws_out = draws,
+                             .requests_out = command_requests,
+                             .responses_in = command_responses,
+                             .depth_cache = depth_port.cache,
+                             .color_cache = color_port.cache},
+                            addresses,
+                            in_flight)
+        , vertex_fetch("vertex_fetch",
+                       clock,
+                       config.vertex,
+                       {.draws_in = draws,
+                        .vertices_out = vertices,
+                        .responses_in = vertex_port.responses,
+                        .cache = vertex_port.cache})
+        , geometry("geometry",
+                   clock,
+                   config.vertex,
+                   {.vertices_in = vertices, .primitives_out = primitives})
+        , setup("setup", clock, config, {.primitives_in = primitives, .setups_out = setups})
+        , raster("raster",
+                 clock,
+                 config.raster,
+                 {.setups_in = setups, .quads_out = raster_to_depth},
+                 in_flight)
+        , depth("depth",
+                clock,
+                config,
+                {.early_in = raster_to_depth,
+                 .early_out = depth_to_texture,
+                 .late_in = fragment_to_depth,
+                 .late_out = depth_to_color,
+                 .responses_in = depth_port.responses,
+                 .cache = depth_port.cache},
+                in_flight)
+        , texture("texture",
+                  clock,
+                  config.texel_cache,
+                  {.quads_in = depth_to_texture,
+                   .quads_out = texture_to_fragment,
+                   .responses_in = texel_port.responses,
+                   .cache = texel_port.cache})
+        , fragment("fragment",
+                   clock,
+                   config,
+                   {.quads_in = texture_to_fragment, .quads_out = fragment_to_depth})
+        , color("color",
+                clock,
+                config,
+                {.quads_in = depth_to_color,
+                 .responses_in = color_port.responses,
+                 .cache = color_port.cache},
+                in_flight,
+                [this](const QuadToken& token, Cycle now) { retire(token, now); })
+        , arbiter("arbiter",
+                  clock,
+                  config.memory,
+                  {.requests_in = {&command_requests,
+                                   &vertex_port.requests,
+                                   &texel_port.requests,
+                                   &depth_port.requests,
+                                   &color_port.requests},
+                   .responses_out = {&command_responses,
+                                     &vertex_port.responses,
+                                     &texel_port.responses,
+                                     &depth_port.responses,
+                                     &color_port.responses}})
+        , memory("memory", clock, config.memory) {
+        draws.connect(command_processor, vertex_fetch);
+        vertices.connect(vertex_fetch, geometry);
+        primitives.connect(geometry, setup);
+        setups.connect(setup, raster);
+        raster_to_depth.connect(raster, depth);
+        depth_to_texture.connect(depth, texture);
+        texture_to_fragment.connect(texture, fragment);
+        fragment_to_depth.connect(fragment, depth);
+        depth_to_color.connect(depth, color);
+        connect_memory(command_processor, command_requests, command_responses);
+        connect_memory(vertex_fetch, vertex_port.requests, vertex_port.responses);
+        connect_memory(texture, texel_port.requests, texel_port.responses);
+        connect_memory(depth, depth_port.requests, depth_port.responses);
+        connect_memory(color, color_port.requests, color_port.responses);
+        memory.connect(arbiter);
+        arbiter.socket.bind(memory.socket);
+    }
+
+    // Runs until the command processor has nothing left to read.
+    void run() {
+        sc_core::sc_start();
+        while (!bins.empty() && &bins.front() != &bins.back() && is_retired(bins.front()))
+            bins.pop_front();
+    }
+
+    void finish_frame(std::uint32_t number) {
+        color_port.cache.flush();
+        depth_port.cache.flush();
+        for (Unit* unit : units())
+            unit->settle();
+        frame_statistics.cycles += clock.now() - frame_statistics.cycles.value();
+        frame.frame = number;
+        frame.cycles = clock.now() - frame_begin;
+        frame_begin = clock.now();
+        if (on_frame) on_frame(frame);
+        frame.draws.clear();
+    }
+
+    std::array<Unit*, 11> units() {
+        return {&command_processor,
+                &vertex_fetch,
+                &geometry,
+                &setup,
+                &raster,
+                &depth,
+                &texture,
+                &fragment,
+                &color,
+                &arbiter,
+                &memory};
+    }
+
+    const TimingConfig config;
+    AddressMap addresses;
+    Clock clock;
+    InFlight in_flight;
+    std::deque<PreparedBin> bins;
+
+    Channel<MemoryRequest> command_requests;
+    Channel<std::uint64_t> command_responses;
+    CachePort vertex_port, texel_port, depth_port, color_port;
+
+    Channel<DrawToken> draws;
+    Channel<VertexToken> vertices;
+    Channel<PrimitiveToken> primitives;
+    Channel<SetupToken> setups;
+    Channel<QuadToken> raster_to_depth, depth_to_texture, texture_to_fragment, fragment_to_depth,
+        depth_to_color;
+
+    CommandProcessor command_processor;
+    VertexFetch vertex_fetch;
+    GeometryTiming geometry;
+    SetupTiming setup;
+    RasterTiming raster;
+    DepthTiming depth;
+    TextureTiming texture;
+    FragmentTiming fragment;
+    ColorTiming color;
+    MemoryArbiter arbiter;
+    MemoryController memory;
+
+    FrameStatistics frame_statistics;
+    FrameTiming frame;
+    Cycle frame_begin = 0;
+    Cycle last_retired = 0;
+    std::function<void(const FrameTiming&)> on_frame;
+    std::function<void(const QuadRetired&)> on_retire;
+
+private:
+    bool must_wait() const { return command_processor.starves(); }
+
+    void connect_memory(Unit& unit,
+                        Channel<MemoryRequest>& requests,
+                        Channel<std::uint64_t>& responses) {
+        requests.connect(unit, arbiter);
+        responses.connect(memory, unit);
+    }
+
+    static bool is_retired(const PreparedBin& bin) { return bin.retired_quads == bin.quads.size(); }
+
+    void retire(const QuadToken& token, Cycle now) {
+        const Cycle cycles = now - std::max(last_retired, frame_begin);
+        last_retired = now;
+        const std::uint32_t number = token.draw().work.number;
+        if (frame.draws.empty() || frame.draws.back().draw != number)
+            frame.draws.push_back({number, 0});
+        frame.draws.back().cycles += cycles;
+        if (!on_retire) return;
+        const PreparedQuad& quad = token.quad();
+        on_retire({.x = quad.x,
+                   .y = quad.y,
+                   .written = quad.after_depth,
+                   .texture_misses = token.misses,
+                   .cycles = cycles});
+    }
+};
+
+GpuTiming::GpuTiming(const TimingConfig& config)
+    : context_(std::make_unique<SimulationContext>()) {
+    const SimulationContext::Scope scope(*context_);
+    machine_ = std::make_unique<Machine>(config);
+}
+
+GpuTiming::~GpuTiming() {
+    const SimulationContext::Scope scope(*context_);
+    machine_.reset();
+}
+
+void GpuTiming::bin(const WorkBin& bin) {
+    const SimulationContext::Scope scope(*context_);
+    machine_->bins.push_back(prepare(bin, machine_->config, machine_->addresses));
+    machine_->command_processor.enqueue(machine_->bins.back());
+    machine_->run();
+}
+
+void GpuTiming::memory_written(DeviceAddress at, std::uint64_t bytes) {
+    machine_->frame_statistics.host_written_bytes += bytes;
+    machine_->addresses.memory_written(at, bytes);
+}
+
+void GpuTiming::memory_read(DeviceAddress, std::uint64_t bytes) {
+    machine_->frame_statistics.host_read_bytes += bytes;
+}
+
+void GpuTiming::end_frame(std::uint32_t frame) {
+    const SimulationContext::Scope scope(*context_);
+    machine_->command_processor.enqueue_frame_end([] {});
+    machine_->run();
+    machine_->finish_frame(frame);
+}
+
+void GpuTiming::set_on_frame(std::function<void(const FrameTiming&)> on_frame) {
+    machine_->on_frame = std::move(on_frame);
+}
+
+void GpuTiming::set_on_retire(std::function<void(const QuadRetired&)> on_retire) {
+    machine_->on_retire = std::move(on_retire);
+}
+
+std::uint64_t GpuTiming::cycles() const {
+    return machine_->clock.now();
+}
+
+std::vector<const StatisticsGroup*> GpuTiming::statistics() const {
+    std::vector<const StatisticsGroup*> groups{&machine_->frame_statistics};
+    for (Unit* unit : machine_->units())
+        groups.push_back(&unit->account());
+    groups.push_back(&machine_->vertex_fetch.statistics());
+    groups.push_back(&machine_->texture.statistics());
+    for (const CachePort* port : {&machine_->vertex_port,
+                                  &machine_->texel_port,
+                                  &machine_->depth_port,
+                                  &machine_->color_port})
+        groups.push_back(&port->cache.statistics());
+    groups.push_back(&machine_->memory.statistics());
+    return groups;
+}
+
+std::vector<std::string> GpuTiming::unit_names() const {
+    std::vector<std::string> names;
+    for (Unit* unit : machine_->units())
+        names.push_back(unit->account().unit());
+    return names;
+}
+
+} // namespace ffgpu::timing

@@ -1,0 +1,69 @@
+// GpuTiming: the machine in time. It reads the work stream of the functional GPU and never changes
+// a pixel. gpu_timing.cpp wires the units and reads as the block diagram.
+//
+// Each GpuTiming has a SystemC simulation context of its own, so several can exist in a process,
+// one after the other or side by side on one thread.
+
+#pragma once
+
+#include "model/base/statistics.h"
+#include "model/packets/work_stream.h"
+#include "model/timing/config.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ffgpu::timing {
+
+// A quad's end, for maps of the screen.
+struct QuadRetired {
+    std::uint16_t x = 0, y = 0; // window pixel of lane 0
+    std::uint8_t written = 0;   // four bits
+    std::uint32_t texture_misses = 0;
+    std::uint64_t cycles = 0; // since the quad before it retired
+};
+
+struct DrawCycles {
+    std::uint32_t draw = 0;   // WorkDraw::number
+    std::uint64_t cycles = 0; // until its last quad retired, since the draw before
+};
+
+// What one frame took; counters are since the start (the reader subtracts).
+struct FrameTiming {
+    std::uint32_t frame = 0;
+    std::uint64_t cycles = 0;
+    std::vector<DrawCycles> draws; // that wrote at least one quad
+};
+
+class SimulationContext;
+
+class GpuTiming final : public WorkSink {
+public:
+    explicit GpuTiming(const TimingConfig& config);
+    ~GpuTiming() override;
+
+    void bin(const WorkBin& bin) override;
+    void memory_written(DeviceAddress at, std::uint64_t bytes) override;
+    void memory_read(DeviceAddress at, std::uint64_t bytes) override;
+    // Runs the machine until the frame's last quad is written, then calls on_frame.
+    void end_frame(std::uint32_t frame) override;
+
+    void set_on_frame(std::function<void(const FrameTiming&)> on_frame);
+    void set_on_retire(std::function<void(const QuadRetired&)> on_retire);
+
+    std::uint64_t cycles() const;
+    // All units' groups: accounts, caches, memory. They add up at the end of a frame.
+    std::vector<const StatisticsGroup*> statistics() const;
+    // The units' names in the order of the pipe; each has NAME_busy_cycles and so on.
+    std::vector<std::string> unit_names() const;
+
+private:
+    class Machine;
+    std::unique_ptr<SimulationContext> context_;
+    std::unique_ptr<Machine> machine_;
+};
+
+} // namespace ffgpu::timing

@@ -1,0 +1,75 @@
+#include "model/timing/memory_arbiter.h"
+
+namespace ffgpu::timing {
+
+MemoryArbiter::MemoryArbiter(sc_core::sc_module_name name,
+                             const Clock& clock,
+                             const MemoryConfig& config,
+                             const Ports& ports)
+    : Unit(name, clock)
+    , config_(config)
+    , ports_(ports)
+    , pending_(config.channels, nullptr)
+    , taken_at_(config.channels, 0) {
+    socket.register_nb_transport_bw(this, &MemoryArbiter::on_backward);
+}
+
+Activity MemoryArbiter::step() {
+    bool waiting = false;
+    bool sent = false;
+    std::vector<bool>::size_type free_channels = 0;
+    for (std::uint32_t channel = 0; channel < config_.channels; ++channel)
+        free_channels += !pending_[channel] && taken_at_[channel] < now();
+
+    const std::size_t first = next_client_;
+    for (std::size_t i = 0; i < Clients && free_channels > 0; ++i) {
+        const std::size_t client = (first + i) % Clients;
+        Channel<MemoryRequest>& requests = *ports_.requests_in[client];
+        if (!requests.can_pop()) continue;
+        const std::uint32_t channel = memory_channel(config_, requests.front().address);
+        if (pending_[channel] || taken_at_[channel] == now()) {
+            waiting = true;
+            continue;
+        }
+        tlm::tlm_generic_payload& payload = pool_.acquire(requests.pop(), now());
+        tlm::tlm_phase phase = tlm::BEGIN_REQ;
+        sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
+        pending_[channel] = &payload;
+        if (socket->nb_transport_fw(payload, phase, delay) == tlm::TLM_UPDATED) {
+            pending_[channel] = nullptr;
+            taken_at_[channel] = now();
+        }
+        --free_channels;
+        sent = true;
+        next_client_ = (client + 1) % Clients;
+    }
+    if (sent) return Activity::Busy;
+    for (const Channel<MemoryRequest>* requests : ports_.requests_in)
+        waiting |= requests->can_pop();
+    return waiting ? Activity::StalledOutput : Activity::Idle;
+}
+
+bool MemoryArbiter::may_sleep() const {
+    for (const Channel<MemoryRequest>* requests : ports_.requests_in) {
+        if (!requests->holds_nothing()) return false;
+    }
+    return true;
+}
+
+tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,
+                                              tlm::tlm_phase& phase,
+                                              sc_core::sc_time&) {
+    const MemoryRequest request = payload.get_extension<RequestTag>()->request;
+    if (phase == tlm::END_REQ) {
+        const std::uint32_t channel = memory_channel(config_, request.address);
+        pending_[channel] = nullptr;
+        taken_at_[channel] = now();
+        return tlm::TLM_ACCEPTED;
+    }
+    if (!request.write)
+        ports_.responses_out[static_cast<std::size_t>(request.client)]->push(request.ticket);
+    payload.release();
+    return tlm::TLM_COMPLETED;
+}
+
+} // namespace ffgpu::timing

@@ -1,0 +1,55 @@
+// MemoryArbiter: takes the clients' requests in turn (round robin) and sends them to the memory
+// controller through a TLM-2.0 socket, one a memory channel and cycle.
+
+#pragma once
+
+#include "model/timing/channel.h"
+#include "model/timing/config.h"
+#include "model/timing/memory_payload.h"
+#include "model/timing/memory_request.h"
+#include "model/timing/unit.h"
+
+#include <array>
+#include <vector>
+
+#include <tlm_utils/simple_initiator_socket.h>
+
+namespace ffgpu::timing {
+
+// Which memory channel an address belongs to.
+inline std::uint32_t memory_channel(const MemoryConfig& config, std::uint64_t address) {
+    return static_cast<std::uint32_t>(address / config.interleave_bytes) & (config.channels - 1);
+}
+
+class MemoryArbiter final : public Unit {
+public:
+    struct Ports {
+        std::array<Channel<MemoryRequest>*, Clients> requests_in;
+        std::array<Channel<std::uint64_t>*, Clients>
+            responses_out; // tickets of reads that are done
+    };
+
+    MemoryArbiter(sc_core::sc_module_name name,
+                  const Clock& clock,
+                  const MemoryConfig& config,
+                  const Ports& ports);
+
+    tlm_utils::simple_initiator_socket<MemoryArbiter> socket{"socket"};
+
+private:
+    Activity step() override;
+    bool may_sleep() const override;
+    tlm::tlm_sync_enum
+    on_backward(tlm::tlm_generic_payload& payload, tlm::tlm_phase& phase, sc_core::sc_time& delay);
+
+    const MemoryConfig config_;
+    const Ports ports_;
+    PayloadPool pool_;
+    std::size_t next_client_ = 0;
+    // Per memory channel: the request that the controller has not taken yet, and when it took the
+    // last.
+    std::vector<tlm::tlm_generic_payload*> pending_;
+    std::vector<Cycle> taken_at_;
+};
+
+} // namespace ffgpu::timing

@@ -1,0 +1,67 @@
+// TLM-2.0 payloads of the memory system: a pool, and the extension that names client and ticket.
+
+#pragma once
+
+#include "model/timing/memory_request.h"
+
+#include <memory>
+#include <tlm>
+#include <vector>
+
+namespace ffgpu::timing {
+
+struct RequestTag : tlm::tlm_extension<RequestTag> {
+    MemoryRequest request;
+    std::uint64_t issued = 0; // cycle
+
+    tlm::tlm_extension_base* clone() const override { return new RequestTag(*this); }
+    void copy_from(const tlm::tlm_extension_base& from) override {
+        *this = static_cast<const RequestTag&>(from);
+    }
+};
+
+// Payloads are reference counted and come back here when the last user releases them.
+class PayloadPool : public tlm::tlm_mm_interface {
+public:
+    ~PayloadPool() override {
+        for (tlm::tlm_generic_payload* payload : all_) {
+            payload->clear_extension<RequestTag>();
+            delete payload;
+        }
+    }
+
+    // A payload with one reference, filled in for `request`. It carries no data: values come from
+    // the functional GPU.
+    tlm::tlm_generic_payload& acquire(const MemoryRequest& request, std::uint64_t now) {
+        if (free_.empty()) {
+            all_.push_back(new tlm::tlm_generic_payload(this));
+            tags_.push_back(std::make_unique<RequestTag>());
+            all_.back()->set_extension(tags_.back().get());
+            free_.push_back(all_.back());
+        }
+        tlm::tlm_generic_payload& payload = *free_.back();
+        free_.pop_back();
+        payload.acquire();
+        payload.set_command(request.write ? tlm::TLM_WRITE_COMMAND : tlm::TLM_READ_COMMAND);
+        payload.set_address(request.address);
+        payload.set_data_length(request.bytes);
+        payload.set_streaming_width(request.bytes);
+        payload.set_data_ptr(nullptr);
+        payload.set_byte_enable_ptr(nullptr);
+        payload.set_dmi_allowed(false);
+        payload.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
+        RequestTag& tag = *payload.get_extension<RequestTag>();
+        tag.request = request;
+        tag.issued = now;
+        return payload;
+    }
+
+    void free(tlm::tlm_generic_payload* payload) override { free_.push_back(payload); }
+
+private:
+    std::vector<tlm::tlm_generic_payload*> all_;
+    std::vector<std::unique_ptr<RequestTag>> tags_;
+    std::vector<tlm::tlm_generic_payload*> free_;
+};
+
+} // namespace ffgpu::timing

@@ -1,0 +1,24 @@
+// What a unit asks of the memory system, and who asks.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace ffgpu::timing {
+
+enum class Client : std::uint8_t { Command, Vertex, Texture, Depth, Color, Count };
+inline constexpr std::size_t Clients = static_cast<std::size_t>(Client::Count);
+inline constexpr std::array<std::string_view, Clients> ClientNames{
+    "command", "vertex", "texture", "depth", "color"};
+
+struct MemoryRequest {
+    std::uint64_t address = 0;
+    std::uint32_t bytes = 0;
+    bool write = false;
+    Client client = Client::Command;
+    std::uint64_t ticket = 0; // reads: the fill that it completes
+};
+
+} // namespace ffgpu::timing

@@ -1,0 +1,73 @@
+// PreparedBin: a bin of the work stream made ready for the units: quads in the order in which the
+// machine's rasterizer makes them, and for each quad the lines that it will touch. Times are not in
+// here; addresses are.
+
+#pragma once
+
+#include "model/packets/work_stream.h"
+#include "model/timing/address_map.h"
+#include "model/timing/config.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ffgpu::timing {
+
+struct PreparedQuad {
+    std::uint32_t draw = 0;      // index into PreparedBin::draws
+    std::uint32_t primitive = 0; // number within the draw
+    std::uint16_t x = 0, y = 0;  // window pixel of lane 0
+    std::uint8_t covered = 0, after_early_depth = 0, after_stencil = 0, after_depth = 0;
+    bool new_tile = false;          // first of a traversal tile of its primitive
+    std::uint16_t filter_steps = 0; // bilinear (or simpler) samples a fragment, over all units
+    std::uint16_t texel_reads = 0;
+    std::uint16_t texel_line_count = 0;
+    std::uint32_t texel_lines_begin = 0; // into PreparedBin::texel_lines
+    std::uint64_t depth_line = 0;        // line numbers
+    std::uint64_t color_line = 0;
+};
+
+struct PreparedDraw {
+    WorkDraw work;                // geometry, clear, copy, state
+    std::uint32_t segment = 0;    // index into PreparedBin::segments
+    std::uint32_t first_quad = 0; // immediate machines: the draw's quads stand together
+    std::uint32_t quad_count = 0;
+    std::uint8_t combiners = 0; // enabled texture environments
+    bool uses_depth = false;
+    bool writes_depth = false;
+    bool reads_color = false; // blending, logic op or a partial mask
+    bool writes_color = false;
+    std::uint32_t primitives_with_quads = 0;
+
+    // Primitives that reach set-up one by one. Images, and the later parts of a draw that was
+    // split between bins, have no geometry work: only what they drew.
+    std::uint32_t primitives() const {
+        return std::max(work.geometry.primitives_in, primitives_with_quads);
+    }
+};
+
+// Draws between two clears or copies: what a tile-based machine may sort by screen bins.
+struct Segment {
+    std::uint32_t draws = 0; // that stream through the pipe
+    std::uint32_t quads_begin = 0, quads_end = 0;
+};
+
+struct PreparedBin {
+    std::vector<PreparedDraw> draws;
+    std::vector<Segment> segments;
+    std::vector<PreparedQuad> quads;
+    std::vector<std::uint64_t> texel_lines; // line numbers
+    std::uint64_t retired_quads = 0;        // counted by the unit that ends a quad
+
+    std::span<const std::uint64_t> lines_of(const PreparedQuad& quad) const {
+        return std::span(texel_lines).subspan(quad.texel_lines_begin, quad.texel_line_count);
+    }
+};
+
+// Immediate machines: draw after draw, primitive after primitive, quads in the traversal order.
+// Tile-based machines: screen bins in row order, inside each the same.
+PreparedBin prepare(const WorkBin& bin, const TimingConfig& config, AddressMap& addresses);
+
+} // namespace ffgpu::timing

@@ -1,0 +1,45 @@
+// SetupTiming: clipping, culling and triangle set-up in time. A primitive that has quads costs
+// triangle_cycles, and so do those that came out of geometry without covering a pixel centre; one
+// that was culled or clipped away costs reject_cycles.
+
+#pragma once
+
+#include "model/timing/channel.h"
+#include "model/timing/config.h"
+#include "model/timing/in_flight.h"
+#include "model/timing/tokens.h"
+#include "model/timing/unit.h"
+
+namespace ffgpu::timing {
+
+class SetupTiming final : public Unit {
+public:
+    struct Ports {
+        Channel<PrimitiveToken>& primitives_in;
+        Channel<SetupToken>& setups_out;
+    };
+
+    SetupTiming(sc_core::sc_module_name name,
+                const Clock& clock,
+                const TimingConfig& config,
+                const Ports& ports)
+        : Unit(name, clock)
+        , config_(config)
+        , ports_(ports) {}
+
+private:
+    Activity step() override;
+    bool may_sleep() const override;
+    void begin(const PrimitiveToken& primitive);
+
+    const TimingConfig& config_;
+    const Ports ports_;
+    bool working_ = false;
+    std::uint32_t cycles_left_ = 0;
+    SetupToken result_;
+    std::uint32_t next_quad_ = 0;    // of the current draw, not yet given to a primitive
+    std::uint32_t empty_set_up_ = 0; // primitives of the draw set up without quads so far
+    DrawToken current_;
+};
+
+} // namespace ffgpu::timing

@@ -1,0 +1,126 @@
+// The machine in time on analytic scenes: cache figures of the literature, accounts that add up,
+// determinism.
+
+#include "model/timing/account.h"
+#include "model/timing/gpu_timing.h"
+#include "tests/timing/analytic_scenes.h"
+
+#include <map>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::timing {
+namespace {
+
+using Figures = std::map<std::string, std::uint64_t>;
+
+Figures run(const TimingConfig& config, const Scene& scene, unsigned frames = 1) {
+    GpuTiming timing(config);
+    for (unsigned frame = 0; frame < frames; ++frame) {
+        timing.bin(make_bin(scene));
+        timing.end_frame(frame);
+    }
+    Figures figures;
+    for (const StatisticsGroup* group : timing.statistics()) {
+        for (const Counter& counter : group->counters())
+            figures[std::string(counter.name())] = counter.value();
+    }
+    for (const std::string& unit : timing.unit_names()) {
+        std::uint64_t sum = 0;
+        for (const std::string_view activity : ActivityNames)
+            sum += figures.at(unit + '_' + std::string(activity) + "_cycles");
+        figures[unit + "_sum"] = sum;
+    }
+    return figures;
+}
+
+double miss_percent(const Figures& figures) {
+    return 100.0 * static_cast<double>(figures.at("texel_cache_misses")) /
+           static_cast<double>(figures.at("texture_texel_reads"));
+}
+
+TEST_CASE("a one-to-one bilinear picture misses once per line: 1.5625 percent of its reads") {
+    TimingConfig config;
+    config.texel_cache.sets = 256; // 64 KB
+    const Figures figures = run(config, planar_scene(512));
+    CHECK(miss_percent(figures) == Approx(1.5625).epsilon(0.02));
+    // Every line once; the rest are the repeated texture's far edges, met again.
+    CHECK(figures.at("texel_cache_compulsory_misses") == 512 * 512 / 16);
+}
+
+TEST_CASE("a trilinear picture at level f reads 1.25 * 4^f unique texels a fragment") {
+    for (const auto& [level, percent] : {std::pair{0.001, 1.001}, {0.5, 1.966}, {0.999, 3.906}}) {
+        TimingConfig config;
+        config.texel_cache.sets = 1024;
+        config.texel_cache.ways = 16; // 1 MB
+        INFO("level " << level);
+        CHECK(miss_percent(run(config, uniform_level_scene(512, level))) ==
+              Approx(percent).epsilon(0.02));
+    }
+}
+
+TEST_CASE("the perspective floor has the published miss rates") {
+    const auto floor_with =
+        [](Layout layout, Traversal traversal, unsigned tile, std::uint32_t kilobytes) {
+            TimingConfig config;
+            config.texel_cache.layout = layout;
+            config.raster.traversal = traversal;
+            config.raster.tile_width = tile;
+            config.texel_cache.sets = 1;
+            config.texel_cache.ways = kilobytes * 1024 / 64;
+            return miss_percent(run(config, floor_scene(256)));
+        };
+    // Quads instead of single fragments visit the picture in pairs of rows: within 15 percent.
+    CHECK(floor_with(Layout::Blocked, Traversal::Tiled, 8, 16) == Approx(0.85).epsilon(0.15));
+    CHECK(floor_with(Layout::Linear, Traversal::Column, 8, 16) == Approx(17.34 / 2).epsilon(0.15));
+}
+
+TEST_CASE("every unit accounts for every cycle, every cache for every access") {
+    const Figures figures = run(TimingConfig{}, floor_scene(1024));
+    for (const auto& [name, value] : figures) {
+        if (name.ends_with("_sum")) {
+            INFO(name);
+            CHECK(value == figures.at("total_cycles"));
+        }
+    }
+    for (const std::string cache : {"vertex_cache", "texel_cache", "depth_cache", "color_cache"}) {
+        INFO(cache);
+        const std::uint64_t misses = figures.at(cache + "_misses");
+        CHECK(figures.at(cache + "_hits") + misses == figures.at(cache + "_accesses"));
+        CHECK(figures.at(cache + "_compulsory_misses") + figures.at(cache + "_capacity_misses") +
+                  figures.at(cache + "_conflict_misses") ==
+              misses);
+        CHECK(figures.at(cache + "_read_bytes") ==
+              64 * (misses - figures.at(cache + "_misses_without_fetch")));
+    }
+    CHECK(figures.at("memory_texture_read_bytes") == figures.at("texel_cache_read_bytes"));
+}
+
+TEST_CASE(
+    "the same stream takes the same cycles, also when it comes in two frames of one machine") {
+    const Figures once = run(TimingConfig{}, floor_scene(256));
+    CHECK(run(TimingConfig{}, floor_scene(256)) == once);
+}
+
+TEST_CASE("a deep fragment FIFO hides the memory's latency") {
+    const auto cycles = [](std::uint32_t fifo) {
+        TimingConfig config;
+        config.texel_cache.fragment_fifo = fifo;
+        config.memory.latency = 200;
+        return run(config, floor_scene(1024)).at("total_cycles");
+    };
+    const auto shallow = cycles(4), deep = cycles(256);
+    CHECK(shallow > 2 * deep);
+}
+
+TEST_CASE("a tile-based machine does the same work") {
+    TimingConfig tiled;
+    tiled.raster.architecture = Architecture::TileBased;
+    const Figures a = run(TimingConfig{}, floor_scene(256)), b = run(tiled, floor_scene(256));
+    CHECK(a.at("texture_texel_reads") == b.at("texture_texel_reads"));
+    CHECK(a.at("texture_quads") == b.at("texture_quads"));
+}
+
+} // namespace
+} // namespace ffgpu::timing
