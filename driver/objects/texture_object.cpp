@@ -22,13 +22,10 @@ const TextureChain& TextureObject::chain() {
     return chain_;
 }
 
-} // namespace ffgpu::gl
-
-namespace ffgpu::gl {
-
 TextureState::TextureState() {
     for (std::size_t i = 0; i < TextureTargets; ++i) {
         defaults[i] = std::make_shared<TextureObject>(0, static_cast<TextureTarget>(i));
+        proxies[i] = std::make_shared<TextureObject>(0, static_cast<TextureTarget>(i));
     }
     for (TextureUnit& unit : units)
         unit.bound = defaults;

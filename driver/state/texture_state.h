@@ -67,6 +67,7 @@ struct TextureState {
     GLuint active_unit = 0;
     std::array<TextureUnit, TextureUnits> units;
     std::array<std::shared_ptr<TextureObject>, TextureTargets> defaults;
+    std::array<std::shared_ptr<TextureObject>, TextureTargets> proxies; // in no attribute group
 
     TextureUnit& active() { return units[active_unit]; }
     const TextureUnit& active() const { return units[active_unit]; }
