@@ -21,7 +21,7 @@ struct VertexArray {
     GLenum type = GL_FLOAT;
     GLsizei stride = 0;            // as given; 0: the elements follow each other
     const void* pointer = nullptr; // with a buffer: an offset
-    std::shared_ptr<BufferObject> buffer;
+    std::shared_ptr<BufferObject> buffer{};
 };
 
 // The arrays of a vertex array object. Name 0, the default object, is one like the others.
