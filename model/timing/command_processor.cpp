@@ -7,20 +7,22 @@ CommandProcessor::CommandProcessor(sc_core::sc_module_name name,
                                    const TimingConfig& config,
                                    const Ports& ports,
                                    AddressMap& addresses,
-                                   InFlight& in_flight)
+                                   InFlight& in_flight,
+                                   InFlight& memory_in_flight)
     : Unit(name, clock)
     , config_(config)
     , ports_(ports)
     , addresses_(addresses)
-    , in_flight_(in_flight) {}
+    , in_flight_(in_flight)
+    , memory_in_flight_(memory_in_flight) {}
 
 void CommandProcessor::enqueue(PreparedBin& bin) {
     for (std::uint32_t i = 0; i < bin.draws.size(); ++i)
-        commands_.push_back({.draw = {&bin, i}, .at_end = {}});
+        commands_.push_back({{&bin, i}});
 }
 
-void CommandProcessor::enqueue_frame_end(std::function<void()> at_end) {
-    commands_.push_back({.draw = {}, .at_end = std::move(at_end)});
+void CommandProcessor::enqueue_frame_end() {
+    commands_.push_back({});
 }
 
 Activity CommandProcessor::step() {
@@ -57,9 +59,15 @@ Activity CommandProcessor::draw(const Command& command) {
 Activity CommandProcessor::wait_then(const Command& command) {
     if (!in_flight_.was_empty()) return Activity::StalledOutput;
     if (!command.draw.bin) {
-        const auto at_end = command.at_end;
+        if (!written_back_) {
+            write_back(ports_.color_cache);
+            write_back(ports_.depth_cache);
+            written_back_ = true;
+            return Activity::Busy;
+        }
+        if (!memory_in_flight_.was_empty()) return Activity::StalledMemory;
+        written_back_ = false;
         commands_.pop_front();
-        at_end();
         return Activity::Busy;
     }
     const WorkDraw work = command.draw.prepared().work;
@@ -77,7 +85,13 @@ void CommandProcessor::add_transfer(const PlacedLevel& surface,
     const std::uint64_t bytes =
         std::min(pixels * surface.layout.element_bytes, surface.layer_bytes);
     const std::uint64_t first = surface.base / line_bytes;
-    transfers_.push_back({first, first + (bytes + line_bytes - 1) / line_bytes, line_bytes, write});
+    transfers_.push_back(
+        {first, first + (bytes + line_bytes - 1) / line_bytes, line_bytes, write, Client::Command});
+}
+
+void CommandProcessor::write_back(LineCache& cache) {
+    for (const std::uint64_t line : cache.flush())
+        transfers_.push_back({line, line + 1, cache.line_bytes(), true, cache.client()});
 }
 
 void CommandProcessor::begin_clear(const WorkDraw& work) {
@@ -96,8 +110,8 @@ void CommandProcessor::begin_clear(const WorkDraw& work) {
 }
 
 void CommandProcessor::begin_copy(const WorkDraw& work) {
-    ports_.color_cache.flush();
-    ports_.depth_cache.flush();
+    write_back(ports_.color_cache);
+    write_back(ports_.depth_cache);
     const std::uint64_t pixels = std::uint64_t{work.copy.width} * work.copy.height;
     const bool is_depth = format_info(work.copy.source.format).is_depth;
     const CacheConfig& cache =
@@ -116,7 +130,7 @@ Activity CommandProcessor::transfer() {
         ports_.requests_out.push({.address = transfer.line * transfer.line_bytes,
                                   .bytes = transfer.line_bytes,
                                   .write = transfer.write,
-                                  .client = Client::Command,
+                                  .client = transfer.client,
                                   .ticket = 0});
         ++transfer.line;
     }

@@ -1,6 +1,6 @@
 // CommandProcessor: reads draws, clears and copies in order. Draws stream into the pipe one behind
-// the other; a clear, a copy or the end of a frame waits until the pipe is empty. Clears and copies
-// move whole lines through the command processor's own port to memory.
+// the other; a clear, a copy or the end of a frame waits until the pipe is empty. Clears, copies
+// and the write-back of caches move whole lines through the command processor's own port to memory.
 
 #pragma once
 
@@ -11,7 +11,6 @@
 #include "model/timing/unit.h"
 
 #include <deque>
-#include <functional>
 
 namespace ffgpu::timing {
 
@@ -19,7 +18,7 @@ class CommandProcessor final : public Unit {
 public:
     struct Ports {
         Channel<DrawToken>& draws_out;
-        Channel<MemoryRequest>& requests_out;
+        RequestPort& requests_out;
         Channel<std::uint64_t>& responses_in;
         LineCache& depth_cache;
         LineCache& color_cache;
@@ -30,24 +29,25 @@ public:
                      const TimingConfig& config,
                      const Ports& ports,
                      AddressMap& addresses,
-                     InFlight& in_flight);
+                     InFlight& in_flight,
+                     InFlight& memory_in_flight);
 
     // The host's side; called while the simulation is paused.
     void enqueue(PreparedBin& bin);
-    void enqueue_frame_end(std::function<void()> at_end);
+    void enqueue_frame_end();
     // Nothing is left to read: the clock must not go on without the host.
-    bool starves() const { return commands_.empty(); }
+    bool starves() const { return commands_.empty() && transfers_.empty(); }
 
 private:
     struct Command {
         DrawToken draw; // bin null: the end of a frame
-        std::function<void()> at_end;
     };
     // Lines still to be written (clear, copy) or read (copy).
     struct Transfer {
         std::uint64_t line = 0, end = 0;
         std::uint32_t line_bytes = 64;
         bool write = true;
+        Client client = Client::Command;
     };
 
     Activity step() override;
@@ -57,6 +57,7 @@ private:
     Activity draw(const Command& command);
     Activity wait_then(const Command& command);
     Activity transfer();
+    void write_back(LineCache& cache);
     void begin_clear(const WorkDraw& work);
     void begin_copy(const WorkDraw& work);
     void add_transfer(const PlacedLevel& surface,
@@ -68,6 +69,8 @@ private:
     const Ports ports_;
     AddressMap& addresses_;
     InFlight& in_flight_;
+    InFlight& memory_in_flight_;
+    bool written_back_ = false; // at the end of a frame: only the memory has to finish
     std::deque<Command> commands_;
     std::deque<Transfer> transfers_;
     std::uint32_t decode_cycles_left_ = 0;

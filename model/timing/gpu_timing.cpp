@@ -39,12 +39,16 @@ public:
 
 // A cache, its way to memory and back, and the unit that owns it.
 struct CachePort {
-    CachePort(std::string_view name, const Clock& clock, const CacheConfig& config, Client client)
-        : requests(clock, RequestQueue)
+    CachePort(std::string_view name,
+              const Clock& clock,
+              const CacheConfig& config,
+              Client client,
+              InFlight& in_flight)
+        : requests(clock, RequestQueue, in_flight)
         , responses(clock, ResponseQueue + config.outstanding_lines)
         , cache(name, config, client, requests) {}
 
-    Channel<MemoryRequest> requests;
+    RequestPort requests;
     Channel<std::uint64_t> responses;
     LineCache cache;
 };
@@ -67,12 +71,14 @@ public:
         , addresses(config)
         , clock("clock", [this] { return must_wait(); })
         , in_flight(clock)
-        , command_requests(clock, RequestQueue)
+        , memory_in_flight(clock)
+        , command_requests(clock, RequestQueue, memory_in_flight)
         , command_responses(clock, ResponseQueue)
-        , vertex_port("vertex_cache", clock, vertex_cache(config.vertex), Client::Vertex)
-        , texel_port("texel_cache", clock, config.texel_cache, Client::Texture)
-        , depth_port("depth_cache", clock, config.depth_cache, Client::Depth)
-        , color_port("color_cache", clock, config.color_cache, Client::Color)
+        , vertex_port(
+              "vertex_cache", clock, vertex_cache(config.vertex), Client::Vertex, memory_in_flight)
+        , texel_port("texel_cache", clock, config.texel_cache, Client::Texture, memory_in_flight)
+        , depth_port("depth_cache", clock, config.depth_cache, Client::Depth, memory_in_flight)
+        , color_port("color_cache", clock, config.color_cache, Client::Color, memory_in_flight)
         , draws(clock, 4)
         , vertices(clock, config.vertex.fetch_queue)
         , primitives(clock, config.setup.queue, config.vertex.latency)
@@ -92,7 +98,8 @@ public:
                              .depth_cache = depth_port.cache,
                              .color_cache = color_port.cache},
                             addresses,
-                            in_flight)
+                            in_flight,
+                            memory_in_flight)
         , vertex_fetch("vertex_fetch",
                        clock,
                        config.vertex,
@@ -142,16 +149,17 @@ public:
         , arbiter("arbiter",
                   clock,
                   config.memory,
-                  {.requests_in = {&command_requests,
-                                   &vertex_port.requests,
-                                   &texel_port.requests,
-                                   &depth_port.requests,
-                                   &color_port.requests},
+                  {.requests_in = {&command_requests.channel(),
+                                   &vertex_port.requests.channel(),
+                                   &texel_port.requests.channel(),
+                                   &depth_port.requests.channel(),
+                                   &color_port.requests.channel()},
                    .responses_out = {&command_responses,
                                      &vertex_port.responses,
                                      &texel_port.responses,
                                      &depth_port.responses,
-                                     &color_port.responses}})
+                                     &color_port.responses}},
+                  memory_in_flight)
         , memory("memory", clock, config.memory) {
         draws.connect(command_processor, vertex_fetch);
         vertices.connect(vertex_fetch, geometry);
@@ -179,8 +187,6 @@ public:
     }
 
     void finish_frame(std::uint32_t number) {
-        color_port.cache.flush();
-        depth_port.cache.flush();
         for (Unit* unit : units())
             unit->settle();
         frame_statistics.cycles += clock.now() - frame_statistics.cycles.value();
@@ -208,10 +214,10 @@ public:
     const TimingConfig config;
     AddressMap addresses;
     Clock clock;
-    InFlight in_flight;
+    InFlight in_flight, memory_in_flight;
     std::deque<PreparedBin> bins;
 
-    Channel<MemoryRequest> command_requests;
+    RequestPort command_requests;
     Channel<std::uint64_t> command_responses;
     CachePort vertex_port, texel_port, depth_port, color_port;
 
@@ -244,10 +250,8 @@ public:
 private:
     bool must_wait() const { return command_processor.starves(); }
 
-    void connect_memory(Unit& unit,
-                        Channel<MemoryRequest>& requests,
-                        Channel<std::uint64_t>& responses) {
-        requests.connect(unit, arbiter);
+    void connect_memory(Unit& unit, RequestPort& requests, Channel<std::uint64_t>& responses) {
+        requests.channel().connect(unit, arbiter);
         responses.connect(memory, unit);
     }
 
@@ -299,7 +303,7 @@ void GpuTiming::memory_read(DeviceAddress, std::uint64_t bytes) {
 
 void GpuTiming::end_frame(std::uint32_t frame) {
     const SimulationContext::Scope scope(*context_);
-    machine_->command_processor.enqueue_frame_end([] {});
+    machine_->command_processor.enqueue_frame_end();
     machine_->run();
     machine_->finish_frame(frame);
 }

@@ -7,7 +7,7 @@ namespace ffgpu::timing {
 LineCache::LineCache(std::string_view name,
                      const CacheConfig& config,
                      Client client,
-                     Channel<MemoryRequest>& requests)
+                     RequestPort& requests)
     : config_(config)
     , client_(client)
     , requests_(requests)
@@ -71,12 +71,14 @@ void LineCache::complete(std::uint64_t ticket) {
     }
 }
 
-void LineCache::flush() {
+std::vector<std::uint64_t> LineCache::flush() {
+    std::vector<std::uint64_t> dirty;
     for (TagArray::Line& line : tags_.lines()) {
-        if (line.number != TagArray::Line::Empty && line.dirty)
-            statistics_.written_bytes += config_.line_bytes;
+        if (line.number != TagArray::Line::Empty && line.dirty) dirty.push_back(line.number);
         line = {};
     }
+    statistics_.written_bytes += dirty.size() * config_.line_bytes;
+    return dirty;
 }
 
 void LineCache::discard(std::uint64_t begin, std::uint64_t end) {

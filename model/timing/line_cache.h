@@ -10,10 +10,12 @@
 #include "model/timing/config.h"
 #include "model/timing/memory_request.h"
 #include "model/timing/miss_classifier.h"
+#include "model/timing/request_port.h"
 #include "model/timing/tag_array.h"
 
 #include <deque>
 #include <string>
+#include <vector>
 
 namespace ffgpu::timing {
 
@@ -50,7 +52,7 @@ public:
     LineCache(std::string_view name,
               const CacheConfig& config,
               Client client,
-              Channel<MemoryRequest>& requests);
+              RequestPort& requests);
 
     // Whether lookup() may be called in this cycle: its requests (a write-back and a fill) find
     // room in the channel and fewer than outstanding_lines fills are under way.
@@ -66,19 +68,21 @@ public:
     // The memory delivered the data of `ticket`.
     void complete(std::uint64_t ticket);
 
-    // Writes all dirty lines back (accounted, not timed) and forgets everything.
-    void flush();
+    // Forgets everything. Returns the numbers of the dirty lines, which the caller writes to
+    // memory.
+    std::vector<std::uint64_t> flush();
     // Forgets without writing back the lines of [begin, end) bytes: they are overwritten elsewhere.
     void discard(std::uint64_t begin, std::uint64_t end);
 
     bool all_complete() const { return first_incomplete_ == next_ticket_; }
     const CacheStatistics& statistics() const { return statistics_; }
     std::uint32_t line_bytes() const { return config_.line_bytes; }
+    Client client() const { return client_; }
 
 private:
     const CacheConfig config_;
     Client client_;
-    Channel<MemoryRequest>& requests_;
+    RequestPort& requests_;
     TagArray tags_;
     MissClassifier classifier_;
     CacheStatistics statistics_;

@@ -5,10 +5,12 @@ namespace ffgpu::timing {
 MemoryArbiter::MemoryArbiter(sc_core::sc_module_name name,
                              const Clock& clock,
                              const MemoryConfig& config,
-                             const Ports& ports)
+                             const Ports& ports,
+                             InFlight& in_flight)
     : Unit(name, clock)
     , config_(config)
     , ports_(ports)
+    , in_flight_(in_flight)
     , pending_(config.channels, nullptr)
     , taken_at_(config.channels, 0) {
     socket.register_nb_transport_bw(this, &MemoryArbiter::on_backward);
@@ -68,6 +70,7 @@ tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,
     }
     if (!request.write)
         ports_.responses_out[static_cast<std::size_t>(request.client)]->push(request.ticket);
+    in_flight_.leave();
     payload.release();
     return tlm::TLM_COMPLETED;
 }

@@ -5,6 +5,7 @@
 
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
+#include "model/timing/in_flight.h"
 #include "model/timing/memory_payload.h"
 #include "model/timing/memory_request.h"
 #include "model/timing/unit.h"
@@ -32,7 +33,8 @@ public:
     MemoryArbiter(sc_core::sc_module_name name,
                   const Clock& clock,
                   const MemoryConfig& config,
-                  const Ports& ports);
+                  const Ports& ports,
+                  InFlight& in_flight);
 
     tlm_utils::simple_initiator_socket<MemoryArbiter> socket{"socket"};
 
@@ -44,6 +46,7 @@ private:
 
     const MemoryConfig config_;
     const Ports ports_;
+    InFlight& in_flight_;
     PayloadPool pool_;
     std::size_t next_client_ = 0;
     // Per memory channel: the request that the controller has not taken yet, and when it took the

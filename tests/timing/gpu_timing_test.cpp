@@ -94,6 +94,7 @@ TEST_CASE("every unit accounts for every cycle, every cache for every access") {
         CHECK(figures.at(cache + "_read_bytes") ==
               64 * (misses - figures.at(cache + "_misses_without_fetch")));
     }
+    CHECK(figures.at("memory_color_written_bytes") == figures.at("color_cache_written_bytes"));
     CHECK(figures.at("memory_texture_read_bytes") == figures.at("texel_cache_read_bytes"));
 }
 
