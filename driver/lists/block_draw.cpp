@@ -1,0 +1,93 @@
+#include "driver/lists/block_draw.h"
+
+#include "driver/context/context.h"
+#include "driver/objects/shared_objects.h"
+#include "driver/vertex/draw_path.h"
+#include "driver/vertex/immediate_vertices.h"
+
+#include <algorithm>
+
+namespace ffgpu::gl {
+
+namespace {
+
+// The words with the values that the first vertices take from the current state.
+std::vector<float> complete_words(const VertexBlock& block, const CurrentState& current) {
+    std::vector<float> words = block.words;
+    const std::size_t stride = block.format.stride;
+    const std::size_t vertices = words.size() / stride;
+    for (std::size_t a = 1; a < Attributes; ++a) {
+        const VertexElement element = block.format.elements[a];
+        const Vec4& value = current.of(static_cast<Attribute>(a));
+        const std::size_t inheriting = std::min<std::size_t>(block.inherited[a], vertices);
+        for (std::size_t i = 0; i < inheriting; ++i)
+            std::copy_n(value.begin(),
+                        element.components,
+                        words.begin() + static_cast<std::ptrdiff_t>(i * stride + element.offset));
+    }
+    return words;
+}
+
+bool make_resident(Context& context, VertexBlock& block) {
+    if (block.memory) return true;
+    const auto bytes = std::as_bytes(std::span(block.words));
+    block.memory = DeviceBlock::allocate(context.shared().memory, bytes.size());
+    if (!block.memory) return false;
+    context.device().write_memory(block.memory.address(), bytes);
+    return true;
+}
+
+// Call by call: within a glBegin outside of the list (an error, but for its vertices), or if the
+// block does not fit into the device's memory.
+void replay(Context& context, const VertexBlock& block) {
+    const std::vector<float> words = complete_words(block, context.state.current);
+    VertexAssembler& to = context.immediate();
+    const auto value = [&](std::size_t vertex, VertexElement element) {
+        Vec4 result = MissingComponents;
+        const float* const from = words.data() + vertex * block.format.stride + element.offset;
+        std::copy_n(from, element.components, result.begin());
+        return result;
+    };
+    for (const RunPrimitive& primitive : block.primitives) {
+        to.begin(static_cast<GLenum>(primitive.type));
+        for (std::size_t i = primitive.first; i < primitive.first + primitive.count; ++i) {
+            for (std::size_t a = 1; a < Attributes; ++a) {
+                const VertexElement element = block.format.elements[a];
+                if (element.components != 0)
+                    to.set(static_cast<Attribute>(a), element.components, value(i, element));
+            }
+            to.vertex(block.format.elements[0].components, value(i, block.format.elements[0]));
+        }
+        to.end();
+    }
+    for (std::size_t a = 1; a < Attributes; ++a) {
+        const VertexElement element = block.format.elements[a];
+        if (block.sets >> a & 1)
+            to.set(static_cast<Attribute>(a), element.components, block.last[a]);
+    }
+}
+
+} // namespace
+
+void execute_block(Context& context, VertexBlock& block) {
+    if (context.vertex_phase == VertexPhase::Inside) return replay(context, block);
+    context.flush_vertices();
+
+    CurrentState& current = context.state.current;
+    DrawPath& path = context.draw_path();
+    if (block.inherits) {
+        if (block.words.size() > path.max_words()) return replay(context, block);
+        const std::vector<float> words = complete_words(block, current);
+        path.draw({block.format, words, block.primitives});
+    } else {
+        if (!make_resident(context, block)) return replay(context, block);
+        path.draw_resident(block.run(), block.memory.address());
+    }
+    if (block.sets == 0) return;
+    for (std::size_t a = 1; a < Attributes; ++a) {
+        if (block.sets >> a & 1) current.of(static_cast<Attribute>(a)) = block.last[a];
+    }
+    context.dirty.mark(Dirty::Current);
+}
+
+} // namespace ffgpu::gl

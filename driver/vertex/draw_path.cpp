@@ -1,0 +1,95 @@
+#include "driver/vertex/draw_path.h"
+
+#include "driver/context/context.h"
+#include "driver/feedback/render_modes.h"
+#include "driver/objects/shared_objects.h"
+
+#include <algorithm>
+
+namespace ffgpu::gl {
+
+DrawPath::DrawPath(Context& context)
+    : context_(context)
+    , ring_(context.shared().memory) {}
+
+std::size_t DrawPath::max_words() {
+    return ring_.bytes() / sizeof(float) / 2;
+}
+
+void DrawPath::draw(const VertexRun& run) {
+    const auto address = ring_.place(run.words.size_bytes());
+    if (!address) return context_.error(GL_OUT_OF_MEMORY);
+    context_.device().write_memory(*address, std::as_bytes(run.words));
+    draw_resident(run, *address);
+}
+
+void DrawPath::draw_resident(const VertexRun& run, DeviceAddress address) {
+    if (!prepare(run.format)) return;
+    draws_.clear();
+    for (const RunPrimitive& primitive : run.primitives) {
+        draws_.push_back({.primitive = primitive.type,
+                          .continue_line_stipple = primitive.continue_line_stipple,
+                          .first = primitive.first,
+                          .count = primitive.count,
+                          .vertex_count = run.vertex_count(),
+                          .vertex_address = address});
+    }
+    submit();
+}
+
+void DrawPath::draw_indexed(const VertexRun& run,
+                            PrimitiveType type,
+                            std::span<const std::uint32_t> indices) {
+    const bool fits_16_bits = run.vertex_count() <= 0x10000;
+    std::span<const std::byte> index_bytes = std::as_bytes(indices);
+    if (fits_16_bits) {
+        short_indices_.resize(indices.size());
+        std::transform(indices.begin(), indices.end(), short_indices_.begin(), [](std::uint32_t i) {
+            return static_cast<std::uint16_t>(i);
+        });
+        index_bytes = std::as_bytes(std::span(short_indices_));
+    }
+    // Both in one place: the second may not push the first out of the ring.
+    const std::size_t vertex_bytes = (run.words.size_bytes() + 63) / 64 * 64;
+    const auto address = ring_.place(vertex_bytes + index_bytes.size());
+    if (!address) return context_.error(GL_OUT_OF_MEMORY);
+    const auto index_address = static_cast<DeviceAddress>(*address + vertex_bytes);
+    context_.device().write_memory(*address, std::as_bytes(run.words));
+    context_.device().write_memory(index_address, index_bytes);
+
+    if (!prepare(run.format)) return;
+    draws_.clear();
+    draws_.push_back({.primitive = type,
+                      .index_type = fits_16_bits ? IndexType::U16 : IndexType::U32,
+                      .first = 0,
+                      .count = static_cast<std::uint32_t>(indices.size()),
+                      .vertex_count = run.vertex_count(),
+                      .vertex_address = *address,
+                      .index_address = index_address});
+    submit();
+}
+
+bool DrawPath::prepare(const VertexFormat& format) {
+    if (!context_.prepare_draw()) return false;
+    RegisterFile& registers = context_.registers;
+    registers.wanted.vertex_format = format;
+    registers.update<&Registers::vertex_format>();
+    // Attributes that the vertices carry are not read from the register: it keeps what it has.
+    const CurrentAttributes& current = context_.state.current.attributes;
+    for (std::size_t a = 1; a < Attributes; ++a) {
+        if (format.elements[a].components == 0)
+            registers.wanted.current.values[a] = current.values[a];
+    }
+    registers.update<&Registers::current>();
+    return true;
+}
+
+void DrawPath::submit() {
+    if (context_.render_modes().mode() != GL_RENDER) return context_.render_modes().draw(draws_);
+    commands_.clear();
+    for (const DrawCommand& draw : draws_)
+        commands_.add(draw);
+    context_.submit(commands_);
+}
+
+} // namespace ffgpu::gl

@@ -1,0 +1,46 @@
+// DrawPath: the one way of vertices to the device. It puts them into device memory, sets the
+// registers that describe them, and submits the draws; in selection and feedback mode it hands the
+// draws' results to RenderModes instead.
+
+#pragma once
+
+#include "driver/vertex/vertex_ring.h"
+#include "driver/vertex/vertex_run.h"
+#include "model/device/commands.h"
+
+#include <span>
+#include <vector>
+
+namespace ffgpu::gl {
+
+class Context;
+
+class DrawPath {
+public:
+    explicit DrawPath(Context& context);
+
+    // The most words of a run, and of its indices, that draw() takes.
+    std::size_t max_words();
+
+    // Draws a run that lies in host memory.
+    void draw(const VertexRun& run);
+
+    // One primitive whose vertices are run.words in the order of `indices` (each in range).
+    void
+    draw_indexed(const VertexRun& run, PrimitiveType type, std::span<const std::uint32_t> indices);
+
+    // A run whose words are in device memory already.
+    void draw_resident(const VertexRun& run, DeviceAddress address);
+
+private:
+    bool prepare(const VertexFormat& format);
+    void submit();
+
+    Context& context_;
+    VertexRing ring_;
+    CommandStream commands_;
+    std::vector<DrawCommand> draws_;
+    std::vector<std::uint16_t> short_indices_;
+};
+
+} // namespace ffgpu::gl
