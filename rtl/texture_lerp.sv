@@ -1,6 +1,6 @@
 // out = (a * (256 - weight) + b * weight + 128) >> 8: one lerp of the bilinear and trilinear filter.
 //
-// Latency 2, one result a cycle. Equals ffgpu::lerp8w() in model/texture/lerp.h for every input.
+// Latency 2, one result a cycle. Equals ffgpu::lerp8w() in model/texture/filter.h for every input.
 
 module texture_lerp
   import ffgpu_pkg::*;
