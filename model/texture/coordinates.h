@@ -27,6 +27,19 @@ inline TexCoord project(const TexCoordPlanes& planes, unsigned lane) {
             divide_by_q(planes.r[lane], q)};
 }
 
+// Where anisotropic probe i of n, counted from 1, stands on the pixel's longer side: at
+// i / (n + 1) - 1/2 of it (EXT_texture_filter_anisotropic).
+constexpr float probe_position(unsigned i, unsigned n) {
+    return static_cast<float>(i) / static_cast<float>(n + 1) - 0.5f;
+}
+
+// In the middle the coordinate itself, whatever the step; NaN (of infinite steps) becomes 0.
+constexpr float move_to_probe(float coordinate, float step, float position) {
+    const float moved = coordinate + step * position;
+    const float defined = moved == moved ? moved : 0.0f;
+    return position == 0 ? coordinate : defined;
+}
+
 // Faces count +x -x +y -y +z -z. The major axis is the one of largest magnitude, of equal ones the
 // first; a zero counts as positive.
 constexpr unsigned cube_face(const TexCoord& direction) {

@@ -111,17 +111,12 @@ Rgba filter_levels(const TextureUnit& unit,
     return lerp8w(fine, coarse, quad.weight);
 }
 
-// Probe i of n stands at i / (n + 1) - 1/2 of the longer side (EXT_texture_filter_anisotropic).
 Fragment probe(const Fragment& fragment, const QuadSampling& quad, unsigned i) {
-    const float at = static_cast<float>(i) / static_cast<float>(quad.probes + 1) - 0.5f;
-    const auto move = [at](float coordinate, float step) {
-        const float moved = coordinate + step * at;
-        return moved == moved ? moved : 0.0f;
-    };
+    const float at = probe_position(i, quad.probes);
     Fragment result = fragment;
-    result.coord.s = move(fragment.coord.s, quad.major_step.s);
-    result.coord.t = move(fragment.coord.t, quad.major_step.t);
-    result.coord.r = move(fragment.coord.r, quad.major_step.r);
+    result.coord.s = move_to_probe(fragment.coord.s, quad.major_step.s, at);
+    result.coord.t = move_to_probe(fragment.coord.t, quad.major_step.t, at);
+    result.coord.r = move_to_probe(fragment.coord.r, quad.major_step.r, at);
     return result;
 }
 

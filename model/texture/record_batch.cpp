@@ -1,0 +1,108 @@
+// The work stream's side of filter_batch.cpp: wraps the same coordinates again, but reads nothing.
+// Apart from the filter, so that sampling without a work stream pays nothing for it.
+
+#include "model/texture/sampling_batch.h"
+#include "model/texture/simd_targets.h"
+
+#include <cstddef>
+
+// Highway's order of includes.
+// clang-format off
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "model/texture/record_batch.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+#include "model/texture/axis-inl.h"
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+namespace ffgpu::HWY_NAMESPACE {
+namespace {
+
+// An access is four words on a little endian host.
+static_assert(sizeof(TexelAccess) == 16 && offsetof(TexelAccess, level) == 2 &&
+              offsetof(TexelAccess, linear) == 3 && offsetof(TexelAccess, x0) == 4 &&
+              offsetof(TexelAccess, y0) == 8 && offsetof(TexelAccess, layer0) == 12);
+
+// The level and filter of a vector of fragments.
+struct Pass {
+    VI level;
+    MI linear;
+};
+
+HWY_INLINE VI marked(const TextureUnit& unit, VI index, VI size) {
+    const StoredIndex stored = stored_index(unit, index, size);
+    return hn::IfThenElse(stored.outside, constant(TexelAccess::BorderTexel), stored.index);
+}
+
+// Both indices of one axis in a word.
+HWY_INLINE VI index_word(const TextureUnit& unit, unsigned axis, VF coordinate, const Pass& pass) {
+    const AxisLevel at = axis_level(unit, axis, pass.level);
+    const VF folded = fold_coordinate(unit.linear_rules[axis].fold, coordinate, unit.extent[axis]);
+    const AxisTexelVectors one = axis_texels<false>(unit, axis, folded, at);
+    const AxisTexelVectors two = axis_texels<true>(unit, axis, folded, at);
+    const VI first = hn::IfThenElse(pass.linear, two.first, one.first);
+    const VI second = hn::IfThenElse(pass.linear, two.second, one.second);
+    const VI upper = hn::ShiftLeft<16>(marked(unit, second, at.size));
+    return hn::Or(marked(unit, first, at.size), upper);
+}
+
+HWY_INLINE VI head_word(const TextureUnit& unit, unsigned lane, const Pass& pass) {
+    const VI axes = constant((1 << unit.dimensions) - 1);
+    const VI linear = hn::IfThenElseZero(pass.linear, axes);
+    const VI lanes = hn::Iota(DI(), static_cast<std::int32_t>(lane));
+    return hn::Or(lanes, hn::Or(hn::ShiftLeft<16>(pass.level), hn::ShiftLeft<24>(linear)));
+}
+
+HWY_INLINE void record(const TextureUnit& unit,
+                       const FilterInputs& in,
+                       unsigned lane,
+                       const Pass& pass,
+                       TexelAccess* out) {
+    const float* planes[3] = {
+        in.coordinates->s.data(), in.coordinates->t.data(), in.coordinates->r.data()};
+    VI words[3] = {hn::Zero(DI()), hn::Zero(DI()), hn::Zero(DI())};
+    for (unsigned axis = 0; axis < unit.dimensions; ++axis)
+        words[axis] = index_word(unit, axis, hn::Load(DF(), planes[axis] + lane), pass);
+    if (unit.kind == TextureKind::Cube) {
+        const VI face = hn::Load(DI(), in.face + lane);
+        words[2] = hn::Or(face, hn::ShiftLeft<16>(face));
+    }
+    hn::StoreInterleaved4(head_word(unit, lane, pass),
+                          words[0],
+                          words[1],
+                          words[2],
+                          DI(),
+                          reinterpret_cast<std::int32_t*>(out + lane));
+}
+
+void record_accesses(const TextureUnit& unit, const FilterInputs& in, AccessBatch& out) {
+    const auto step = static_cast<unsigned>(hn::Lanes(DI()));
+    const bool any_weight = (in.sampling->any_of >> 16 & 0xff) != 0;
+    const VI byte = constant(0xff);
+    for (unsigned lane = 0; lane < 4 * in.quad_count; lane += step) {
+        const VI choice = hn::BitCast(DI(), hn::Load(DU(), in.sampling->choice.data() + lane));
+        const MI linear = hn::TestBit(choice, constant(SamplingBatch::LinearBit));
+        record(unit, in, lane, {hn::And(choice, byte), linear}, out.level.data());
+        if (!any_weight) continue;
+        const VI next = hn::And(hn::ShiftRight<8>(choice), byte);
+        record(unit, in, lane, {next, linear}, out.next_level.data());
+    }
+}
+
+} // namespace
+} // namespace ffgpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ffgpu {
+namespace {
+HWY_EXPORT(record_accesses);
+} // namespace
+
+void record_batch(const TextureUnit& unit, const FilterInputs& inputs, AccessBatch& out) {
+    HWY_DYNAMIC_DISPATCH(record_accesses)(unit, inputs, out);
+}
+
+} // namespace ffgpu
+#endif
