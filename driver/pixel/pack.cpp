@@ -9,7 +9,7 @@ namespace ffgpu::gl {
 
 namespace {
 
-std::array<float, 4> components_of(const ComponentOrder& order, const Color4& color) {
+std::array<float, 4> components_of(const ComponentOrder& order, const PixelColor& color) {
     std::array<float, 4> components{};
     for (std::size_t i = 0; i < order.count; ++i)
         components[i] = clamp_unit(color[order.channel[i]]);
@@ -19,7 +19,9 @@ std::array<float, 4> components_of(const ComponentOrder& order, const Color4& co
     return components;
 }
 
-void pack_packed_colors(const PixelDestination& destination, std::byte* row, const Color4* colors) {
+void pack_packed_colors(const PixelDestination& destination,
+                        std::byte* row,
+                        const PixelColor* colors) {
     const PackedType packed = packed_type(destination.type);
     const ComponentOrder order = component_order(destination.format);
     for (std::size_t x = 0; x < destination.width(); ++x) {
@@ -59,7 +61,7 @@ PixelDestination::PixelDestination(void* pixels,
     , swap_bytes(store.swap_bytes)
     , lsb_first(store.lsb_first) {}
 
-void pack_colors(const PixelDestination& destination, std::byte* row, const Color4* colors) {
+void pack_colors(const PixelDestination& destination, std::byte* row, const PixelColor* colors) {
     if (packed_type(destination.type).count > 0)
         return pack_packed_colors(destination, row, colors);
     const ComponentOrder order = component_order(destination.format);

@@ -34,7 +34,7 @@ struct PixelDestination {
 };
 
 // One row, size.width pixels. Luminance is the sum of red, green and blue (GL 1.5, 4.3.2).
-void pack_colors(const PixelDestination& destination, std::byte* row, const Color4* colors);
+void pack_colors(const PixelDestination& destination, std::byte* row, const PixelColor* colors);
 void pack_depths(const PixelDestination& destination, std::byte* row, const double* depths);
 void pack_indices(const PixelDestination& destination, std::byte* row, const std::int32_t* indices);
 

@@ -14,6 +14,16 @@ constexpr std::uint64_t round_up(std::uint64_t value, std::uint64_t multiple) {
     return (value + multiple - 1) / multiple * multiple;
 }
 
+// Beyond any memory: skips and strides that an application may set, but nothing can hold.
+bool is_huge(const PixelStore& store, ImageSize size, const PixelLayout& layout, bool three_d) {
+    const double rows = static_cast<double>(size.height) + static_cast<double>(store.skip_rows);
+    const double images = static_cast<double>(size.depth) + static_cast<double>(store.skip_images);
+    const double image_rows =
+        static_cast<double>(three_d && store.image_height > 0 ? store.image_height : size.height);
+    const double stride = static_cast<double>(layout.row_stride);
+    return stride * (rows + (three_d ? images * image_rows : 0.0)) > 1e18;
+}
+
 } // namespace
 
 PixelLayout
@@ -44,7 +54,9 @@ pixel_layout(const PixelStore& store, ImageSize size, GLenum format, GLenum type
         unsigned_of(three_d && store.image_height > 0 ? store.image_height : size.height);
     layout.image_stride = rows * layout.row_stride;
     if (three_d) layout.first += unsigned_of(store.skip_images) * layout.image_stride;
-    if (!size.empty()) {
+    if (!size.empty() && is_huge(store, size, layout, three_d)) {
+        layout.end = ~std::uint64_t{0}; // The sums above may have wrapped around.
+    } else if (!size.empty()) {
         layout.end = layout.row(unsigned_of(size.height) - 1, unsigned_of(size.depth) - 1) + used;
     }
     return layout;

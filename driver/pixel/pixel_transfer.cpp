@@ -42,16 +42,16 @@ bool keeps_depths(const PixelState& transfer) {
     return transfer.depth_scale == 1 && transfer.depth_bias == 0;
 }
 
-void transfer_colors(const PixelState& transfer, std::span<Color4> row) {
+void transfer_colors(const PixelState& transfer, std::span<PixelColor> row) {
     if (transfer.scale != Ones || transfer.bias != Zeros) {
-        for (Color4& pixel : row) {
+        for (PixelColor& pixel : row) {
             for (std::size_t i = 0; i < 4; ++i)
                 pixel[i] = pixel[i] * transfer.scale[i] + transfer.bias[i];
         }
     }
     if (!transfer.map_color) return;
     constexpr auto First = static_cast<std::size_t>(PixelMapName::RToR);
-    for (Color4& pixel : row) {
+    for (PixelColor& pixel : row) {
         for (std::size_t i = 0; i < 4; ++i)
             pixel[i] = look_up_color(transfer.maps[First + i], pixel[i]);
     }
@@ -73,11 +73,11 @@ void transfer_stencil(const PixelState& transfer, std::span<std::int32_t> row) {
     }
 }
 
-void transfer_indices(const PixelState& transfer, std::span<std::int32_t> row, Color4* colors) {
+void transfer_indices(const PixelState& transfer, std::span<std::int32_t> row, PixelColor* colors) {
     constexpr auto First = static_cast<std::size_t>(PixelMapName::IToR);
     for (std::int32_t& index : row) {
         index = shift_and_offset(transfer, index);
-        Color4& color = *colors++;
+        PixelColor& color = *colors++;
         for (std::size_t i = 0; i < 4; ++i)
             color[i] = look_up_index(transfer.maps[First + i], index);
     }

@@ -22,15 +22,15 @@ void read_reals(const PixelSource& source, const std::byte* at, std::size_t coun
     });
 }
 
-Color4 color_of(const ComponentOrder& order, const float* components) {
-    Color4 color{0, 0, 0, 1};
+PixelColor color_of(const ComponentOrder& order, const float* components) {
+    PixelColor color{0, 0, 0, 1};
     for (std::size_t i = 0; i < order.count; ++i)
         color[order.channel[i]] = components[i];
     if (order.luminance) color[1] = color[2] = color[0];
     return color;
 }
 
-void unpack_packed_colors(const PixelSource& source, const std::byte* row, Color4* colors) {
+void unpack_packed_colors(const PixelSource& source, const std::byte* row, PixelColor* colors) {
     const PackedType packed = packed_type(source.type);
     const ComponentOrder order = component_order(source.format);
     for (std::size_t x = 0; x < source.width(); ++x) {
@@ -62,7 +62,7 @@ PixelSource::PixelSource(const void* pixels,
     , swap_bytes(store.swap_bytes)
     , lsb_first(store.lsb_first) {}
 
-void unpack_colors(const PixelSource& source, const std::byte* row, Color4* colors) {
+void unpack_colors(const PixelSource& source, const std::byte* row, PixelColor* colors) {
     if (packed_type(source.type).count > 0) return unpack_packed_colors(source, row, colors);
     const ComponentOrder order = component_order(source.format);
     constexpr std::size_t Chunk = 64; // pixels
@@ -109,7 +109,7 @@ void unpack_indices(const PixelSource& source, const std::byte* row, std::int32_
 void unpack_transferred(const PixelSource& source,
                         const PixelState& transfer,
                         const std::byte* row,
-                        std::vector<Color4>& colors) {
+                        std::vector<PixelColor>& colors) {
     colors.resize(source.width());
     if (source.format == GL_COLOR_INDEX) {
         std::vector<std::int32_t> indices(source.width());

@@ -36,7 +36,7 @@ struct PixelSource {
 };
 
 // One row, size.width pixels. Colour formats only.
-void unpack_colors(const PixelSource& source, const std::byte* row, Color4* colors);
+void unpack_colors(const PixelSource& source, const std::byte* row, PixelColor* colors);
 
 // GL_DEPTH_COMPONENT, and the depth of GL_DEPTH_STENCIL.
 void unpack_depths(const PixelSource& source, const std::byte* row, double* depths);
@@ -48,7 +48,7 @@ void unpack_indices(const PixelSource& source, const std::byte* row, std::int32_
 void unpack_transferred(const PixelSource& source,
                         const PixelState& transfer,
                         const std::byte* row,
-                        std::vector<Color4>& colors);
+                        std::vector<PixelColor>& colors);
 
 // Whether a GL_BITMAP's pixel is set.
 inline bool bitmap_pixel(const PixelSource& source, const std::byte* row, std::size_t x) {

@@ -37,7 +37,7 @@ private:
     const PixelDestination& destination_;
     Format format_;
     PixelKind kind_;
-    std::vector<Color4> colors_;
+    std::vector<PixelColor> colors_;
     std::vector<double> depths_;
     std::vector<std::uint32_t> words_;
 };

@@ -27,7 +27,7 @@ void unpack_color_texels(const PixelSource& source,
     const bool unchanged = source.format != GL_COLOR_INDEX && keeps_colors(transfer);
     if (unchanged && unpack_fast(source, format, texels)) return;
     const std::size_t row = row_bytes(format, static_cast<std::uint32_t>(source.size.width));
-    std::vector<Color4> colors;
+    std::vector<PixelColor> colors;
     for_each_row(source, [&](const std::byte* pixels, std::size_t number) {
         unpack_transferred(source, transfer, pixels, colors);
         encode_colors(format, colors, texels + number * row);

@@ -26,8 +26,8 @@ constexpr Fields fields_of(Format format) {
     }
 }
 
-void encode_fields(const Fields& fields, std::span<const Color4> colors, std::byte* texels) {
-    for (const Color4& color : colors) {
+void encode_fields(const Fields& fields, std::span<const PixelColor> colors, std::byte* texels) {
+    for (const PixelColor& color : colors) {
         std::uint32_t word = 0;
         for (std::size_t i = 0; i < 4; ++i)
             word |= unorm(static_cast<double>(color[i]), fields.bits[i]) << fields.shift[i];
@@ -37,8 +37,8 @@ void encode_fields(const Fields& fields, std::span<const Color4> colors, std::by
     }
 }
 
-void decode_fields(const Fields& fields, const std::byte* texels, std::span<Color4> colors) {
-    for (Color4& color : colors) {
+void decode_fields(const Fields& fields, const std::byte* texels, std::span<PixelColor> colors) {
+    for (PixelColor& color : colors) {
         std::uint16_t word;
         std::memcpy(&word, texels, sizeof word);
         texels += sizeof word;
@@ -71,10 +71,10 @@ ByteChannels byte_channels(Format format) {
     }
 }
 
-void encode_colors(Format format, std::span<const Color4> colors, std::byte* texels) {
+void encode_colors(Format format, std::span<const PixelColor> colors, std::byte* texels) {
     const ByteChannels bytes = byte_channels(format);
     if (bytes.count == 0) return encode_fields(fields_of(format), colors, texels);
-    for (const Color4& color : colors) {
+    for (const PixelColor& color : colors) {
         for (std::size_t i = 0; i < bytes.count; ++i) {
             const std::uint8_t channel = bytes.channel[i];
             *texels++ = channel == ByteChannels::ReadsAsOne
@@ -84,10 +84,10 @@ void encode_colors(Format format, std::span<const Color4> colors, std::byte* tex
     }
 }
 
-void decode_colors(Format format, const std::byte* texels, std::span<Color4> colors) {
+void decode_colors(Format format, const std::byte* texels, std::span<PixelColor> colors) {
     const ByteChannels bytes = byte_channels(format);
     if (bytes.count == 0) return decode_fields(fields_of(format), texels, colors);
-    for (Color4& color : colors) {
+    for (PixelColor& color : colors) {
         color = {0, 0, 0, 1};
         for (std::size_t i = 0; i < bytes.count; ++i) {
             const std::uint8_t channel = bytes.channel[i];

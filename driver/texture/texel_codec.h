@@ -14,11 +14,11 @@ namespace ffgpu::gl {
 
 // Colours are clamped to [0, 1]. Luminance and intensity are the red component (GL 1.5,
 // table 3.15).
-void encode_colors(Format format, std::span<const Color4> colors, std::byte* texels);
+void encode_colors(Format format, std::span<const PixelColor> colors, std::byte* texels);
 
 // As glGetTexImage sees them (GL 1.5, table 6.1): luminance and intensity are red, what a format
 // lacks is 0, alpha 1.
-void decode_colors(Format format, const std::byte* texels, std::span<Color4> colors);
+void decode_colors(Format format, const std::byte* texels, std::span<PixelColor> colors);
 
 // Depth16, and the upper 24 bits of Depth24Stencil8; encoding makes the stencil 0.
 void encode_depths(Format format, std::span<const double> depths, std::byte* texels);
