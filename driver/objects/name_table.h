@@ -8,6 +8,7 @@
 
 #include "driver/gl_types.h"
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <span>
@@ -77,6 +78,16 @@ public:
         }
         if (name < first_candidate_) first_candidate_ = name;
         return object;
+    }
+
+    // Frees those of the names first .. first + count - 1 that are used (glDeleteLists).
+    void remove_range(GLuint first, GLuint count) {
+        const std::uint64_t end = std::uint64_t{first} + count;
+        for (std::uint64_t name = first; name < end && name < small_.size(); ++name)
+            remove(static_cast<GLuint>(name));
+        auto entry = large_.lower_bound(first);
+        while (entry != large_.end() && entry->first < end)
+            entry = large_.erase(entry);
     }
 
     // Calls visitor(name, object) for each object, in the order of names.
