@@ -1,0 +1,188 @@
+#include "model/geometry/geometry_unit.h"
+
+#include "model/geometry/feedback_writer.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ffgpu {
+namespace {
+
+// Elements of a chunk, multiples of 12: whole triangles, quads and strips' steps. Vertices that are
+// used again and again may be more, as few of them take a slot.
+constexpr std::uint32_t PlainChunk = 1020;
+constexpr std::uint32_t IndexedChunk = 4092;
+constexpr std::uint32_t OutlineChunk = 516; // Polygons that are taken whole.
+static_assert(IndexedChunk + 1 <= VertexPool::Capacity);
+
+bool is_polygon(PrimitiveType type) {
+    return type >= PrimitiveType::Triangles;
+}
+
+// Other polygons' edges are all boundaries (GL 1.5, 2.6.2).
+bool has_edge_flags(PrimitiveType type) {
+    return type == PrimitiveType::Triangles || type == PrimitiveType::Quads ||
+           type == PrimitiveType::Polygon;
+}
+
+VertexNeeds vertex_needs(const PrimitiveSetup& registers, PrimitiveType type) {
+    const auto either_mode = [&](PolygonMode mode) {
+        return registers.front_mode == mode || registers.back_mode == mode;
+    };
+    const bool outlines = either_mode(PolygonMode::Point) || either_mode(PolygonMode::Line);
+    VertexNeeds needs;
+    needs.point_size =
+        type == PrimitiveType::Points || (is_polygon(type) && either_mode(PolygonMode::Point));
+    needs.edge_flag = has_edge_flags(type) && outlines;
+    return needs;
+}
+
+void describe(const Registers& registers, const DrawCommand& command, GeometryWork& work) {
+    work.vertex_bytes = 4u * registers.vertex_format.stride;
+    work.vertex_address = command.vertex_address;
+    work.index_address = command.index_address;
+    work.index_bytes = static_cast<std::uint8_t>(index_bytes(command.index_type));
+    if (!registers.lighting.enable) return;
+    for (const Light& light : registers.lights)
+        work.lights = static_cast<std::uint8_t>(work.lights + light.enable);
+}
+
+} // namespace
+
+GeometryUnit::GeometryUnit(std::span<const std::byte> memory)
+    : memory_(memory)
+    , batch_(std::make_unique<VertexBatch>())
+    , stage_(pool_, primitives_)
+    , assembler_(pool_, stage_) {}
+
+void GeometryUnit::draw(const DrawState& state,
+                        const DrawCommand& command,
+                        PrimitiveSink& sink,
+                        GeometryWork* work) {
+    feedback_ = nullptr;
+    primitives_.start(&sink);
+    run(state, state.layout, command, work);
+}
+
+void GeometryUnit::feedback(const DrawState& state,
+                            const DrawCommand& command,
+                            std::span<std::byte> memory) {
+    const std::uint64_t end = std::uint64_t{command.feedback_address} + command.feedback_bytes;
+    if (end > memory.size() || command.feedback_bytes < sizeof(std::uint32_t)) {
+        ++stats_.draws_dropped;
+        return;
+    }
+    FeedbackWriter writer(memory.subspan(command.feedback_address, command.feedback_bytes));
+    feedback_ = &writer;
+    primitives_.start(nullptr);
+    run(state, FeedbackWriter::layout(), command, nullptr);
+    writer.finish();
+    feedback_ = nullptr;
+}
+
+void GeometryUnit::run(const DrawState& state,
+                       const InterpolantLayout& layout,
+                       const DrawCommand& command,
+                       GeometryWork* work) {
+    const Registers& registers = state.regs();
+    if (work) describe(registers, command, *work);
+    if (command.count == 0) return;
+    const ElementReader elements(memory_, command, registers.vertex_format);
+    if (!elements.in_memory()) {
+        ++stats_.draws_dropped;
+        return;
+    }
+    ++stats_.draws;
+    set_up(state, layout, vertex_needs(registers.primitive, command.primitive));
+    if (!setup_.window.visible) return;
+    stage_.start(setup_, feedback_);
+    assembler_.start(command);
+    run_chunks(command, elements, work);
+    count_primitives(work);
+}
+
+void GeometryUnit::set_up(const DrawState& state,
+                          const InterpolantLayout& layout,
+                          VertexNeeds needs) {
+    if (registers_ == state.registers && setup_.layout == layout && setup_.needs == needs) return;
+    registers_ = state.registers;
+    setup_ = make_vertex_setup(*registers_, layout, needs);
+    fetch_.start(setup_, *batch_);
+    pool_.start(setup_);
+}
+
+void GeometryUnit::run_chunks(const DrawCommand& command,
+                              const ElementReader& elements,
+                              GeometryWork* work) {
+    const ChunkRule rule = chunk_rule(command.primitive);
+    const std::uint32_t hub = rule.hub ? 1 : 0;
+    std::uint32_t size = elements.indexed() ? IndexedChunk : PlainChunk;
+    if (command.primitive == PrimitiveType::Polygon && stage_.whole_polygons()) size = OutlineChunk;
+
+    const std::byte* const vertices = memory_.data() + command.vertex_address;
+    std::uint32_t seen = 0; // elements before it have been counted
+    for (std::uint32_t begin = hub; seen < command.count;) {
+        const std::uint32_t end = command.count - begin <= size ? command.count : begin + size;
+        elements_.resize(hub + end - begin);
+        if (rule.hub) elements.read(0, std::span(elements_).first(1));
+        elements.read(begin, std::span(elements_).subspan(hub));
+        if (work) {
+            const std::uint32_t fresh = end - seen;
+            work->vertices.insert(work->vertices.end(), elements_.end() - fresh, elements_.end());
+        }
+        stats_.vertices_fetched += end - seen;
+
+        make_slots(elements);
+        shade_vertices(vertices);
+        assembler_.assemble(
+            {.slots = slots_, .is_first = begin == hub, .is_last = end == command.count});
+        primitives_.flush();
+        seen = end;
+        begin = end - rule.overlap;
+    }
+}
+
+void GeometryUnit::make_slots(const ElementReader& elements) {
+    slots_.resize(elements_.size());
+    if (!elements.indexed()) {
+        numbers_ = elements_;
+        std::iota(slots_.begin(), slots_.end(), 0u);
+        return;
+    }
+    numbers_.clear();
+    reuse_.clear();
+    std::transform(elements_.begin(), elements_.end(), slots_.begin(), [&](std::uint32_t number) {
+        return reuse_.slot_of(number, numbers_);
+    });
+}
+
+void GeometryUnit::shade_vertices(const std::byte* vertices) {
+    const std::span<const std::uint32_t> numbers = numbers_;
+    for (std::uint32_t slot = 0; slot < numbers.size(); slot += BatchVertices) {
+        const std::size_t count = std::min<std::size_t>(BatchVertices, numbers.size() - slot);
+        fetch_.fetch(vertices, numbers.subspan(slot, count), *batch_);
+        pool_.shade(*batch_, slot);
+    }
+    stats_.vertices_shaded += numbers.size();
+}
+
+void GeometryUnit::count_primitives(GeometryWork* work) {
+    const PrimitiveCounts& counts = stage_.counts();
+    const auto out = static_cast<std::uint32_t>(primitives_.handed_over() - handed_over_before_);
+    handed_over_before_ = primitives_.handed_over();
+    stats_.primitives_in += counts.in;
+    stats_.primitives_clipped += counts.clipped;
+    stats_.primitives_outside += counts.outside;
+    stats_.primitives_culled += counts.culled;
+    stats_.primitives_degenerate += counts.degenerate;
+    stats_.primitives_out += out;
+    if (!work) return;
+    work->primitives_in = counts.in;
+    work->primitives_clipped = counts.clipped;
+    work->primitives_outside = counts.outside;
+    work->primitives_culled = counts.culled;
+    work->primitives_degenerate = counts.degenerate;
+    work->primitives_out = out;
+}
+
+} // namespace ffgpu
