@@ -68,10 +68,10 @@ struct WorkDraw {
     std::uint32_t number = 0; // PrimitiveKey::draw
     std::uint32_t frame = 0;
     bool early_depth = false; // Depth was tested before texturing.
-    std::shared_ptr<const Registers> state;
-    GeometryWork geometry;     // Draw
-    ClearCommand clear;        // Clear
-    CopyRectangleCommand copy; // Copy
+    std::shared_ptr<const Registers> state{};
+    GeometryWork geometry{};     // Draw
+    ClearCommand clear{};        // Clear
+    CopyRectangleCommand copy{}; // Copy
 };
 
 struct WorkBin {

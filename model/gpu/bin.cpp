@@ -1,0 +1,96 @@
+#include "model/gpu/bin.h"
+
+#include "model/base/check.h"
+
+#include <algorithm>
+
+namespace ffgpu {
+
+Bin::Bin(int tile_size)
+    : tile_size_(tile_size)
+    , arena_(new Line[ArenaBytes / sizeof(Line)]) {
+    check(tile_size >= 16 && tile_size <= MaxTileSize && tile_size % BlockSize == 0,
+          "a tile is 16 to 128 pixels, in steps of 8");
+}
+
+void Bin::reset(int width, int height) {
+    for (const std::uint32_t tile : busy_) {
+        tiles_[tile].words.clear();
+        tiles_[tile].command = ~0u;
+    }
+    busy_.clear();
+    commands_.clear();
+    used_ = 0;
+    word_count_ = 0;
+    columns_ = (width + tile_size_ - 1) / tile_size_;
+    rows_ = (height + tile_size_ - 1) / tile_size_;
+    const auto count = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+    if (tiles_.size() < count) tiles_.resize(count);
+}
+
+bool Bin::full() const {
+    return used_ + MaxSetupRecordBytes > ArenaBytes || word_count_ >= MaxWords ||
+           commands_.size() >= MaxCommands;
+}
+
+std::size_t Bin::add_command(BinCommand command) {
+    commands_.push_back(std::move(command));
+    return commands_.size() - 1;
+}
+
+void Bin::add_word(std::uint32_t tile, std::uint32_t word) {
+    Tile& list = tiles_[tile];
+    if (list.words.empty()) busy_.push_back(tile);
+    const auto command = static_cast<std::uint32_t>(commands_.size() - 1);
+    if (list.command != command && !(word & CommandBit)) {
+        list.words.push_back(command | CommandBit);
+        ++word_count_;
+    }
+    list.command = command;
+    list.words.push_back(word);
+    ++word_count_;
+}
+
+Rectangle Bin::tiles_under(const Rectangle& area) const {
+    const auto tile_of = [this](int at) {
+        return static_cast<int>(static_cast<unsigned>(at) / static_cast<unsigned>(tile_size_));
+    };
+    return intersect(
+        {tile_of(area.x0), tile_of(area.y0), tile_of(area.x1 - 1) + 1, tile_of(area.y1 - 1) + 1},
+        {0, 0, columns_, rows_});
+}
+
+void Bin::insert() {
+    const SetupRecord& record = next_record();
+    const auto word = static_cast<std::uint32_t>(used_ / RecordAlign);
+    used_ += record.bytes();
+    const Rectangle tiles = tiles_under(record.box);
+    const bool many = tiles.width() > 2 || tiles.height() > 2;
+    for (int y = tiles.y0; y < tiles.y1; ++y)
+        for (int x = tiles.x0; x < tiles.x1; ++x) {
+            const auto tile = static_cast<std::uint32_t>(y * columns_ + x);
+            if (!many || may_touch(record, tile_rectangle(tile))) add_word(tile, word);
+        }
+}
+
+void Bin::insert_whole(const Rectangle& area) {
+    if (area.empty()) return;
+    const auto word = static_cast<std::uint32_t>(commands_.size() - 1) | CommandBit | WholeBit;
+    const Rectangle tiles = tiles_under(area);
+    for (int y = tiles.y0; y < tiles.y1; ++y)
+        for (int x = tiles.x0; x < tiles.x1; ++x)
+            add_word(static_cast<std::uint32_t>(y * columns_ + x), word);
+}
+
+const std::vector<std::uint32_t>& Bin::busy_tiles() {
+    std::sort(busy_.begin(), busy_.end());
+    return busy_;
+}
+
+Rectangle Bin::tile_rectangle(std::uint32_t tile) const {
+    const int x = static_cast<int>(tile) % columns_ * tile_size_;
+    const int y = static_cast<int>(tile) / columns_ * tile_size_;
+    return {x, y, x + tile_size_, y + tile_size_};
+}
+
+} // namespace ffgpu

@@ -1,0 +1,156 @@
+// The device interface and the commands; functional_gpu_bin.cpp has draws and bins.
+
+#include "model/gpu/functional_gpu.h"
+
+#include "model/base/check.h"
+#include "model/base/input_error.h"
+#include "model/gpu/validate.h"
+#include "model/memory/copy.h"
+#include "model/raster/image_fragments.h"
+
+#include <cstring>
+
+namespace ffgpu {
+
+FunctionalGpu::FunctionalGpu(const Config& config)
+    : config_(config)
+    , memory_(config.memory_bytes)
+    , geometry_(memory_.bytes())
+    , pool_(config.threads)
+    , bin_(static_cast<int>(config.tile_size))
+    , bin_reads_(memory_.size())
+    , bin_writes_(memory_.size()) {
+    check(config.threads >= 1, "a GPU needs a thread");
+    for (unsigned i = 0; i < pool_.threads(); ++i)
+        renderers_.push_back(std::make_unique<TileRenderer>(memory_.bytes()));
+}
+
+FunctionalGpu::~FunctionalGpu() = default;
+
+void FunctionalGpu::set_work_sink(WorkSink* sink) {
+    flush();
+    sink_ = sink;
+}
+
+void FunctionalGpu::write_memory(DeviceAddress at, std::span<const std::byte> bytes) {
+    check(memory_.contains(at, bytes.size()), "a write outside device memory");
+    before_write(at, bytes.size());
+    if (!bytes.empty()) std::memcpy(memory_.bytes().data() + at, bytes.data(), bytes.size());
+    if (sink_) sink_->memory_written(at, bytes.size());
+}
+
+void FunctionalGpu::read_memory(DeviceAddress at, std::span<std::byte> bytes) {
+    check(memory_.contains(at, bytes.size()), "a read outside device memory");
+    before_read(at, bytes.size());
+    if (!bytes.empty()) std::memcpy(bytes.data(), memory_.bytes().data() + at, bytes.size());
+    if (sink_) sink_->memory_read(at, bytes.size());
+}
+
+void FunctionalGpu::finish() {
+    flush();
+}
+
+std::vector<const StatisticsGroup*> FunctionalGpu::statistics() const {
+    return {&geometry_.statistics(), &primitive_statistics_, &fragment_statistics_};
+}
+
+void FunctionalGpu::submit(const CommandStream& commands) {
+    CommandReader reader(commands.words);
+    while (reader.next()) {
+        try {
+            execute(reader);
+        } catch (const InputError& error) {
+            reader.fail(error.what());
+        }
+    }
+}
+
+void FunctionalGpu::execute(const CommandReader& reader) {
+    switch (static_cast<Opcode>(reader.opcode())) {
+    case Opcode::WriteRegister:
+        return write_register(reader);
+    case Opcode::Draw:
+        return draw(reader.command<DrawCommand>());
+    case Opcode::Clear:
+        return clear(reader.command<ClearCommand>());
+    case Opcode::DrawImage:
+        return draw_image(reader.command<DrawImageCommand>());
+    case Opcode::CopyRectangle:
+        return copy(reader.command<CopyRectangleCommand>());
+    case Opcode::ResetSampleCounter:
+        reader.expect(0);
+        return reset_samples();
+    case Opcode::StoreSampleCounter:
+        return store_samples(reader);
+    case Opcode::EndFrame:
+        reader.expect(0);
+        return end_frame();
+    }
+    throw InputError("there is no opcode " + std::to_string(reader.opcode()));
+}
+
+void FunctionalGpu::write_register(const CommandReader& reader) {
+    const std::span<const std::uint32_t> payload = reader.payload();
+    if (payload.empty()) throw InputError("a register write without an address");
+    const std::uint32_t address = payload[0];
+    if (address >= RegisterCount)
+        throw InputError("there is no register " + std::to_string(address));
+    reader.expect(1 + RegisterFile::word_count(address));
+    if (registers_.write(address, payload.subspan(1))) context_.reset();
+}
+
+void FunctionalGpu::clear(const ClearCommand& command) {
+    prepare_context();
+    begin_command({.kind = WorkKind::Clear, .clear = command});
+    bin_.insert_whole(context_->setup.clip);
+}
+
+void FunctionalGpu::draw_image(const DrawImageCommand& command) {
+    validate(command);
+    prepare_context();
+    ++primitive_statistics_.draws;
+    const std::uint64_t bytes = std::uint64_t{command.stride} * command.height;
+    if (!memory_.contains(command.address, bytes)) return; // As image_fragments: it makes nothing.
+    before_read(command.address, bytes);
+    begin_command({.kind = WorkKind::Image,
+                   .number = draw_number_++,
+                   .image = std::make_unique<const DrawImageCommand>(command)});
+    bin_reads_.add(command.address, bytes);
+    bin_serial_ = bin_serial_ || bin_writes_.overlaps(command.address, bytes);
+    samples_pending_ = samples_pending_ || context_->regs().fragment.count_samples;
+    bin_.insert_whole(image_bounds(command, context_->setup.clip));
+}
+
+void FunctionalGpu::copy(const CopyRectangleCommand& command) {
+    validate(command, memory_.size());
+    flush();
+    copy_rectangle(command, memory_.bytes());
+    if (!sink_) return;
+    WorkBin work;
+    work.draws.push_back(
+        {.kind = WorkKind::Copy, .frame = frame_, .state = registers_.snapshot(), .copy = command});
+    sink_->bin(work);
+}
+
+void FunctionalGpu::reset_samples() {
+    if (samples_pending_) flush();
+    samples_ = 0;
+}
+
+void FunctionalGpu::store_samples(const CommandReader& reader) {
+    reader.expect(1);
+    const DeviceAddress at = reader.payload()[0];
+    if (!memory_.contains(at, sizeof samples_))
+        throw InputError("the sample counter's place is outside device memory");
+    if (samples_pending_) flush();
+    before_write(at, sizeof samples_);
+    std::memcpy(memory_.bytes().data() + at, &samples_, sizeof samples_);
+}
+
+void FunctionalGpu::end_frame() {
+    flush();
+    if (sink_) sink_->end_frame(frame_);
+    ++frame_;
+}
+
+} // namespace ffgpu

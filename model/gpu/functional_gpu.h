@@ -1,0 +1,104 @@
+// FunctionalGpu: the device that draws. It is the block diagram:
+//
+//     commands -> registers -> geometry -> set-up -> bin
+//     bin, tile by tile on all threads:
+//         coverage -> early depth -> interpolation -> texture units -> environments .. write
+//
+// Geometry runs while commands are submitted; pixels wait in a bin until somebody may look at
+// them. Each tile works in the order of the commands, and no stage looks across tiles: the result
+// depends neither on the number of threads nor on the tile size.
+
+#pragma once
+
+#include "model/device/device.h"
+#include "model/geometry/geometry_unit.h"
+#include "model/gpu/bin.h"
+#include "model/gpu/command_reader.h"
+#include "model/gpu/page_set.h"
+#include "model/gpu/raster_statistics.h"
+#include "model/gpu/register_file.h"
+#include "model/gpu/thread_pool.h"
+#include "model/gpu/tile_renderer.h"
+#include "model/memory/device_memory.h"
+#include "model/packets/window_vertex.h"
+#include "model/packets/work_stream.h"
+
+#include <memory>
+#include <vector>
+
+namespace ffgpu {
+
+class FunctionalGpu final : public Device, private PrimitiveSink {
+public:
+    struct Config {
+        unsigned threads = 1;    // that carry out tiles, the caller's included
+        unsigned tile_size = 64; // pixels: a multiple of 8 from 16 to 128
+        std::uint64_t memory_bytes = DeviceMemory::DefaultBytes;
+    };
+
+    explicit FunctionalGpu(const Config& config);
+    ~FunctionalGpu() override;
+
+    // From now on work is recorded and handed to `sink`; null: no more.
+    void set_work_sink(WorkSink* sink);
+
+    const Registers& registers() const { return registers_.values(); }
+
+    std::uint64_t memory_size() const override { return memory_.size(); }
+    void write_memory(DeviceAddress at, std::span<const std::byte> bytes) override;
+    void read_memory(DeviceAddress at, std::span<std::byte> bytes) override;
+    // Throws InputError for a stream that is damaged; what came before the fault is done.
+    void submit(const CommandStream& commands) override;
+    void finish() override;
+    std::vector<const StatisticsGroup*> statistics() const override;
+
+private:
+    // Commands.
+    void execute(const CommandReader& reader);
+    void write_register(const CommandReader& reader);
+    void draw(const DrawCommand& command);
+    void clear(const ClearCommand& command);
+    void draw_image(const DrawImageCommand& command);
+    void copy(const CopyRectangleCommand& command);
+    void reset_samples();
+    void store_samples(const CommandReader& reader);
+    void end_frame();
+
+    // Draws.
+    void prepare_context();
+    void begin_command(BinCommand command);
+    void primitives(std::span<const Primitive> batch) override;
+    void bin_primitive(const Primitive& primitive);
+    bool reads_own_target(const DrawContext& context) const;
+
+    // Bins.
+    void before_read(std::uint64_t at, std::uint64_t bytes); // of memory by anybody but a bin
+    void before_write(std::uint64_t at, std::uint64_t bytes);
+    void flush();
+    void open_bin(const Targets& targets);
+    void hand_over(std::vector<WorkTile> tiles);
+
+    const Config config_;
+    DeviceMemory memory_;
+    RegisterFile registers_;
+    GeometryUnit geometry_;
+    ThreadPool pool_;
+    std::vector<std::unique_ptr<TileRenderer>> renderers_; // one a thread
+    WorkSink* sink_ = nullptr;
+
+    Bin bin_;
+    Targets bin_targets_; // what the bin draws into
+    PageSet bin_reads_, bin_writes_;
+    bool bin_serial_ = false; // A draw reads what it writes: one thread, so that it repeats.
+    std::shared_ptr<const DrawContext> context_;        // of registers_; null: to be compiled
+    std::shared_ptr<const DrawContext> binned_context_; // the last whose pages are in the sets
+
+    std::uint32_t draw_number_ = 0;
+    std::uint32_t frame_ = 0;
+    std::uint64_t samples_ = 0;
+    bool samples_pending_ = false; // The bin holds draws that count samples.
+    FragmentStatistics fragment_statistics_;
+    PrimitiveStatistics primitive_statistics_;
+};
+
+} // namespace ffgpu

@@ -1,0 +1,196 @@
+// FunctionalGpu: draws on their way into the bin, and bins carried out.
+
+#include "model/gpu/functional_gpu.h"
+#include "model/gpu/validate.h"
+
+#include <algorithm>
+
+namespace ffgpu {
+namespace {
+
+// Bytes from a surface's address to its end.
+std::uint64_t surface_bytes(const Surface& surface) {
+    return std::uint64_t{surface.stride} * surface.height;
+}
+
+template <class Visit>
+void for_each_target(const Targets& targets, Visit&& visit) {
+    for (const Surface* surface : {&targets.color, &targets.second_color, &targets.depth})
+        if (surface->format != Format::None) visit(*surface);
+}
+
+template <class Visit>
+void for_each_image(const DrawContext& context, Visit&& visit) {
+    for (unsigned unit = 0; unit < TextureUnits; ++unit)
+        if (context.samples(unit) && context.textures[unit].valid)
+            visit(context.regs().images[unit]);
+}
+
+// Pixels that a primitive would cover, about: exact for triangles inside the clip rectangle.
+double primitive_area(const SetupRecord& record) {
+    if (record.edge_count != 3) return double{1} * record.box.width() * record.box.height();
+    const Edge& first = record.edges[0];
+    const Edge& last = record.edges[2];
+    const std::int64_t twice = std::int64_t{first.b} * last.a - std::int64_t{last.b} * first.a;
+    return static_cast<double>(twice) / (2.0 * (1 << 2 * SubPixelBits));
+}
+
+} // namespace
+
+void FunctionalGpu::prepare_context() {
+    if (context_) return;
+    validate(registers_.values(), memory_.size());
+    context_ = compile_draw_context(registers_.snapshot(), draw_number_, memory_.bytes());
+}
+
+void FunctionalGpu::draw(const DrawCommand& command) {
+    validate(command, registers_.values(), memory_.size());
+    prepare_context();
+    ++primitive_statistics_.draws;
+    const std::uint64_t vertex_bytes = std::uint64_t{registers_.values().vertex_format.stride} * 4;
+    before_read(command.vertex_address, command.vertex_count * vertex_bytes);
+    if (command.index_type != IndexType::None)
+        before_read(command.index_address,
+                    (std::uint64_t{command.first} + command.count) *
+                        (command.index_type == IndexType::U16 ? 2 : 4));
+    const std::uint32_t number = draw_number_++;
+    if (command.output == DrawOutput::Feedback) {
+        before_write(command.feedback_address, command.feedback_bytes);
+        geometry_.feedback(context_->state, command, memory_.bytes());
+        return;
+    }
+    const bool own_target = reads_own_target(*context_);
+    if (own_target) flush();
+    begin_command({.kind = WorkKind::Draw, .number = number});
+    bin_serial_ = bin_serial_ || own_target;
+    samples_pending_ = samples_pending_ || context_->regs().fragment.count_samples;
+
+    GeometryWork work;
+    geometry_.draw(context_->state, command, *this, sink_ ? &work : nullptr);
+    if (sink_) bin_.commands().back().geometry = std::move(work);
+    if (own_target) flush();
+}
+
+// Undefined in OpenGL, but it is to repeat, whatever the number of threads.
+bool FunctionalGpu::reads_own_target(const DrawContext& context) const {
+    bool overlaps = false;
+    for_each_image(context, [&](const TextureImage& image) {
+        const std::uint64_t begin = image.address, end = begin + texture_bytes(image.shape);
+        for_each_target(context.regs().targets, [&](const Surface& surface) {
+            overlaps = overlaps ||
+                       (begin < surface.address + surface_bytes(surface) && surface.address < end);
+        });
+    });
+    return overlaps;
+}
+
+// Makes `command` the one that is binned from now on, in the state of context_.
+void FunctionalGpu::begin_command(BinCommand command) {
+    const Targets& targets = context_->regs().targets;
+    if (!bin_.empty() && (bin_.full() || !(bin_targets_ == targets))) flush();
+    if (context_ != binned_context_) {
+        // Textures that the bin draws into must be finished; others must stay as they are.
+        for_each_image(*context_, [this](const TextureImage& image) {
+            before_read(image.address, texture_bytes(image.shape));
+        });
+    }
+    if (bin_.empty()) open_bin(targets);
+    if (context_ != binned_context_) {
+        for_each_image(*context_, [this](const TextureImage& image) {
+            bin_reads_.add(image.address, texture_bytes(image.shape));
+        });
+        binned_context_ = context_;
+    }
+    command.frame = frame_;
+    command.context = context_;
+    bin_.add_command(std::move(command));
+}
+
+void FunctionalGpu::open_bin(const Targets& targets) {
+    int width = 0, height = 0;
+    for_each_target(targets, [&](const Surface& surface) {
+        bin_writes_.add(surface.address, surface_bytes(surface));
+        width = std::max<int>(width, surface.width);
+        height = std::max<int>(height, surface.height);
+    });
+    bin_targets_ = targets;
+    bin_.reset(width, height);
+}
+
+void FunctionalGpu::primitives(std::span<const Primitive> batch) {
+    for (const Primitive& primitive : batch)
+        bin_primitive(primitive);
+}
+
+void FunctionalGpu::bin_primitive(const Primitive& primitive) {
+    if (bin_.full()) {
+        // The draw goes on in the next bin, under the same number.
+        const std::uint32_t number = bin_.commands().back().number;
+        const bool serial = bin_serial_;
+        flush();
+        begin_command({.kind = WorkKind::Draw, .number = number});
+        bin_serial_ = serial;
+    }
+    ++primitive_statistics_.primitives;
+    SetupRecord& record = bin_.next_record();
+    if (!set_up(context_->setup, primitive, record)) {
+        ++primitive_statistics_.empty;
+        return;
+    }
+    primitive_statistics_.add_area(primitive_area(record));
+    bin_.insert();
+}
+
+void FunctionalGpu::before_read(std::uint64_t at, std::uint64_t bytes) {
+    if (bin_writes_.overlaps(at, bytes)) flush();
+}
+
+void FunctionalGpu::before_write(std::uint64_t at, std::uint64_t bytes) {
+    if (bin_writes_.overlaps(at, bytes) || bin_reads_.overlaps(at, bytes)) flush();
+}
+
+void FunctionalGpu::flush() {
+    if (bin_.empty()) return;
+    const std::vector<std::uint32_t>& tiles = bin_.busy_tiles();
+    std::vector<WorkTile> recordings(sink_ ? tiles.size() : 0);
+    const auto job = [&](unsigned worker, std::size_t i) {
+        renderers_[worker]->render(bin_, tiles[i], sink_ ? &recordings[i] : nullptr);
+    };
+    if (bin_serial_) {
+        for (std::size_t i = 0; i < tiles.size(); ++i)
+            job(0, i);
+    } else {
+        pool_.run(tiles.size(), job);
+    }
+    for (const auto& renderer : renderers_) {
+        const FragmentCounts counts = renderer->take_counts();
+        fragment_statistics_.add(counts);
+        samples_ += counts.samples;
+    }
+    ++fragment_statistics_.bins;
+    if (sink_) hand_over(std::move(recordings));
+
+    bin_.reset(0, 0);
+    bin_reads_.clear();
+    bin_writes_.clear();
+    binned_context_.reset();
+    bin_serial_ = false;
+    samples_pending_ = false;
+}
+
+void FunctionalGpu::hand_over(std::vector<WorkTile> tiles) {
+    WorkBin work;
+    for (BinCommand& command : bin_.commands())
+        work.draws.push_back({.kind = command.kind,
+                              .number = command.number,
+                              .frame = command.frame,
+                              .early_depth = command.context->pipe.early_depth,
+                              .state = command.context->state.registers,
+                              .geometry = std::move(command.geometry),
+                              .clear = command.clear});
+    std::erase_if(tiles, [](const WorkTile& tile) { return tile.batches.empty(); });
+    work.tiles = std::move(tiles);
+    sink_->bin(work);
+}
+
+} // namespace ffgpu

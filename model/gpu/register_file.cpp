@@ -1,0 +1,61 @@
+#include "model/gpu/register_file.h"
+
+#include "model/base/check.h"
+
+#include <array>
+#include <cstddef>
+
+namespace ffgpu {
+namespace {
+
+struct Slot {
+    std::size_t offset; // of the register in Registers
+    std::size_t words;
+    bool (*write)(std::byte* at, std::span<const std::uint32_t> words);
+};
+
+template <class Register>
+bool write_register(std::byte* at, std::span<const std::uint32_t> words) {
+    auto& reg = *reinterpret_cast<Register*>(at);
+    const auto value = unpack<Register>(words);
+    if (value == reg) return false;
+    reg = value;
+    return true;
+}
+
+std::array<Slot, RegisterCount> make_slots() {
+    std::array<Slot, RegisterCount> slots{};
+    const Registers registers;
+    std::size_t address = 0;
+    Registers::visit(registers, [&](const auto& reg) {
+        using Register = std::remove_cvref_t<decltype(reg)>;
+        const auto offset = reinterpret_cast<const std::byte*>(&reg) -
+                            reinterpret_cast<const std::byte*>(&registers);
+        slots[address++] = {
+            static_cast<std::size_t>(offset), WordCount<Register>, write_register<Register>};
+    });
+    return slots;
+}
+
+const std::array<Slot, RegisterCount> Slots = make_slots();
+
+} // namespace
+
+std::size_t RegisterFile::word_count(std::uint32_t address) {
+    return address < RegisterCount ? Slots[address].words : 0;
+}
+
+bool RegisterFile::write(std::uint32_t address, std::span<const std::uint32_t> words) {
+    check(words.size() == word_count(address), "a register is written as a whole");
+    const Slot& slot = Slots[address];
+    const bool changed = slot.write(reinterpret_cast<std::byte*>(&values_) + slot.offset, words);
+    if (changed) snapshot_.reset();
+    return changed;
+}
+
+std::shared_ptr<const Registers> RegisterFile::snapshot() {
+    if (!snapshot_) snapshot_ = std::make_shared<const Registers>(values_);
+    return snapshot_;
+}
+
+} // namespace ffgpu

@@ -1,0 +1,198 @@
+#include "model/gpu/tile_renderer.h"
+
+#include "model/memory/clear.h"
+#include "model/raster/image_fragments.h"
+#include "model/raster/smooth_coverage.h"
+
+namespace ffgpu {
+namespace {
+
+TexCoordPlanes constant_coordinates(const std::array<float, 4>& value) {
+    TexCoordPlanes planes;
+    planes.s.fill(value[0]);
+    planes.t.fill(value[1]);
+    planes.r.fill(value[2]);
+    planes.q.fill(value[3]);
+    return planes;
+}
+
+} // namespace
+
+void TileRenderer::render(const Bin& bin, std::uint32_t tile, WorkTile* recording) {
+    tile_ = bin.tile_rectangle(tile);
+    if (recording) {
+        recording->x = static_cast<std::uint16_t>(tile_.x0);
+        recording->y = static_cast<std::uint16_t>(tile_.y0);
+    }
+    recording_ = recording;
+    command_ = ~0u;
+    collector_.clear();
+    collector_.begin_tile(tile_);
+    ++counts_.tiles;
+    bin.for_each_step(tile, [&](const Bin::Step& step) {
+        if (step.command != command_) {
+            flush();
+            command_ = step.command;
+            context_ = bin.commands()[command_].context.get();
+            if (context_->state.antialias) batch_.antialias.fill(255);
+        }
+        if (step.record)
+            draw_record(*step.record);
+        else
+            whole_command(bin.commands()[command_]);
+    });
+    flush();
+}
+
+void TileRenderer::draw_record(const SetupRecord& record) {
+    if (record.coverage != CoverageKind::Centre) return draw_smooth(record);
+    cover_tile(record, tile_, coverage_);
+    for (unsigned i = 0; i < coverage_.count; ++i) {
+        BlockCoverage& block = coverage_.blocks[i];
+        if (record.stipple != StippleKind::None)
+            block.mask &= stipple_mask(record, context_->stipple, block.x, block.y);
+        if (block.mask != 0) collector_.add(record, block, nullptr, [this] { flush(); });
+    }
+}
+
+void TileRenderer::draw_smooth(const SetupRecord& record) {
+    const Rectangle area = intersect(record.box, tile_);
+    BlockAntialias antialias;
+    for (int y = area.y0 & -BlockSize; y < area.y1; y += BlockSize)
+        for (int x = area.x0 & -BlockSize; x < area.x1; x += BlockSize) {
+            const BlockMask mask = smooth_block(record, x, y, antialias) &
+                                   stipple_mask(record, context_->stipple, x, y);
+            const BlockCoverage block{
+                static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), mask};
+            if (mask != 0) collector_.add(record, block, &antialias, [this] { flush(); });
+        }
+}
+
+void TileRenderer::whole_command(const BinCommand& command) {
+    const Registers& registers = command.context->regs();
+    const Rectangle area = intersect(command.context->setup.clip, tile_);
+    switch (command.kind) {
+    case WorkKind::Clear:
+        clear_rectangle(command.clear, registers, area, memory_);
+        return;
+    case WorkKind::Image:
+        if (command.image->format == Format::Stencil8)
+            draw_stencil_image(*command.image, registers, area, memory_);
+        else
+            draw_image(command);
+        return;
+    case WorkKind::Draw:
+    case WorkKind::Copy:
+        return;
+    }
+}
+
+void TileRenderer::draw_image(const BinCommand& command) {
+    const DrawImageCommand& image = *command.image;
+    const auto sink = [&](FragmentBatch& filled) {
+        batch_ = filled;
+        batch_.tile_x = static_cast<std::uint16_t>(tile_.x0);
+        batch_.tile_y = static_cast<std::uint16_t>(tile_.y0);
+        const FragmentMask covered = batch_.live;
+        early_depth_test(context_->pipe, batch_);
+        if (batch_.live.any()) {
+            for (unsigned unit = 0; unit < TextureUnits; ++unit)
+                if (context_->samples(unit)) {
+                    coordinates_ = constant_coordinates(image.tex_coords[unit]);
+                    sample_unit(unit);
+                }
+        }
+        finish_batch(covered);
+    };
+    image_fragments(image, context_->state, intersect(context_->setup.clip, tile_), memory_, sink);
+    collector_.clear();
+}
+
+// Carries out the batch that was collected.
+void TileRenderer::flush() {
+    if (collector_.empty()) return;
+    const DrawContext& context = *context_;
+    const InterpolantLayout& layout = context.state.layout;
+    const std::span<const BatchRun> runs = collector_.runs();
+    const FragmentMask covered = batch_.live;
+
+    if (context.state.needs_depth) interpolate_depth(runs, batch_);
+    early_depth_test(context.pipe, batch_);
+    if (batch_.live.any()) {
+        interpolate_perspective(runs, batch_, perspective_);
+        interpolate_colors(layout, runs, perspective_, batch_);
+        for (unsigned unit = 0; unit < TextureUnits; ++unit)
+            if (context.samples(unit)) {
+                interpolate_tex_coords(layout, unit, runs, perspective_, batch_, coordinates_);
+                sample_unit(unit);
+            }
+    }
+    finish_batch(covered);
+    if (context.state.antialias) batch_.antialias.fill(255); // Smooth primitives wrote theirs.
+    collector_.clear();
+}
+
+void TileRenderer::sample_unit(unsigned unit) {
+    TexelFootprints* footprints = nullptr;
+    if (recording_) {
+        footprints = &footprints_.emplace_back();
+        footprints->unit = static_cast<std::uint8_t>(unit);
+    }
+    sample(context_->textures[unit],
+           coordinates_,
+           batch_.quad_count,
+           batch_.live,
+           batch_.texture[unit],
+           footprints);
+}
+
+void TileRenderer::finish_batch(const FragmentMask& covered) {
+    const FragmentMask early = batch_.live;
+    FragmentFates fates;
+    if (early.any()) {
+        shade(context_->pipe, batch_);
+        write(context_->pipe, batch_, fates);
+    }
+    count(covered, early, fates);
+    if (recording_) record(covered, early, fates);
+}
+
+void TileRenderer::count(const FragmentMask& covered,
+                         const FragmentMask& early,
+                         const FragmentFates& fates) {
+    const std::uint64_t all = covered.count(), after_early = early.count();
+    const std::uint64_t alpha = fates.after_alpha.count(), stencil = fates.after_stencil.count();
+    const std::uint64_t depth = fates.after_depth.count();
+    counts_.covered += all;
+    counts_.killed_early_depth += all - after_early;
+    counts_.killed_alpha += after_early - alpha;
+    counts_.killed_stencil += alpha - stencil;
+    counts_.killed_depth += stencil - depth;
+    counts_.written += depth;
+    counts_.quads += batch_.quad_count;
+    ++counts_.batches;
+    if (context_->regs().fragment.count_samples) counts_.samples += depth;
+}
+
+void TileRenderer::record(const FragmentMask& covered,
+                          const FragmentMask& early,
+                          const FragmentFates& fates) {
+    WorkBatch& work = recording_->batches.emplace_back();
+    work.draw = command_;
+    work.quads.resize(batch_.quad_count);
+    const auto bits = [](const FragmentMask& mask, unsigned q) {
+        return static_cast<std::uint8_t>(mask.quad(q));
+    };
+    for (unsigned q = 0; q < batch_.quad_count; ++q)
+        work.quads[q] = {.primitive = batch_.primitive[q],
+                         .x = batch_.x[q],
+                         .y = batch_.y[q],
+                         .covered = bits(covered, q),
+                         .after_early_depth = bits(early, q),
+                         .after_alpha = bits(fates.after_alpha, q),
+                         .after_stencil = bits(fates.after_stencil, q),
+                         .after_depth = bits(fates.after_depth, q)};
+    work.textures = std::exchange(footprints_, {});
+}
+
+} // namespace ffgpu

@@ -1,0 +1,62 @@
+// TileRenderer: carries out a bin's work in one tile. One for each thread; it holds the batch that
+// the stages pass on, and calls them in the order of the pipe.
+
+#pragma once
+
+#include "model/gpu/bin.h"
+#include "model/gpu/raster_statistics.h"
+#include "model/packets/fragment_batch.h"
+#include "model/packets/work_stream.h"
+#include "model/raster/interpolator.h"
+#include "model/raster/quad_collector.h"
+
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace ffgpu {
+
+class TileRenderer {
+public:
+    explicit TileRenderer(std::span<std::byte> memory)
+        : memory_(memory) {}
+
+    // With `recording`, appends what was done to it.
+    void render(const Bin& bin, std::uint32_t tile, WorkTile* recording);
+
+    FragmentCounts take_counts() { return std::exchange(counts_, {}); }
+
+private:
+    void draw_record(const SetupRecord& record);
+    void draw_smooth(const SetupRecord& record);
+    void whole_command(const BinCommand& command);
+    void draw_image(const BinCommand& command);
+
+    void flush();
+    void sample_unit(unsigned unit);
+    void finish_batch(const FragmentMask& covered);
+    void count(const FragmentMask& covered,
+               const FragmentMask& after_early_depth,
+               const FragmentFates& fates);
+    void record(const FragmentMask& covered,
+                const FragmentMask& after_early_depth,
+                const FragmentFates& fates);
+
+    std::span<std::byte> memory_;
+    FragmentCounts counts_;
+
+    // Of the tile in work.
+    Rectangle tile_;
+    WorkTile* recording_ = nullptr;
+    std::uint32_t command_ = 0;
+    const DrawContext* context_ = nullptr;
+
+    FragmentBatch batch_;
+    QuadCollector collector_{batch_};
+    TileCoverage coverage_;
+    PerspectivePlanes perspective_;
+    TexCoordPlanes coordinates_;
+    std::vector<TexelFootprints> footprints_;
+};
+
+} // namespace ffgpu

@@ -1,0 +1,130 @@
+#include "model/gpu/validate.h"
+
+#include "model/base/input_error.h"
+#include "model/memory/pixel_format.h"
+
+#include <string>
+#include <type_traits>
+
+namespace ffgpu {
+namespace {
+
+// The last enumerator of those types that do not fill their field; 255: any value is one.
+template <class Enum>
+constexpr unsigned LastEnumerator = 255;
+template <>
+constexpr unsigned LastEnumerator<Format> = static_cast<unsigned>(Format::Count) - 1;
+template <>
+constexpr unsigned LastEnumerator<TextureKind> = static_cast<unsigned>(TextureKind::Rectangle);
+template <>
+constexpr unsigned LastEnumerator<MipFilter> = static_cast<unsigned>(MipFilter::Linear);
+template <>
+constexpr unsigned LastEnumerator<DepthMode> = static_cast<unsigned>(DepthMode::Alpha);
+template <>
+constexpr unsigned LastEnumerator<CombineOp> = static_cast<unsigned>(CombineOp::AddProductsSigned);
+template <>
+constexpr unsigned LastEnumerator<CombineSource> = static_cast<unsigned>(CombineSource::One);
+template <>
+constexpr unsigned
+    LastEnumerator<BlendFactor> = static_cast<unsigned>(BlendFactor::SourceAlphaSaturate);
+template <>
+constexpr unsigned LastEnumerator<BlendEquation> = static_cast<unsigned>(BlendEquation::Max);
+template <>
+constexpr unsigned LastEnumerator<NormalMode> = static_cast<unsigned>(NormalMode::Normalize);
+template <>
+constexpr unsigned LastEnumerator<TexGenMode> = static_cast<unsigned>(TexGenMode::ReflectionMap);
+template <>
+constexpr unsigned LastEnumerator<PolygonMode> = static_cast<unsigned>(PolygonMode::Fill);
+template <>
+constexpr unsigned LastEnumerator<PrimitiveType> = static_cast<unsigned>(PrimitiveType::Polygon);
+template <>
+constexpr unsigned LastEnumerator<IndexType> = static_cast<unsigned>(IndexType::U32);
+
+void require(bool condition, const char* what) {
+    if (!condition) throw InputError(what);
+}
+
+template <class Packed>
+void validate_enumerators(const Packed& packed, const char* owner) {
+    Packed::visit(packed, [owner](const char* name, const auto& field, unsigned = 32) {
+        using Field = std::remove_cvref_t<decltype(field)>;
+        if constexpr (std::is_enum_v<Field>)
+            if (static_cast<unsigned>(field) > LastEnumerator<Field>)
+                throw InputError(std::string(owner) + '.' + name + " has no value " +
+                                 std::to_string(static_cast<unsigned>(field)));
+    });
+}
+
+void validate_vertex_format(const VertexFormat& format) {
+    require(format.stride > 0, "vertex_format.stride is 0");
+    for (const VertexElement& element : format.elements) {
+        require(element.components <= 4, "vertex_format.components exceeds 4");
+        require(element.offset + element.components <= format.stride,
+                "a vertex element lies outside the vertex");
+    }
+}
+
+void validate_target(const Surface& surface, bool depth, std::uint64_t memory_size) {
+    if (surface.format == Format::None) return;
+    const bool color_format = surface.format == Format::Rgba8 || surface.format == Format::Rgbx8 ||
+                              surface.format == Format::Rgb565;
+    const bool depth_format =
+        surface.format == Format::Depth16 || surface.format == Format::Depth24Stencil8;
+    require(depth ? depth_format : color_format, "a target's format is not one of targets");
+    require(surface.width <= MaxSurfaceSize && surface.height <= MaxSurfaceSize,
+            "a target exceeds the largest surface");
+    require(surface_fits(surface, memory_size), "a target does not lie in device memory");
+}
+
+} // namespace
+
+void validate(const Registers& registers, std::uint64_t memory_size) {
+    Registers::visit(registers, [](const auto& reg) {
+        validate_enumerators(reg, std::remove_cvref_t<decltype(reg)>::Name);
+    });
+    validate_vertex_format(registers.vertex_format);
+    validate_target(registers.targets.color, false, memory_size);
+    validate_target(registers.targets.second_color, false, memory_size);
+    validate_target(registers.targets.depth, true, memory_size);
+    const unsigned factor = registers.primitive.line_stipple_factor;
+    require(factor >= 1 && factor <= 256, "line_stipple_factor is not 1 to 256");
+}
+
+void validate(const DrawCommand& draw, const Registers& registers, std::uint64_t memory_size) {
+    validate_enumerators(draw, "draw");
+    const auto fits = [memory_size](std::uint64_t at, std::uint64_t count, std::uint64_t bytes) {
+        return at <= memory_size && count * bytes <= memory_size - at;
+    };
+    const std::uint64_t vertex_bytes = std::uint64_t{registers.vertex_format.stride} * 4;
+    require(fits(draw.vertex_address, draw.vertex_count, vertex_bytes),
+            "the vertices do not lie in device memory");
+    require(draw.vertex_count > 0 || draw.count == 0, "a draw without vertices in memory");
+    if (draw.index_type == IndexType::None) {
+        require(std::uint64_t{draw.first} + draw.count <= draw.vertex_count,
+                "the vertices drawn exceed those in memory");
+    } else {
+        const std::uint64_t index_bytes = draw.index_type == IndexType::U16 ? 2 : 4;
+        require(fits(draw.index_address, std::uint64_t{draw.first} + draw.count, index_bytes),
+                "the indices do not lie in device memory");
+    }
+    if (draw.output == DrawOutput::Feedback)
+        require(draw.feedback_bytes >= 4 && fits(draw.feedback_address, draw.feedback_bytes, 1),
+                "the feedback buffer does not lie in device memory");
+}
+
+void validate(const DrawImageCommand& image) {
+    validate_enumerators(image, "draw_image");
+}
+
+void validate(const CopyRectangleCommand& copy, std::uint64_t memory_size) {
+    validate_enumerators(copy, "copy_rectangle");
+    for (const Surface* surface : {&copy.source, &copy.destination})
+        require(surface_fits(*surface, memory_size), "a surface does not lie in device memory");
+    require(copy.source_x + copy.width <= copy.source.width &&
+                copy.source_y + copy.height <= copy.source.height &&
+                copy.destination_x + copy.width <= copy.destination.width &&
+                copy.destination_y + copy.height <= copy.destination.height,
+            "a rectangle leaves its surface");
+}
+
+} // namespace ffgpu

@@ -1,0 +1,54 @@
+// Traversal: which pixels of a tile a primitive covers.
+//
+// A tile is walked in blocks of 8x8 pixels. An edge that the whole tile is inside of is dropped, a
+// block that lies outside one edge is skipped, one that lies inside all is full; the edge functions
+// are evaluated for the pixels of the others only. Inside a tile they fit 32 bits.
+
+#pragma once
+
+#include "model/raster/setup_record.h"
+
+#include <array>
+#include <cstdint>
+
+namespace ffgpu {
+
+constexpr int BlockSize = 8;
+constexpr unsigned BlockQuadsAcross = BlockSize / 2;
+constexpr int MaxTileSize = 128;
+constexpr unsigned MaxTileBlocks = (MaxTileSize / BlockSize) * (MaxTileSize / BlockSize);
+
+// One bit a pixel of a block, in the order of a FragmentBatch: bit 4 q + i is lane i of quad q,
+// quads row by row from the lowest.
+using BlockMask = std::uint64_t;
+constexpr BlockMask FullBlock = ~BlockMask{0};
+
+constexpr unsigned block_bit(int x, int y) {
+    return static_cast<unsigned>((y / 2 * 4 + x / 2) * 4 + (y % 2) * 2 + x % 2);
+}
+
+struct BlockCoverage {
+    std::uint16_t x, y; // window pixel of the block's lower left
+    BlockMask mask;     // never 0
+};
+
+// Covered blocks of one tile, row by row from its lower left.
+struct TileCoverage {
+    unsigned count = 0;
+    std::array<BlockCoverage, MaxTileBlocks> blocks;
+};
+
+// CoverageKind::Centre. `tile` begins at multiples of BlockSize and is at most MaxTileSize wide and
+// high. Stipples are not applied.
+void cover_tile(const SetupRecord& record, const Rectangle& tile, TileCoverage& coverage);
+
+// The same, pixel by pixel: the specification.
+void cover_tile_scalar(const SetupRecord& record, const Rectangle& tile, TileCoverage& coverage);
+
+// The pixels of the block at (x, y) that lie inside `rectangle`.
+BlockMask rectangle_mask(const Rectangle& rectangle, int x, int y);
+
+// False where the tile is certainly outside an edge.
+bool may_touch(const SetupRecord& record, const Rectangle& tile);
+
+} // namespace ffgpu

@@ -1,0 +1,74 @@
+#include "model/raster/coverage.h"
+
+#include <algorithm>
+
+namespace ffgpu {
+namespace {
+
+bool inside(const SetupRecord& record, int x, int y) {
+    for (unsigned i = 0; i < record.edge_count; ++i)
+        if (record.edges[i].at(x, y) < 0) return false;
+    return true;
+}
+
+// Pixels of a block at x >= i, and at y >= i.
+struct BlockBounds {
+    std::array<BlockMask, BlockSize + 1> from_x{}, from_y{};
+
+    constexpr BlockBounds() {
+        for (int i = 0; i <= BlockSize; ++i)
+            for (int y = 0; y < BlockSize; ++y)
+                for (int x = 0; x < BlockSize; ++x) {
+                    const BlockMask bit = BlockMask{1} << block_bit(x, y);
+                    if (x >= i) from_x[static_cast<unsigned>(i)] |= bit;
+                    if (y >= i) from_y[static_cast<unsigned>(i)] |= bit;
+                }
+    }
+};
+constexpr BlockBounds Bounds;
+
+} // namespace
+
+void cover_tile_scalar(const SetupRecord& record, const Rectangle& tile, TileCoverage& coverage) {
+    coverage.count = 0;
+    const Rectangle area = intersect(record.box, tile);
+    for (int by = tile.y0; by < tile.y1; by += BlockSize)
+        for (int bx = tile.x0; bx < tile.x1; bx += BlockSize) {
+            BlockMask mask = 0;
+            for (int y = by; y < by + BlockSize; ++y)
+                for (int x = bx; x < bx + BlockSize; ++x)
+                    if (x >= area.x0 && x < area.x1 && y >= area.y0 && y < area.y1 &&
+                        inside(record, x, y))
+                        mask |= BlockMask{1} << block_bit(x - bx, y - by);
+            if (mask != 0)
+                coverage.blocks[coverage.count++] = {
+                    static_cast<std::uint16_t>(bx), static_cast<std::uint16_t>(by), mask};
+        }
+}
+
+BlockMask rectangle_mask(const Rectangle& rectangle, int x, int y) {
+    const auto bound = [](int at) { return static_cast<unsigned>(std::clamp(at, 0, BlockSize)); };
+    return Bounds.from_x[bound(rectangle.x0 - x)] & ~Bounds.from_x[bound(rectangle.x1 - x)] &
+           Bounds.from_y[bound(rectangle.y0 - y)] & ~Bounds.from_y[bound(rectangle.y1 - y)];
+}
+
+bool may_touch(const SetupRecord& record, const Rectangle& tile) {
+    const Rectangle area = intersect(record.box, tile);
+    if (area.empty()) return false;
+    for (unsigned i = 0; i < record.edge_count; ++i) {
+        const Edge& edge = record.edges[i];
+        // An edge of a smooth polygon reaches half a pixel further in both directions.
+        const std::int64_t reach =
+            record.coverage == CoverageKind::Centre
+                ? 0
+                : (std::int64_t{edge.a < 0 ? -edge.a : edge.a} + (edge.b < 0 ? -edge.b : edge.b)) /
+                          2 +
+                      1;
+        const std::int64_t most =
+            edge.at(edge.a > 0 ? area.x1 - 1 : area.x0, edge.b > 0 ? area.y1 - 1 : area.y0);
+        if (most + reach < 0) return false;
+    }
+    return true;
+}
+
+} // namespace ffgpu

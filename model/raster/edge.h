@@ -1,0 +1,49 @@
+// Edge functions: exact, in integers.
+//
+// Vertices lie on a grid of 1/256 pixel, pixel centres at 256 X + 128. The edge from p to q has the
+// function E(x, y) = a (x - p.x) + b (y - p.y) with a = p.y - q.y and b = q.x - p.x, which is
+// positive to the left of the edge: inside, for a counter-clockwise polygon with y up.
+//
+// A centre on an edge is inside where the edge is a left one (a > 0) or a lower one (a = 0, b > 0):
+// a box covers x0 <= x < x1, y0 <= y < y1. Of two polygons that share an edge, one owns it.
+//
+// From a centre to the next E changes by a multiple of 256, so that E >= 0 can be decided on
+// floor(E / 256): its steps are a and b, 23 bits with their sign.
+
+#pragma once
+
+#include "model/device/limits.h"
+
+#include <cstdint>
+
+namespace ffgpu {
+
+struct SubPixelPoint {
+    std::int32_t x = 0, y = 0; // 24.8
+
+    bool operator==(const SubPixelPoint&) const = default;
+};
+
+// Inside where at(X, Y) >= 0, X and Y being whole pixels.
+struct Edge {
+    std::int32_t a = 0, b = 0;
+    std::int64_t c = 0;
+
+    std::int64_t at(int x, int y) const { return std::int64_t{a} * x + std::int64_t{b} * y + c; }
+};
+
+inline Edge make_edge(SubPixelPoint p, SubPixelPoint q) {
+    constexpr int Half = 1 << (SubPixelBits - 1);
+    const std::int32_t a = p.y - q.y;
+    const std::int32_t b = q.x - p.x;
+    const bool owns_boundary = a > 0 || (a == 0 && b > 0);
+    const std::int64_t at_centre = std::int64_t{a} * (Half - p.x) + std::int64_t{b} * (Half - p.y);
+    return {a, b, (at_centre - (owns_boundary ? 0 : 1)) >> SubPixelBits};
+}
+
+// Twice the signed area of a triangle, in units of (1/256 pixel)^2; positive: counter-clockwise.
+inline std::int64_t double_area(SubPixelPoint p, SubPixelPoint q, SubPixelPoint r) {
+    return std::int64_t{q.x - p.x} * (r.y - p.y) - std::int64_t{r.x - p.x} * (q.y - p.y);
+}
+
+} // namespace ffgpu

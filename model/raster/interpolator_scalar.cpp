@@ -1,0 +1,110 @@
+#include "model/arith/reciprocal.h"
+#include "model/raster/interpolator.h"
+
+#include <algorithm>
+
+namespace ffgpu {
+namespace {
+
+struct Fragment {
+    const SetupRecord& record;
+    unsigned lane;
+    int x, y; // relative to the record's reference pixel
+
+    float plane(unsigned i) const {
+        return record.plane(i).at(static_cast<float>(x), static_cast<float>(y));
+    }
+};
+
+template <class Visit>
+void for_each_fragment(std::span<const BatchRun> runs, const FragmentBatch& batch, Visit&& visit) {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const SetupRecord& record = *runs[i].record;
+        const unsigned end = i + 1 < runs.size() ? runs[i + 1].first_quad : batch.quad_count;
+        for (unsigned lane = 4 * runs[i].first_quad; lane < 4 * end; ++lane) {
+            const int x = batch.x[lane / 4] + static_cast<int>(lane & 1);
+            const int y = batch.y[lane / 4] + static_cast<int>(lane >> 1 & 1);
+            visit(Fragment{record, lane, x - record.x_reference, y - record.y_reference});
+        }
+    }
+}
+
+std::uint16_t color_value(float value) {
+    const float positive = value > 0 ? value : 0; // NaN is 0.
+    return static_cast<std::uint16_t>(std::min(positive, 1.0f) * 255.0f + 0.5f);
+}
+
+} // namespace
+
+void interpolate_depth_scalar(std::span<const BatchRun> runs, FragmentBatch& batch) {
+    for_each_fragment(runs, batch, [&](const Fragment& at) {
+        const auto half = std::int64_t{1} << (DepthPlane::FractionBits - 1);
+        const auto plane = static_cast<std::uint64_t>(at.record.depth.at(at.x, at.y));
+        const auto rounded =
+            static_cast<std::int64_t>(plane + std::uint64_t{half}) >> DepthPlane::FractionBits;
+        batch.depth[at.lane] = static_cast<std::uint32_t>(
+            std::clamp<std::int64_t>(rounded, at.record.depth_min, at.record.depth_max));
+    });
+}
+
+void interpolate_perspective_scalar(std::span<const BatchRun> runs,
+                                    const FragmentBatch& batch,
+                                    PerspectivePlanes& perspective) {
+    for_each_fragment(runs, batch, [&](const Fragment& at) {
+        float w = 1;
+        if (at.record.perspective) {
+            const float inverse =
+                at.record.inverse_w.at(static_cast<float>(at.x), static_cast<float>(at.y));
+            const float floor = at.record.inverse_w_floor;
+            w = reciprocal(inverse > floor ? inverse : floor);
+        }
+        perspective.w[at.lane] = w;
+    });
+}
+
+void interpolate_colors_scalar(const InterpolantLayout& layout,
+                               std::span<const BatchRun> runs,
+                               const PerspectivePlanes& perspective,
+                               FragmentBatch& batch) {
+    const auto color = [&](const Fragment& at, int first, unsigned channel, bool constant) {
+        if (first < 0) return std::uint16_t{0};
+        const unsigned i = static_cast<unsigned>(first) + channel;
+        return color_value(constant ? at.record.plane_c()[i]
+                                    : at.plane(i) * perspective.w[at.lane]);
+    };
+    for_each_fragment(runs, batch, [&](const Fragment& at) {
+        const unsigned lane = at.lane;
+        const bool flat = at.record.constant_color;
+        batch.primary.r[lane] = color(at, layout.color, 0, flat);
+        batch.primary.g[lane] = color(at, layout.color, 1, flat);
+        batch.primary.b[lane] = color(at, layout.color, 2, flat);
+        batch.primary.a[lane] = color(at, layout.color, 3, flat);
+        const bool flat_secondary = at.record.constant_secondary;
+        batch.secondary.r[lane] = color(at, layout.secondary, 0, flat_secondary);
+        batch.secondary.g[lane] = color(at, layout.secondary, 1, flat_secondary);
+        batch.secondary.b[lane] = color(at, layout.secondary, 2, flat_secondary);
+        batch.secondary.a[lane] = 0;
+        batch.fog_coordinate[lane] =
+            layout.fog < 0 ? 0.0f
+                           : at.plane(static_cast<unsigned>(layout.fog)) * perspective.w[lane];
+    });
+}
+
+void interpolate_tex_coords_scalar(const InterpolantLayout& layout,
+                                   unsigned unit,
+                                   std::span<const BatchRun> runs,
+                                   const PerspectivePlanes& perspective,
+                                   const FragmentBatch& batch,
+                                   TexCoordPlanes& out) {
+    const std::array<float*, 4> planes{out.s.data(), out.t.data(), out.r.data(), out.q.data()};
+    const int first = layout.tex_coord[unit];
+    const unsigned carried = first < 0 ? 0 : layout.tex_components[unit];
+    for_each_fragment(runs, batch, [&](const Fragment& at) {
+        for (unsigned i = 0; i < 4; ++i)
+            planes[i][at.lane] =
+                i < carried ? at.plane(static_cast<unsigned>(first) + i) * perspective.w[at.lane]
+                            : (i == 3 ? 1.0f : 0.0f);
+    });
+}
+
+} // namespace ffgpu

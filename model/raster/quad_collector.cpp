@@ -1,0 +1,79 @@
+#include "model/raster/quad_collector.h"
+
+#include <algorithm>
+
+namespace ffgpu {
+namespace {
+
+constexpr unsigned BlockQuads = BlockQuadsAcross * BlockQuadsAcross;
+
+struct QuadOffsets {
+    std::array<std::uint16_t, BlockQuads> x{}, y{};
+
+    constexpr QuadOffsets() {
+        for (unsigned q = 0; q < BlockQuads; ++q) {
+            x[q] = static_cast<std::uint16_t>(q % BlockQuadsAcross * 2);
+            y[q] = static_cast<std::uint16_t>(q / BlockQuadsAcross * 2);
+        }
+    }
+};
+constexpr QuadOffsets Offsets;
+
+} // namespace
+
+void QuadCollector::clear() {
+    batch_.quad_count = 0;
+    batch_.live = {};
+    batch_.front_facing = {};
+    run_count_ = 0;
+    std::fill_n(live_.begin(), touched_end_, 0);
+    touched_end_ = 0;
+}
+
+void QuadCollector::begin_run(const SetupRecord& record) {
+    const bool same = run_count_ != 0 && runs_[run_count_ - 1].record == &record;
+    // A full batch gets no further run: append() will take nothing.
+    if (!same && batch_.quad_count < BatchQuads) runs_[run_count_++] = {&record, batch_.quad_count};
+}
+
+// Appends quads of `mask` while there is room; returns the part of it that is left.
+BlockMask
+QuadCollector::append(const BlockCoverage& block, BlockMask mask, const BlockAntialias* antialias) {
+    if (mask == FullBlock && !antialias && batch_.quad_count <= BatchQuads - BlockQuads) {
+        append_full(block);
+        return 0;
+    }
+    const SetupRecord* const record = run_count_ != 0 ? runs_[run_count_ - 1].record : nullptr;
+    while (mask != 0 && batch_.quad_count < BatchQuads) {
+        const unsigned quad = static_cast<unsigned>(std::countr_zero(mask)) / 4;
+        const BlockMask bits = mask & (BlockMask{0xf} << (4 * quad));
+        mask ^= bits;
+        const unsigned n = batch_.quad_count++;
+        batch_.x[n] = static_cast<std::uint16_t>(block.x + Offsets.x[quad]);
+        batch_.y[n] = static_cast<std::uint16_t>(block.y + Offsets.y[quad]);
+        batch_.primitive[n] = record->key;
+        batch_.front_facing[n / 64] |= std::uint64_t{record->front_facing} << (n % 64);
+        batch_.live.words[n / 16] |= bits >> (4 * quad) << (4 * (n % 16));
+        for (unsigned lane = 0; antialias && lane < 4; ++lane)
+            batch_.antialias[4 * n + lane] = (*antialias)[4 * quad + lane];
+    }
+    return mask;
+}
+
+void QuadCollector::append_full(const BlockCoverage& block) {
+    const SetupRecord& record = *runs_[run_count_ - 1].record;
+    const unsigned n = batch_.quad_count;
+    for (unsigned q = 0; q < BlockQuads; ++q) {
+        batch_.x[n + q] = static_cast<std::uint16_t>(block.x + Offsets.x[q]);
+        batch_.y[n + q] = static_cast<std::uint16_t>(block.y + Offsets.y[q]);
+        batch_.primitive[n + q] = record.key;
+    }
+    static_assert(BatchQuads == 64, "one word of front_facing");
+    batch_.front_facing[0] |= (record.front_facing ? std::uint64_t{0xffff} : 0) << n;
+    const unsigned shift = 4 * (n % 16);
+    batch_.live.words[n / 16] |= FullBlock << shift;
+    if (shift != 0) batch_.live.words[n / 16 + 1] |= FullBlock >> (64 - shift);
+    batch_.quad_count += BlockQuads;
+}
+
+} // namespace ffgpu

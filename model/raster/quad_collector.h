@@ -1,0 +1,89 @@
+// QuadCollector: fills a FragmentBatch with the covered quads of consecutive primitives of a draw
+// within one tile, so that small primitives make full batches.
+//
+// A batch ends when it is full, or when a pixel is covered that is live in it already: the
+// primitive that covers it later must see what the earlier one wrote.
+
+#pragma once
+
+#include "model/packets/fragment_batch.h"
+#include "model/raster/coverage.h"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+
+namespace ffgpu {
+
+// The quads of one primitive in a batch: those from first_quad on, up to the next run's.
+struct BatchRun {
+    const SetupRecord* record;
+    unsigned first_quad;
+};
+
+// Coverage in 0 .. 255 of a block's pixels, by block_bit().
+using BlockAntialias = std::array<std::uint8_t, BlockSize * BlockSize>;
+
+class QuadCollector {
+public:
+    explicit QuadCollector(FragmentBatch& batch)
+        : batch_(batch) {
+        clear();
+    }
+
+    void begin_tile(const Rectangle& tile) {
+        tile_ = tile;
+        batch_.tile_x = static_cast<std::uint16_t>(tile.x0);
+        batch_.tile_y = static_cast<std::uint16_t>(tile.y0);
+    }
+
+    // Adds a block of `record`; calls flush() before the batch overflows or a pixel recurs.
+    // flush() carries out the batch and ends with clear(). `antialias` may be null: all 255.
+    template <class Flush>
+    void add(const SetupRecord& record,
+             const BlockCoverage& block,
+             const BlockAntialias* antialias,
+             Flush&& flush);
+
+    bool empty() const { return batch_.quad_count == 0; }
+    std::span<const BatchRun> runs() const { return {runs_.data(), run_count_}; }
+    void clear();
+
+private:
+    unsigned block_index(const BlockCoverage& block) const {
+        const int x = (block.x - tile_.x0) / BlockSize, y = (block.y - tile_.y0) / BlockSize;
+        return static_cast<unsigned>(y * (MaxTileSize / BlockSize) + x);
+    }
+    void begin_run(const SetupRecord& record);
+    BlockMask append(const BlockCoverage& block, BlockMask mask, const BlockAntialias* antialias);
+    void append_full(const BlockCoverage& block);
+
+    FragmentBatch& batch_;
+    Rectangle tile_;
+    unsigned run_count_ = 0;
+    std::array<BatchRun, BatchQuads> runs_;
+    std::array<BlockMask, MaxTileBlocks> live_{}; // Pixels live in the batch, by block.
+    unsigned touched_end_ = 0;                    // Blocks from here on are 0 in live_.
+};
+
+template <class Flush>
+void QuadCollector::add(const SetupRecord& record,
+                        const BlockCoverage& block,
+                        const BlockAntialias* antialias,
+                        Flush&& flush) {
+    const unsigned index = block_index(block);
+    if ((live_[index] & block.mask) != 0) flush();
+    BlockMask left = block.mask;
+    while (true) {
+        begin_run(record);
+        const BlockMask before = left;
+        left = append(block, left, antialias);
+        live_[index] |= before & ~left;
+        touched_end_ = touched_end_ > index ? touched_end_ : index + 1;
+        if (left == 0) return;
+        flush();
+    }
+}
+
+} // namespace ffgpu

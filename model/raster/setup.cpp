@@ -1,0 +1,52 @@
+#include "model/raster/setup.h"
+
+#include "model/raster/shape_setup.h"
+
+#include <algorithm>
+
+namespace ffgpu {
+namespace {
+
+Rectangle surface_rectangle(const Surface& surface) {
+    return {0, 0, surface.width, surface.height};
+}
+
+Rectangle clip_rectangle(const Registers& registers) {
+    const Scissor& scissor = registers.scissor;
+    Rectangle clip{scissor.x, scissor.y, scissor.x + scissor.width, scissor.y + scissor.height};
+    clip = intersect(clip, {0, 0, MaxSurfaceSize, MaxSurfaceSize});
+    const Targets& targets = registers.targets;
+    for (const Surface* surface : {&targets.color, &targets.second_color, &targets.depth})
+        if (surface->format != Format::None) clip = intersect(clip, surface_rectangle(*surface));
+    return clip;
+}
+
+} // namespace
+
+SetupContext compile_setup(const DrawState& state) {
+    const Registers& registers = state.regs();
+    const bool depth16 = registers.targets.depth.format == Format::Depth16;
+    return {.primitive = registers.primitive,
+            .layout = state.layout,
+            .clip = clip_rectangle(registers),
+            .depth_scale = depth16 ? 0xffffu : 0xffffffu};
+}
+
+bool set_up(const SetupContext& context, const Primitive& primitive, SetupRecord& at) {
+    if (context.clip.empty()) return false;
+    at.coverage = CoverageKind::Centre;
+    at.stipple = StippleKind::None;
+    at.front_facing = primitive.front_facing;
+    at.key = primitive.key;
+    switch (primitive.shape) {
+    case PrimitiveShape::Triangle:
+        return set_up_triangle(context, primitive, at);
+    case PrimitiveShape::Line:
+        return set_up_line(context, primitive, at);
+    case PrimitiveShape::Point:
+        return set_up_point(context, primitive, at);
+    }
+    return false;
+}
+
+} // namespace ffgpu

@@ -1,0 +1,98 @@
+// SetupRecord: a primitive after set-up, all that traversal and interpolation need. Whatever its
+// shape was, it is now the pixels of a box that lie inside up to four edges.
+//
+// Records stand one after another in a bin's arena; behind each stand its attribute planes.
+
+#pragma once
+
+#include "model/packets/interpolants.h"
+#include "model/packets/rectangle.h"
+#include "model/raster/edge.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace ffgpu {
+
+constexpr unsigned MaxEdges = 4;
+
+// Depth in units of the depth target with 24 fraction bits, at the centre of the reference pixel,
+// and its exact steps to the next pixel.
+struct DepthPlane {
+    static constexpr int FractionBits = 24;
+
+    std::int64_t origin = 0, dx = 0, dy = 0;
+
+    // Modulo 2^64; x and y are relative to the reference pixel.
+    std::int64_t at(int x, int y) const {
+        const auto step = [](std::int64_t by, int n) {
+            return static_cast<std::uint64_t>(by) * static_cast<std::uint64_t>(std::int64_t{n});
+        };
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(origin) + step(dx, x) +
+                                         step(dy, y));
+    }
+};
+
+// value(x, y) = (c + dx x) + dy y in binary32, x and y relative to the reference pixel.
+struct AttributePlane {
+    float c = 0, dx = 0, dy = 0;
+
+    float at(float x, float y) const { return (c + dx * x) + dy * y; }
+};
+
+enum class CoverageKind : std::uint8_t {
+    Centre,        // Pixels whose centre lies inside the edges.
+    SmoothPolygon, // The area of each pixel that lies inside the corners.
+    SmoothPoint,   // The same for a circle.
+};
+
+enum class StippleKind : std::uint8_t { None, Polygon, LineX, LineY };
+
+struct SetupRecord {
+    Rectangle box; // Never empty; inside scissor and targets.
+    std::array<Edge, MaxEdges> edges;
+    std::uint8_t edge_count = 0;
+    CoverageKind coverage = CoverageKind::Centre;
+    StippleKind stipple = StippleKind::None;
+    bool front_facing = true;
+    bool perspective = false;        // Attribute planes hold a / w, and inverse_w is valid.
+    bool constant_color = false;     // All vertices alike: the plane's c is the value itself.
+    bool constant_secondary = false; // The same.
+    std::uint8_t plane_count = 0;
+    std::uint32_t key = 0; // PrimitiveKey::primitive
+
+    int x_reference = 0, y_reference = 0;
+    DepthPlane depth;
+    std::uint32_t depth_min = 0, depth_max = 0; // Of the vertices: no fragment lies outside.
+    AttributePlane inverse_w;                   // Scaled: the largest vertex is in [1, 2).
+    float inverse_w_floor = 0; // Half the smallest vertex: below it 1/w is not believed.
+
+    // Line stipple: the counter's value at pixel stipple_start of the major axis, and whether it
+    // counts up or down from there.
+    std::int32_t stipple_start = 0;
+    std::int32_t stipple_direction = 1;
+    std::uint16_t stipple_counter = 0;
+
+    // SmoothPolygon: corners, counter-clockwise. SmoothPoint: corner 0 the centre, corner 1.x the
+    // radius.
+    std::array<SubPixelPoint, MaxEdges> corners;
+
+    // Planes by InterpolantLayout, each component of all planes together: c, then dx, then dy.
+    const float* plane_c() const { return reinterpret_cast<const float*>(this + 1); }
+    const float* plane_dx() const { return plane_c() + plane_count; }
+    const float* plane_dy() const { return plane_dx() + plane_count; }
+    float* plane_c() { return reinterpret_cast<float*>(this + 1); }
+    float* plane_dx() { return plane_c() + plane_count; }
+    float* plane_dy() { return plane_dx() + plane_count; }
+    AttributePlane plane(unsigned i) const { return {plane_c()[i], plane_dx()[i], plane_dy()[i]}; }
+
+    std::size_t bytes() const { return bytes_for(plane_count); }
+    static constexpr std::size_t bytes_for(std::size_t planes) {
+        return (sizeof(SetupRecord) + 3 * planes * sizeof(float) + 15) & ~std::size_t{15};
+    }
+};
+
+constexpr std::size_t MaxSetupRecordBytes = SetupRecord::bytes_for(MaxInterpolants);
+
+} // namespace ffgpu

@@ -1,0 +1,51 @@
+// TileWalk: a primitive's edges as one tile needs them.
+
+#pragma once
+
+#include "model/raster/coverage.h"
+
+#include <algorithm>
+
+namespace ffgpu {
+
+struct TileEdge {
+    std::int32_t a, b;
+    std::int32_t e; // at the lower left pixel of the walk's first block
+
+    // Most and least that E can differ from its value at a block's lower left pixel.
+    std::int32_t gain() const { return (BlockSize - 1) * (std::max(a, 0) + std::max(b, 0)); }
+    std::int32_t loss() const { return (BlockSize - 1) * (std::min(a, 0) + std::min(b, 0)); }
+};
+
+struct TileWalk {
+    Rectangle area;   // the primitive's box inside the tile
+    Rectangle blocks; // around it, at multiples of BlockSize
+    unsigned edge_count = 0;
+    std::array<TileEdge, MaxEdges> edges; // those that cross the area
+};
+
+// Returns false where the primitive covers nothing of the tile.
+inline bool begin_walk(const SetupRecord& record, const Rectangle& tile, TileWalk& walk) {
+    const Rectangle area = walk.area = intersect(record.box, tile);
+    if (area.empty()) return false;
+    constexpr int Mask = ~(BlockSize - 1);
+    walk.blocks = {area.x0 & Mask,
+                   area.y0 & Mask,
+                   (area.x1 + BlockSize - 1) & Mask,
+                   (area.y1 + BlockSize - 1) & Mask};
+    for (unsigned i = 0; i < record.edge_count; ++i) {
+        const Edge& edge = record.edges[i];
+        const int right = area.x1 - 1, top = area.y1 - 1;
+        const std::int64_t most = edge.at(edge.a > 0 ? right : area.x0, edge.b > 0 ? top : area.y0);
+        if (most < 0) return false;
+        const std::int64_t least =
+            edge.at(edge.a > 0 ? area.x0 : right, edge.b > 0 ? area.y0 : top);
+        if (least >= 0) continue;
+        // The edge crosses the area: |E| stays below 2^31 in the whole tile.
+        walk.edges[walk.edge_count++] = {
+            edge.a, edge.b, static_cast<std::int32_t>(edge.at(walk.blocks.x0, walk.blocks.y0))};
+    }
+    return true;
+}
+
+} // namespace ffgpu

@@ -1,0 +1,81 @@
+// Filled polygons: three exact edges, or corners for area coverage.
+
+#include "model/base/check.h"
+#include "model/raster/plane_setup.h"
+#include "model/raster/shape_setup.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ffgpu {
+namespace {
+
+struct Extent {
+    std::int32_t low, high;
+};
+
+Extent extent(std::int32_t a, std::int32_t b, std::int32_t c) {
+    return {std::min(std::min(a, b), c), std::max(std::max(a, b), c)};
+}
+
+// First pixel whose centre is at or beyond a sub-pixel coordinate: for low and high sides alike,
+// as a box owns its lower and left boundary and not the other two.
+int first_centre(std::int32_t at) {
+    return (at + 127) >> SubPixelBits;
+}
+
+// Pixels of which any part may lie inside.
+int first_touched(std::int32_t at) {
+    return at >> SubPixelBits;
+}
+int last_touched_end(std::int32_t at) {
+    return (at + 255) >> SubPixelBits;
+}
+
+bool in_guard_band(const WindowVertex& v) {
+    constexpr std::int32_t Limit = GuardBand << SubPixelBits;
+    return v.x >= -Limit && v.x <= Limit && v.y >= -Limit && v.y <= Limit;
+}
+
+} // namespace
+
+bool set_up_triangle(const SetupContext& context, const Primitive& primitive, SetupRecord& record) {
+    const PlaneVertices& v = primitive.vertices;
+    check(in_guard_band(*v[0]) && in_guard_band(*v[1]) && in_guard_band(*v[2]),
+          "a vertex lies outside the guard band");
+
+    const Extent x = extent(v[0]->x, v[1]->x, v[2]->x);
+    const Extent y = extent(v[0]->y, v[1]->y, v[2]->y);
+    const bool smooth = context.primitive.polygon_smooth;
+    const Rectangle touched = smooth ? Rectangle{first_touched(x.low),
+                                                 first_touched(y.low),
+                                                 last_touched_end(x.high),
+                                                 last_touched_end(y.high)}
+                                     : Rectangle{first_centre(x.low),
+                                                 first_centre(y.low),
+                                                 first_centre(x.high),
+                                                 first_centre(y.high)};
+    record.box = intersect(touched, context.clip);
+    if (record.box.empty()) return false;
+
+    std::array<SubPixelPoint, 3> corner{
+        {{v[0]->x, v[0]->y}, {v[1]->x, v[1]->y}, {v[2]->x, v[2]->y}}};
+    const std::int64_t area = double_area(corner[0], corner[1], corner[2]);
+    if (area == 0) return false;
+    if (area < 0) std::swap(corner[1], corner[2]);
+    for (unsigned i = 0; i < 3; ++i)
+        record.edges[i] = make_edge(corner[i], corner[(i + 1) % 3]);
+    record.edge_count = 3;
+    if (smooth) {
+        record.coverage = CoverageKind::SmoothPolygon;
+        std::copy(corner.begin(), corner.end(), record.corners.begin());
+    }
+    if (context.primitive.polygon_stipple) record.stipple = StippleKind::Polygon;
+
+    const PlaneBasis basis = triangle_basis(v);
+    set_up_planes(context, v, basis, record);
+    if (context.primitive.offset_fill) add_depth_offset(context, v, basis, record);
+    return true;
+}
+
+} // namespace ffgpu

@@ -1,0 +1,118 @@
+#include "tests/gpu/scene.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+
+#include <catch2/catch.hpp>
+
+using namespace ffgpu;
+using namespace ffgpu::test;
+
+namespace {
+
+// Depth-tested triangles in perspective, smooth colours, a texture, blending for every other.
+void draw_mixture(Scene& scene) {
+    std::vector<std::uint32_t> texels;
+    for (std::uint32_t i = 0; i < 64 * 64; ++i)
+        texels.push_back(((i / 8 + i / 512) % 2 ? 0xff80ffffu : 0x80402010u) + i % 8);
+    scene.registers.depth = {.test_enable = true, .write_enable = true};
+    scene.clear(0xff402000);
+    std::mt19937 random(7);
+    const auto unit = [&] { return static_cast<float>(random() & 0xffff) / 32768.0f - 1.0f; };
+    for (int draw = 0; draw < 40; ++draw) {
+        std::vector<Vertex> vertices;
+        const float size = draw % 4 == 0 ? 1.5f : 0.2f;
+        for (int triangle = 0; triangle < 8; ++triangle) {
+            const float x = unit(), y = unit();
+            for (int i = 0; i < 3; ++i) {
+                const float w = 1.5f + unit();
+                vertices.push_back({(x + size * unit()) * w,
+                                    (y + size * unit()) * w,
+                                    unit() * w * 0.5f,
+                                    w,
+                                    unit(),
+                                    unit(),
+                                    unit(),
+                                    0.5f + 0.5f * unit(),
+                                    unit() * 4,
+                                    unit() * 4});
+            }
+        }
+        if (draw == 10) scene.texture(64, texels);
+        scene.registers.blend.enable = draw % 2 == 1;
+        scene.registers.blend.rgb_source = BlendFactor::SourceAlpha;
+        scene.registers.blend.rgb_destination = BlendFactor::OneMinusSourceAlpha;
+        scene.registers.depth.write_enable = draw % 2 == 0;
+        scene.registers.fragment.alpha_test = draw % 5 == 0;
+        scene.registers.fragment.alpha_compare = Compare::Greater;
+        scene.registers.fragment.alpha_reference = 40;
+        scene.draw(PrimitiveType::Triangles, vertices);
+    }
+}
+
+void save(const char* name, const std::vector<std::uint32_t>& picture, int width, int height) {
+    const char* const folder = std::getenv("FFGPU_TEST_PICTURES");
+    if (!folder) return;
+    std::FILE* const file = std::fopen((std::string(folder) + '/' + name).c_str(), "wb");
+    if (!file) return;
+    std::fprintf(file, "P6 %d %d 255\n", width, height);
+    for (int y = height - 1; y >= 0; --y)
+        for (int x = 0; x < width; ++x) {
+            const std::uint32_t pixel = picture[static_cast<std::size_t>(y * width + x)];
+            for (int shift = 0; shift < 24; shift += 8)
+                std::fputc(static_cast<int>(pixel >> shift & 0xff), file);
+        }
+    std::fclose(file);
+}
+
+} // namespace
+
+TEST_CASE("a triangle drawn by raw commands appears where its vertices say") {
+    Scene scene(64, 64);
+    scene.clear(0xff000000);
+    scene.draw(PrimitiveType::Triangles,
+               {{-1, -1, 0, 1, 1, 0, 0, 1, 0, 0},
+                {1, -1, 0, 1, 1, 0, 0, 1, 0, 0},
+                {-1, 1, 0, 1, 1, 0, 0, 1, 0, 0}});
+    CHECK(scene.pixel(0, 0) == 0xff0000ff);
+    CHECK(scene.pixel(62, 0) == 0xff0000ff);
+    CHECK(scene.pixel(0, 62) == 0xff0000ff);
+    CHECK(scene.pixel(63, 63) == 0xff000000);
+    CHECK(scene.pixel(40, 40) == 0xff000000);
+}
+
+TEST_CASE("a picture does not depend on tile size and threads") {
+    std::vector<std::uint64_t> hashes;
+    for (const unsigned tile_size : {16u, 24u, 64u, 128u})
+        for (const unsigned threads : {1u, 2u, 3u}) {
+            Scene scene(200, 150, {.threads = threads, .tile_size = tile_size});
+            draw_mixture(scene);
+            const std::vector<std::uint32_t> picture = scene.picture();
+            save("mixture.ppm", picture, 200, 150);
+            hashes.push_back(hash(picture) ^ hash(scene.depth_buffer()));
+        }
+    for (const std::uint64_t each : hashes)
+        CHECK(each == hashes[0]);
+}
+
+TEST_CASE("a screen-aligned quad copies texels exactly") {
+    constexpr int Size = 64;
+    std::vector<std::uint32_t> texels;
+    std::mt19937 random(3);
+    for (int i = 0; i < Size * Size; ++i)
+        texels.push_back(static_cast<std::uint32_t>(random()) | 0xff000000);
+    for (const bool linear : {false, true}) {
+        Scene scene(Size, Size);
+        scene.clear(0);
+        scene.texture(Size, texels);
+        scene.registers.samplers[0].magnify_linear = linear;
+        scene.registers.samplers[0].minify_linear = linear;
+        scene.draw(PrimitiveType::Quads,
+                   {{-1, -1, 0, 1, 1, 1, 1, 1, 0, 0},
+                    {1, -1, 0, 1, 1, 1, 1, 1, 1, 0},
+                    {1, 1, 0, 1, 1, 1, 1, 1, 1, 1},
+                    {-1, 1, 0, 1, 1, 1, 1, 1, 0, 1}});
+        CHECK(scene.picture() == texels);
+    }
+}
