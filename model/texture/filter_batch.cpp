@@ -189,11 +189,11 @@ HWY_INLINE Color16 filter_level(const TextureUnit& unit,
     return lerp8w(first, second, z.weight);
 }
 
-// Which filters a batch needs, and the level's constants where one level serves all.
+// A batch's choice of levels, and their constants where one level serves all lanes, else null.
 struct BatchFilter {
-    bool any_linear, any_nearest, any_weight;
-    bool one_level, one_next_level;
-    LevelVectors level, next_level;
+    const SamplingBatch& sampling;
+    const LevelVectors* level;
+    const LevelVectors* next_level;
 };
 
 template <class Texels, bool Border>
@@ -202,9 +202,10 @@ HWY_INLINE Color16 filter_level(const TextureUnit& unit,
                                 const LevelVectors& level,
                                 const BatchFilter& filter,
                                 VI choice) {
-    if (!filter.any_nearest) return filter_level<Texels, Border, true>(unit, fragments, level);
+    if (!filter.sampling.any_nearest())
+        return filter_level<Texels, Border, true>(unit, fragments, level);
     const Color16 nearest = filter_level<Texels, Border, false>(unit, fragments, level);
-    if (!filter.any_linear) return nearest;
+    if (!filter.sampling.any_linear()) return nearest;
     const Color16 linear = filter_level<Texels, Border, true>(unit, fragments, level);
     const MI is_linear = hn::TestBit(choice, constant(SamplingBatch::LinearBit));
     return select(is_linear, linear, nearest);
@@ -226,8 +227,17 @@ HWY_INLINE FragmentVector load_fragments(const TextureUnit& unit,
     }
     const bool cube = unit.kind == TextureKind::Cube;
     result.face = cube ? hn::Load(DI(), in.face + lane) : hn::Zero(DI());
-    result.reference = reference_depth(hn::Load(d, in.reference + lane));
+    result.reference = hn::Zero(DI());
+    if (unit.compares()) result.reference = reference_depth(hn::Load(d, in.reference + lane));
     return result;
+}
+
+// The constants of the lanes' levels: the batch's, or made for these lanes in `own`.
+HWY_INLINE const LevelVectors&
+vectors_at(const TextureUnit& unit, const LevelVectors* of_batch, VI level, LevelVectors& own) {
+    if (of_batch) return *of_batch;
+    own = level_vectors(unit, level);
+    return own;
 }
 
 // The colours of one vector of fragments, from one level or two.
@@ -240,40 +250,30 @@ HWY_INLINE Color16 filter_fragments(const TextureUnit& unit,
     const VI choice = hn::BitCast(DI(), hn::Load(DU(), in.sampling->choice.data() + lane));
     const VI byte = constant(0xff);
     const VI at = hn::And(choice, byte);
+    LevelVectors own;
     const Color16 fine = filter_level<Texels, Border>(
-        unit, fragments, filter.one_level ? filter.level : level_vectors(unit, at), filter, choice);
-    if (!filter.any_weight) return fine;
+        unit, fragments, vectors_at(unit, filter.level, at, own), filter, choice);
+    if (!in.sampling->any_weight()) return fine;
 
     const VI weight = hn::And(hn::ShiftRight<16>(choice), byte);
     if (hn::AllTrue(DI(), hn::Eq(weight, hn::Zero(DI())))) return fine;
     const VI next = hn::And(hn::ShiftRight<8>(choice), byte);
     const Color16 coarse = filter_level<Texels, Border>(
-        unit,
-        fragments,
-        filter.one_next_level ? filter.next_level : level_vectors(unit, next),
-        filter,
-        choice);
+        unit, fragments, vectors_at(unit, filter.next_level, next, own), filter, choice);
     return lerp8w(fine, coarse, hn::Or(weight, hn::ShiftLeft<16>(weight)));
-}
-
-BatchFilter make_filter(const TextureUnit& unit, const SamplingBatch& sampling) {
-    const std::uint32_t all = sampling.all_of, any = sampling.any_of, differs = all ^ any;
-    BatchFilter filter;
-    filter.any_linear = (any & SamplingBatch::LinearBit) != 0;
-    filter.any_nearest = (all & SamplingBatch::LinearBit) == 0;
-    filter.any_weight = (any >> 16 & 0xff) != 0;
-    filter.one_level = (differs & 0xff) == 0;
-    filter.one_next_level = (differs & 0xff00) == 0;
-    filter.level = level_vectors(unit, constant(static_cast<std::int32_t>(all & 0xff)));
-    filter.next_level = level_vectors(unit, constant(static_cast<std::int32_t>(all >> 8 & 0xff)));
-    return filter;
 }
 
 template <class Texels, bool Border>
 void filter_all(const TextureUnit& unit, const FilterInputs& in, ColorPlanes& out) {
     const D16 d16;
     const auto step = static_cast<unsigned>(hn::Lanes(DI()));
-    const BatchFilter filter = make_filter(unit, *in.sampling);
+    const SamplingBatch& sampling = *in.sampling;
+    const auto first = static_cast<std::int32_t>(sampling.all_of);
+    const LevelVectors level = level_vectors(unit, constant(first & 0xff));
+    const LevelVectors next_level = level_vectors(unit, constant(first >> 8 & 0xff));
+    const BatchFilter filter{sampling,
+                             sampling.one_level() ? &level : nullptr,
+                             sampling.one_next_level() ? &next_level : nullptr};
     for (unsigned lane = 0; lane < 4 * grouped_quads(in.quad_count); lane += 2 * step) {
         const Color16 lower = filter_fragments<Texels, Border>(unit, in, filter, lane);
         const Color16 upper = filter_fragments<Texels, Border>(unit, in, filter, lane + step);

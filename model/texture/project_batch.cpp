@@ -22,18 +22,19 @@ namespace hn = hwy::HWY_NAMESPACE;
 using DF = hn::CappedTag<float, 16>;
 using VF = hn::Vec<DF>;
 
-HWY_INLINE VF divide_or_zero(VF a, VF q) {
-    const VF quotient = hn::Div(a, q);
-    return hn::IfThenElseZero(hn::Eq(quotient, quotient), quotient);
+HWY_INLINE VF not_nan(VF x) {
+    return hn::IfThenElseZero(hn::Eq(x, x), x);
 }
 
-void project(const TexCoordPlanes& in, unsigned lanes, CoordinatePlanes& out) {
+// Most draws have q = 1 everywhere, and dividing by it changes nothing.
+void project(const float* coordinates, const float* q, unsigned lanes, float* out) {
     const DF d;
     for (unsigned lane = 0; lane < lanes; lane += static_cast<unsigned>(hn::Lanes(d))) {
-        const VF q = hn::Load(d, in.q.data() + lane);
-        hn::Store(divide_or_zero(hn::Load(d, in.s.data() + lane), q), d, out.s.data() + lane);
-        hn::Store(divide_or_zero(hn::Load(d, in.t.data() + lane), q), d, out.t.data() + lane);
-        hn::Store(divide_or_zero(hn::Load(d, in.r.data() + lane), q), d, out.r.data() + lane);
+        const VF divisor = hn::Load(d, q + lane);
+        VF quotient = hn::Load(d, coordinates + lane);
+        if (!hn::AllTrue(d, hn::Eq(divisor, hn::Set(d, 1.0f))))
+            quotient = hn::Div(quotient, divisor);
+        hn::Store(not_nan(quotient), d, out + lane);
     }
 }
 
@@ -47,9 +48,13 @@ namespace {
 
 HWY_EXPORT(project);
 
-void repeat_last_quad(std::array<float, BatchFragments>& plane, unsigned quad_count) {
-    for (unsigned lane = 4 * quad_count; lane < 4 * grouped_quads(quad_count); ++lane)
-        plane[lane] = plane[lane - 4];
+using Plane = std::array<float, BatchFragments>;
+
+void project_plane(const Plane& coordinates, const Plane& q, unsigned quad_count, Plane& out) {
+    const unsigned lanes = 4 * grouped_quads(quad_count);
+    HWY_DYNAMIC_DISPATCH(project)(coordinates.data(), q.data(), lanes, out.data());
+    for (unsigned lane = 4 * quad_count; lane < lanes; ++lane)
+        out[lane] = out[lane - 4];
 }
 
 void put(CoordinatePlanes& planes, unsigned lane, const TexCoord& coord) {
@@ -80,12 +85,12 @@ void project_batch(const TextureUnit& unit,
                    const TexCoordPlanes& coordinates,
                    unsigned quad_count,
                    ProjectedBatch& out) {
-    const unsigned lanes = 4 * grouped_quads(quad_count);
-    HWY_DYNAMIC_DISPATCH(project)(coordinates, lanes, out.sample);
-    repeat_last_quad(out.sample.s, quad_count);
-    repeat_last_quad(out.sample.t, quad_count);
-    repeat_last_quad(out.sample.r, quad_count);
-    if (unit.kind == TextureKind::Cube) project_to_faces(lanes, out);
+    const bool cube = unit.kind == TextureKind::Cube;
+    project_plane(coordinates.s, coordinates.q, quad_count, out.sample.s);
+    if (unit.dimensions > 1) project_plane(coordinates.t, coordinates.q, quad_count, out.sample.t);
+    if (unit.dimensions > 2 || cube || unit.compares())
+        project_plane(coordinates.r, coordinates.q, quad_count, out.sample.r);
+    if (cube) project_to_faces(4 * grouped_quads(quad_count), out);
 }
 
 } // namespace ffgpu

@@ -24,10 +24,11 @@ static_assert(sizeof(TexelAccess) == 16 && offsetof(TexelAccess, level) == 2 &&
               offsetof(TexelAccess, linear) == 3 && offsetof(TexelAccess, x0) == 4 &&
               offsetof(TexelAccess, y0) == 8 && offsetof(TexelAccess, layer0) == 12);
 
-// The level and filter of a vector of fragments.
+// The level and filter of a vector of fragments, and which filters the batch has at all.
 struct Pass {
     VI level;
     MI linear;
+    bool any_linear, any_nearest;
 };
 
 HWY_INLINE VI marked(const TextureUnit& unit, VI index, VI size) {
@@ -39,12 +40,15 @@ HWY_INLINE VI marked(const TextureUnit& unit, VI index, VI size) {
 HWY_INLINE VI index_word(const TextureUnit& unit, unsigned axis, VF coordinate, const Pass& pass) {
     const AxisLevel at = axis_level(unit, axis, pass.level);
     const VF folded = fold_coordinate(unit.linear_rules[axis].fold, coordinate, unit.extent[axis]);
-    const AxisTexelVectors one = axis_texels<false>(unit, axis, folded, at);
-    const AxisTexelVectors two = axis_texels<true>(unit, axis, folded, at);
-    const VI first = hn::IfThenElse(pass.linear, two.first, one.first);
-    const VI second = hn::IfThenElse(pass.linear, two.second, one.second);
-    const VI upper = hn::ShiftLeft<16>(marked(unit, second, at.size));
-    return hn::Or(marked(unit, first, at.size), upper);
+    AxisTexelVectors texels{at.size, at.size, at.size};
+    if (pass.any_nearest) texels = axis_texels<false>(unit, axis, folded, at);
+    if (pass.any_linear) {
+        const AxisTexelVectors two = axis_texels<true>(unit, axis, folded, at);
+        texels.first = hn::IfThenElse(pass.linear, two.first, texels.first);
+        texels.second = hn::IfThenElse(pass.linear, two.second, texels.second);
+    }
+    const VI upper = hn::ShiftLeft<16>(marked(unit, texels.second, at.size));
+    return hn::Or(marked(unit, texels.first, at.size), upper);
 }
 
 HWY_INLINE VI head_word(const TextureUnit& unit, unsigned lane, const Pass& pass) {
@@ -78,15 +82,18 @@ HWY_INLINE void record(const TextureUnit& unit,
 
 void record_accesses(const TextureUnit& unit, const FilterInputs& in, AccessBatch& out) {
     const auto step = static_cast<unsigned>(hn::Lanes(DI()));
-    const bool any_weight = (in.sampling->any_of >> 16 & 0xff) != 0;
+    const SamplingBatch& sampling = *in.sampling;
     const VI byte = constant(0xff);
     for (unsigned lane = 0; lane < 4 * in.quad_count; lane += step) {
-        const VI choice = hn::BitCast(DI(), hn::Load(DU(), in.sampling->choice.data() + lane));
-        const MI linear = hn::TestBit(choice, constant(SamplingBatch::LinearBit));
-        record(unit, in, lane, {hn::And(choice, byte), linear}, out.level.data());
-        if (!any_weight) continue;
-        const VI next = hn::And(hn::ShiftRight<8>(choice), byte);
-        record(unit, in, lane, {next, linear}, out.next_level.data());
+        const VI choice = hn::BitCast(DI(), hn::Load(DU(), sampling.choice.data() + lane));
+        Pass pass{hn::And(choice, byte),
+                  hn::TestBit(choice, constant(SamplingBatch::LinearBit)),
+                  sampling.any_linear(),
+                  sampling.any_nearest()};
+        record(unit, in, lane, pass, out.level.data());
+        if (!sampling.any_weight()) continue;
+        pass.level = hn::And(hn::ShiftRight<8>(choice), byte);
+        record(unit, in, lane, pass, out.next_level.data());
     }
 }
 

@@ -6,6 +6,7 @@
 #include "model/texture/texture_unit.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace ffgpu {
@@ -18,20 +19,31 @@ void fill_opaque_black(unsigned lanes, ColorPlanes& out) {
     std::fill_n(out.a.begin(), lanes, std::uint16_t{255});
 }
 
-// Quads that have fewer than i probes repeat their first.
-void move_batch(const CoordinatePlanes& from,
+// One coordinate at probe i; quads that have fewer repeat their first.
+void move_plane(const std::array<float, BatchFragments>& from,
+                const std::array<float, BatchFragments>& step,
+                const std::array<float, BatchFragments>& position,
+                unsigned lanes,
+                std::array<float, BatchFragments>& to) {
+    for (unsigned lane = 0; lane < lanes; ++lane)
+        to[lane] = move_to_probe(from[lane], step[lane], position[lane]);
+}
+
+void move_batch(const TextureUnit& unit,
+                const CoordinatePlanes& from,
                 const SamplingBatch& sampling,
                 unsigned i,
                 unsigned lanes,
                 CoordinatePlanes& to) {
-    const CoordinatePlanes& step = sampling.major_step;
+    alignas(64) std::array<float, BatchFragments> position;
     for (unsigned lane = 0; lane < lanes; ++lane) {
         const unsigned probes = sampling.probes[lane / 4];
-        const float at = probe_position(i <= probes ? i : 1, probes);
-        to.s[lane] = move_to_probe(from.s[lane], step.s[lane], at);
-        to.t[lane] = move_to_probe(from.t[lane], step.t[lane], at);
-        to.r[lane] = move_to_probe(from.r[lane], step.r[lane], at);
+        position[lane] = probe_position(i <= probes ? i : 1, probes);
     }
+    const CoordinatePlanes& step = sampling.major_step;
+    move_plane(from.s, step.s, position, lanes, to.s);
+    if (unit.dimensions > 1) move_plane(from.t, step.t, position, lanes, to.t);
+    if (unit.dimensions > 2) move_plane(from.r, step.r, position, lanes, to.r);
 }
 
 // Sums of the probes, and at the end their mean, in place.
@@ -61,23 +73,73 @@ struct ProbeMean {
     }
 };
 
-// Appends the live lanes' accesses: lane after lane, of a lane probe after probe, the finer level
-// first.
+// Where one probe's accesses are in memory: batch-sized, so kept apart from the usual case of one.
+struct AccessLog {
+    AccessBatch first;
+    std::vector<AccessBatch> others;
+
+    AccessBatch& probe(unsigned i) {
+        if (i == 0) return first;
+        if (others.size() < i) others.resize(i);
+        return others[i - 1];
+    }
+};
+
+// The accesses of one lane: probe after probe, of each the finer level first.
+TexelAccess*
+append_lane(const SamplingBatch& sampling, AccessLog& log, unsigned lane, TexelAccess* to) {
+    const bool two_levels = (sampling.choice[lane] >> 16 & 0xff) != 0;
+    const unsigned count = sampling.max_probes > 1 ? sampling.probes[lane / 4] : 1;
+    for (unsigned i = 0; i < count; ++i) {
+        const AccessBatch& accesses = log.probe(i);
+        *to++ = accesses.level[lane];
+        if (two_levels) *to++ = accesses.next_level[lane];
+    }
+    return to;
+}
+
+// Appends the live lanes' accesses in order. The vector is made as long as it can get, filled, and
+// cut.
 void append_accesses(const SamplingBatch& sampling,
-                     const std::vector<AccessBatch>& probes,
+                     AccessLog& log,
                      const FragmentMask& live,
                      unsigned quad_count,
                      std::vector<TexelAccess>& out) {
-    out.reserve(out.size() + 8u * quad_count * probes.size());
-    for (unsigned lane = 0; lane < 4 * quad_count; ++lane) {
-        if (!live.test(lane)) continue;
-        const bool two_levels = (sampling.choice[lane] >> 16 & 0xff) != 0;
-        const unsigned count = sampling.max_probes > 1 ? sampling.probes[lane / 4] : 1;
-        for (unsigned i = 0; i < count; ++i) {
-            out.push_back(probes[i].level[lane]);
-            if (two_levels) out.push_back(probes[i].next_level[lane]);
+    const std::size_t begin = out.size();
+    const unsigned levels = sampling.any_weight() ? 2 : 1;
+    const bool one_each = levels == 1 && sampling.max_probes == 1;
+    out.resize(begin + std::size_t{4} * quad_count * levels * sampling.max_probes);
+    TexelAccess* to = out.data() + begin;
+    for (unsigned quad = 0; quad < quad_count; ++quad) {
+        const unsigned lanes = live.quad(quad);
+        if (one_each && lanes == 0xf) {
+            to = std::copy_n(log.first.level.data() + 4 * quad, 4, to);
+            continue;
         }
+        for (unsigned i = 0; i < 4; ++i)
+            if (lanes >> i & 1) to = append_lane(sampling, log, 4 * quad + i, to);
     }
+    out.resize(static_cast<std::size_t>(to - out.data()));
+}
+
+// One filter pass for each probe, and the mean of what they give.
+void filter_probes(const TextureUnit& unit,
+                   const ProjectedBatch& projected,
+                   FilterInputs inputs,
+                   ColorPlanes& out,
+                   AccessLog* log) {
+    const SamplingBatch& sampling = *inputs.sampling;
+    const unsigned lanes = 4 * grouped_quads(inputs.quad_count);
+    ProbeMean mean;
+    CoordinatePlanes moved;
+    inputs.coordinates = &moved;
+    for (unsigned i = 1; i <= sampling.max_probes; ++i) {
+        move_batch(unit, projected.sample, sampling, i, lanes, moved);
+        filter_batch(unit, inputs, out);
+        mean.add(out, sampling, i, lanes);
+        if (log) record_batch(unit, inputs, log->probe(i - 1));
+    }
+    mean.store(sampling, lanes, out);
 }
 
 } // namespace
@@ -88,8 +150,7 @@ void sample(const TextureUnit& unit,
             const FragmentMask& live,
             ColorPlanes& out,
             TexelFootprints* footprints) {
-    const unsigned lanes = 4 * quad_count;
-    if (!unit.valid) return fill_opaque_black(lanes, out);
+    if (!unit.valid) return fill_opaque_black(4 * quad_count, out);
     if (quad_count == 0) return;
     if (!can_filter_batches())
         return sample_reference(unit, coordinates, quad_count, live, out, footprints);
@@ -99,25 +160,16 @@ void sample(const TextureUnit& unit,
     project_batch(unit, coordinates, quad_count, projected);
     choose_levels_batch(unit, projected, quad_count, sampling);
 
-    FilterInputs inputs{
+    const FilterInputs inputs{
         &projected.sample, projected.sample.r.data(), projected.face.data(), &sampling, quad_count};
-    std::vector<AccessBatch> accesses(footprints ? sampling.max_probes : 0);
-    if (sampling.max_probes == 1) {
-        filter_batch(unit, inputs, out);
-        if (footprints) record_batch(unit, inputs, accesses[0]);
+    AccessLog log;
+    if (sampling.max_probes > 1) {
+        filter_probes(unit, projected, inputs, out, footprints ? &log : nullptr);
     } else {
-        ProbeMean mean;
-        CoordinatePlanes moved;
-        inputs.coordinates = &moved;
-        for (unsigned i = 1; i <= sampling.max_probes; ++i) {
-            move_batch(projected.sample, sampling, i, 4 * grouped_quads(quad_count), moved);
-            filter_batch(unit, inputs, out);
-            mean.add(out, sampling, i, lanes);
-            if (footprints) record_batch(unit, inputs, accesses[i - 1]);
-        }
-        mean.store(sampling, lanes, out);
+        filter_batch(unit, inputs, out);
+        if (footprints) record_batch(unit, inputs, log.first);
     }
-    if (footprints) append_accesses(sampling, accesses, live, quad_count, footprints->accesses);
+    if (footprints) append_accesses(sampling, log, live, quad_count, footprints->accesses);
 }
 
 } // namespace ffgpu

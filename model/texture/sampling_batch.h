@@ -25,8 +25,9 @@ struct CoordinatePlanes {
     alignas(64) std::array<float, BatchFragments> s, t, r;
 };
 
-// Coordinates after the division by q; of cube maps, on the fragment's face. `level_of_detail` has
-// them on the face of the quad's first fragment; only cube maps fill it.
+// Coordinates after the division by q, those of them that the unit needs; of cube maps, on the
+// fragment's face. `level_of_detail` has them on the face of the quad's first fragment; only cube
+// maps fill it.
 struct ProjectedBatch {
     CoordinatePlanes sample;
     CoordinatePlanes level_of_detail;
@@ -47,7 +48,11 @@ struct SamplingBatch {
     std::array<std::uint8_t, BatchQuads> probes;
     CoordinatePlanes major_step;
 
+    bool any_linear() const { return (any_of & LinearBit) != 0; }
+    bool any_nearest() const { return (all_of & LinearBit) == 0; }
+    bool any_weight() const { return (any_of >> 16 & 0xff) != 0; }
     bool one_level() const { return ((all_of ^ any_of) & 0xff) == 0; }
+    bool one_next_level() const { return ((all_of ^ any_of) >> 8 & 0xff) == 0; }
 };
 
 void project_batch(const TextureUnit& unit,

@@ -50,6 +50,9 @@ struct TextureUnit {
     Sampler sampler;
     std::int32_t magnify_limit = 0; // Level of detail, 8 fraction bits, up to which it magnifies.
     unsigned max_probes = 1;
+
+    // The r coordinate is compared with depths.
+    bool compares() const { return format_info(format).is_depth && sampler.compare_enable; }
 };
 
 // `memory` is the device's; 64 bytes behind it can be read, and their values do not matter.
