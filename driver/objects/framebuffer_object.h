@@ -45,14 +45,21 @@ struct FramebufferObject {
     // Null where the token (GL_COLOR_ATTACHMENTi, GL_DEPTH_ATTACHMENT, GL_STENCIL_ATTACHMENT) names
     // none.
     Attachment* find(GLenum attachment);
+
+    // Takes the texture's images or the renderbuffer off all attachments.
+    void detach(const TextureObject& texture);
+    void detach(const Renderbuffer& removed);
 };
 
-// GL_FRAMEBUFFER_COMPLETE, or why it is not. `all_sizes_equal`: EXT_framebuffer_object's rule.
+// GL_FRAMEBUFFER_COMPLETE, or why it is not. Images of different sizes go together, as in
+// ARB_framebuffer_object.
 GLenum framebuffer_status(const FramebufferObject& framebuffer);
 
-// The surfaces behind a complete framebuffer object: what glDrawBuffer selects, and depth. Textures
-// become resident. Format None: not attached. `stencil_only`... see depth_access().
+// The surfaces behind a complete framebuffer object: what its draw buffer selects, and depth.
+// Textures become resident. Format None: not attached.
 Targets framebuffer_targets(Context& context, const FramebufferObject& framebuffer);
+
+// Of one colour attachment; of the depth or stencil attachment.
 Surface color_surface(Context& context, const FramebufferObject& framebuffer, GLenum buffer);
 Surface depth_surface(Context& context, const FramebufferObject& framebuffer);
 

@@ -1,0 +1,162 @@
+#include "driver/objects/framebuffer_object.h"
+
+#include "driver/context/context.h"
+#include "driver/objects/shared_objects.h"
+#include "driver/texture/residency.h"
+
+namespace ffgpu::gl {
+
+namespace {
+
+bool is_color(BaseFormat base) {
+    return base == BaseFormat::Rgb || base == BaseFormat::Rgba;
+}
+
+bool is_depth(BaseFormat base) {
+    return base == BaseFormat::Depth || base == BaseFormat::DepthStencil;
+}
+
+bool is_stencil(BaseFormat base) {
+    return base == BaseFormat::Stencil || base == BaseFormat::DepthStencil;
+}
+
+bool is_color_like(BaseFormat base) {
+    return base != BaseFormat::None && !is_depth(base) && !is_stencil(base);
+}
+
+// The image is there, and GL allows its kind at this point.
+bool is_attachment_complete(const Attachment& attachment, bool (*kind)(BaseFormat)) {
+    return attachment.width() > 0 && attachment.height() > 0 && kind(attachment.format().base);
+}
+
+GLint border_of(const Attachment& attachment) {
+    return attachment.texture ? attachment.texture->level(attachment.face, attachment.level).border
+                              : 0;
+}
+
+// The device draws to few formats, without borders.
+bool is_supported(const Attachment& attachment) {
+    if (!attachment) return true;
+    return is_renderable(attachment.format().format) && border_of(attachment) == 0 &&
+           attachment.width() <= GLsizei{MaxSurfaceSize} &&
+           attachment.height() <= GLsizei{MaxSurfaceSize};
+}
+
+// Depth and stencil are one surface.
+bool share_surface(const Attachment& depth, const Attachment& stencil) {
+    return !depth || !stencil || depth == stencil;
+}
+
+Surface surface_of(Context& context, const Attachment& attachment) {
+    if (attachment.renderbuffer) return attachment.renderbuffer->surface();
+    if (!attachment.texture) return {};
+    return image_surface({context.device(), context.shared().memory},
+                         *attachment.texture,
+                         {attachment.face, attachment.level},
+                         attachment.layer);
+}
+
+const TextureLevel& level_of(const Attachment& attachment) {
+    return attachment.texture->level(attachment.face, attachment.level);
+}
+
+} // namespace
+
+InternalFormat Attachment::format() const {
+    if (renderbuffer) return renderbuffer->format;
+    if (!texture) return {};
+    const TextureLevel& image = level_of(*this);
+    const bool has_layer = layer < static_cast<unsigned>(image.depth);
+    return image.defined() && has_layer ? image.format : InternalFormat{};
+}
+
+GLsizei Attachment::width() const {
+    return renderbuffer ? renderbuffer->width : texture ? level_of(*this).width : 0;
+}
+
+GLsizei Attachment::height() const {
+    return renderbuffer ? renderbuffer->height : texture ? level_of(*this).height : 0;
+}
+
+Attachment* FramebufferObject::find(GLenum attachment) {
+    if (attachment == GL_DEPTH_ATTACHMENT) return &depth;
+    if (attachment == GL_STENCIL_ATTACHMENT) return &stencil;
+    const GLuint color = attachment - GL_COLOR_ATTACHMENT0;
+    return color < MaxColorAttachments ? &colors[color] : nullptr;
+}
+
+void FramebufferObject::detach(const TextureObject& removed) {
+    const auto clear = [&](Attachment& attachment) {
+        if (attachment.texture.get() == &removed) attachment = {};
+    };
+    for (Attachment& color : colors)
+        clear(color);
+    clear(depth);
+    clear(stencil);
+}
+
+void FramebufferObject::detach(const Renderbuffer& removed) {
+    const auto clear = [&](Attachment& attachment) {
+        if (attachment.renderbuffer.get() == &removed) attachment = {};
+    };
+    for (Attachment& color : colors)
+        clear(color);
+    clear(depth);
+    clear(stencil);
+}
+
+GLenum framebuffer_status(const FramebufferObject& framebuffer) {
+    const auto& [name, colors, depth, stencil, draw_buffer, read_buffer] = framebuffer;
+    bool any = depth || stencil;
+    for (const Attachment& color : colors) {
+        if (!color) continue;
+        any = true;
+        if (!is_attachment_complete(color, is_color_like))
+            return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
+    }
+    if (depth && !is_attachment_complete(depth, is_depth))
+        return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
+    if (stencil && !is_attachment_complete(stencil, is_stencil))
+        return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
+    if (!any) return GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
+
+    const auto is_missing = [&](GLenum buffer) {
+        return buffer != GL_NONE && !colors[buffer - GL_COLOR_ATTACHMENT0];
+    };
+    if (is_missing(draw_buffer)) return GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER;
+    if (is_missing(read_buffer)) return GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER;
+
+    for (const Attachment& color : colors) {
+        if (color && (!is_supported(color) || !is_color(color.format().base)))
+            return GL_FRAMEBUFFER_UNSUPPORTED;
+    }
+    if (!is_supported(depth) || !is_supported(stencil) || !share_surface(depth, stencil))
+        return GL_FRAMEBUFFER_UNSUPPORTED;
+    return GL_FRAMEBUFFER_COMPLETE;
+}
+
+Surface color_surface(Context& context, const FramebufferObject& framebuffer, GLenum buffer) {
+    const GLuint index = buffer - GL_COLOR_ATTACHMENT0;
+    return index < MaxColorAttachments ? surface_of(context, framebuffer.colors[index]) : Surface{};
+}
+
+Surface depth_surface(Context& context, const FramebufferObject& framebuffer) {
+    return surface_of(context, framebuffer.depth ? framebuffer.depth : framebuffer.stencil);
+}
+
+Targets framebuffer_targets(Context& context, const FramebufferObject& framebuffer) {
+    Targets targets;
+    targets.color = color_surface(context, framebuffer, framebuffer.draw_buffer);
+    targets.depth = depth_surface(context, framebuffer);
+    return targets;
+}
+
+bool has_depth(const FramebufferObject& framebuffer) {
+    return static_cast<bool>(framebuffer.depth);
+}
+
+bool has_stencil(const FramebufferObject& framebuffer) {
+    return static_cast<bool>(framebuffer.stencil);
+}
+
+} // namespace ffgpu::gl
