@@ -24,9 +24,9 @@ public:
     unsigned client_depth() const { return client_depth_; }
 
     // False: the stack is full or empty; nothing changes then.
-    bool push(const Context& context, GLbitfield mask);
+    bool push(Context& context, GLbitfield mask);
     bool pop(Context& context);
-    bool push_client(const Context& context, GLbitfield mask);
+    bool push_client(Context& context, GLbitfield mask);
     bool pop_client(Context& context);
 
 private:

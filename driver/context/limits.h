@@ -28,6 +28,7 @@ constexpr float MaxAnisotropy = 16;
 
 constexpr unsigned QueryCounterBits = 64; // of glGetQueryiv; 32 reach the application
 constexpr unsigned AccumulationBits = 16;
+constexpr unsigned MaxSamples = 1; // a pixel: multisampling is the identity
 
 constexpr std::array<GLenum, 4> CompressedTextureFormats{
     GL_COMPRESSED_RGB_S3TC_DXT1_EXT,

@@ -55,6 +55,14 @@ DrawTarget find_draw_target(Context& context) {
     return object ? object_target(context, *object) : window_target(context);
 }
 
+Surface find_read_surface(Context& context) {
+    const FramebufferState& state = context.state.framebuffer;
+    if (state.read_object)
+        return color_surface(context, *state.read_object, state.read_object->read_buffer);
+    const Drawable* const drawable = context.read_drawable();
+    return drawable ? lower_window_targets(*drawable, state.read_buffer).color : Surface{};
+}
+
 Targets lower_window_targets(const Drawable& drawable, GLenum draw_buffer) {
     Targets registers;
     registers.depth = drawable.depth();

@@ -23,6 +23,9 @@ struct DrawTarget {
 
 DrawTarget find_draw_target(Context& context);
 
+// The colour surface that glReadBuffer selects; format None where there is none.
+Surface find_read_surface(Context& context);
+
 Targets lower_window_targets(const Drawable& drawable, GLenum draw_buffer);
 Scissor lower_scissor(const ScissorState& gl, unsigned width, unsigned height);
 

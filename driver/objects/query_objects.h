@@ -5,19 +5,18 @@
 
 #include "driver/gl_types.h"
 #include "driver/objects/device_block.h"
-
-#include <map>
+#include "driver/objects/name_table.h"
 
 namespace ffgpu::gl {
 
+// A name becomes an object with its first glBeginQuery.
 struct QueryObject {
-    bool begun = false; // A name is an object from its first glBeginQuery on.
     DeviceBlock result; // 8 bytes: the samples of the last query that ended
 };
 
 struct QueryObjects {
-    std::map<GLuint, QueryObject> objects; // names in use
-    GLuint active = 0;                     // between glBeginQuery and glEndQuery; 0: none
+    NameTable<QueryObject> names;
+    GLuint active = 0; // between glBeginQuery and glEndQuery; 0: none
 };
 
 } // namespace ffgpu::gl

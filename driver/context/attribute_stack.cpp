@@ -1,0 +1,228 @@
+#include "driver/context/attribute_stack.h"
+
+#include "driver/context/context.h"
+#include "driver/context/limits.h"
+#include "driver/context/saved_attributes.h"
+#include "driver/lists/list_compiler.h"
+#include "driver/lower/color_material.h"
+#include "driver/objects/framebuffer_object.h"
+#include "driver/state/capabilities.h"
+
+namespace ffgpu::gl {
+namespace {
+
+// The draw buffer or read buffer in force: the window's or the bound framebuffer object's.
+GLenum& draw_buffer(FramebufferState& state) {
+    return state.draw_object ? state.draw_object->draw_buffer : state.draw_buffer;
+}
+
+GLenum& read_buffer(FramebufferState& state) {
+    return state.read_object ? state.read_object->read_buffer : state.read_buffer;
+}
+
+// A buffer that was saved while another kind of framebuffer was bound does not exist now.
+void restore_buffer(GLenum& buffer, GLenum saved) {
+    const auto is_attachment = [](GLenum b) { return b >= GL_COLOR_ATTACHMENT0; };
+    if (saved == GL_NONE || is_attachment(saved) == is_attachment(buffer)) buffer = saved;
+}
+
+void save_point(Context& context, SavedAttributes& saved) {
+    saved.point = context.state.rasterization.point;
+    saved.coord_replace = 0;
+    for (unsigned i = 0; i < TextureUnits; ++i) {
+        if (context.state.texture.units[i].environment.coord_replace)
+            saved.coord_replace |= static_cast<std::uint8_t>(1u << i);
+    }
+}
+
+void restore_point(const SavedAttributes& saved, Context& context) {
+    context.state.rasterization.point = saved.point;
+    for (unsigned i = 0; i < TextureUnits; ++i)
+        context.state.texture.units[i].environment.coord_replace = saved.coord_replace >> i & 1;
+    context.dirty.mark(Dirty::Primitive);
+}
+
+void save_pixel(Context& context, SavedAttributes& saved) {
+    saved.pixel = context.state.pixel;
+    saved.read_buffer = read_buffer(context.state.framebuffer);
+}
+
+void restore_pixel(const SavedAttributes& saved, Context& context) {
+    auto maps = std::move(context.state.pixel.maps);
+    context.state.pixel = saved.pixel;
+    context.state.pixel.maps = std::move(maps);
+    restore_buffer(read_buffer(context.state.framebuffer), saved.read_buffer);
+}
+
+void save_lighting(Context& context, SavedAttributes& saved) {
+    track_color(context.state.lighting, context.state.current.of(Attribute::Color));
+    saved.lighting = context.state.lighting;
+}
+
+void restore_lighting(const SavedAttributes& saved, Context& context) {
+    context.state.lighting = saved.lighting;
+    context.dirty.mark(Dirty::Lighting);
+    context.dirty.mark(Dirty::Primitive); // the shade model
+    context.dirty.mark(Dirty::Fragment);  // the colour sum
+}
+
+void save_enables(Context& context, SavedAttributes& saved) {
+    track_color(context.state.lighting, context.state.current.of(Attribute::Color));
+    saved.capabilities.clear();
+    for_each_capability_flag(context.state, [&](bool flag) { saved.capabilities.push_back(flag); });
+}
+
+void restore_enables(const SavedAttributes& saved, Context& context) {
+    track_color(context.state.lighting, context.state.current.of(Attribute::Color));
+    auto next = saved.capabilities.begin();
+    for_each_capability_flag(context.state, [&](bool& flag) { flag = *next++; });
+    context.dirty = DirtyGroups::all();
+}
+
+void save_color_buffer(Context& context, SavedAttributes& saved) {
+    FramebufferState& framebuffer = context.state.framebuffer;
+    saved.alpha_test = context.state.fragment.alpha_test;
+    saved.blend = context.state.fragment.blend;
+    saved.draw_buffer = draw_buffer(framebuffer);
+    saved.color_mask = framebuffer.color_mask;
+    saved.index_mask = framebuffer.index_mask;
+    saved.clear_color = framebuffer.clear_color;
+    saved.clear_index = framebuffer.clear_index;
+}
+
+void restore_color_buffer(const SavedAttributes& saved, Context& context) {
+    FramebufferState& framebuffer = context.state.framebuffer;
+    context.state.fragment.alpha_test = saved.alpha_test;
+    context.state.fragment.blend = saved.blend;
+    restore_buffer(draw_buffer(framebuffer), saved.draw_buffer);
+    framebuffer.color_mask = saved.color_mask;
+    framebuffer.index_mask = saved.index_mask;
+    framebuffer.clear_color = saved.clear_color;
+    framebuffer.clear_index = saved.clear_index;
+    context.dirty.mark(Dirty::Fragment);
+    context.dirty.mark(Dirty::Targets);
+}
+
+void save_list(Context& context, SavedAttributes& saved) {
+    saved.list_base = context.lists().base;
+}
+
+void restore_list(const SavedAttributes& saved, Context& context) {
+    context.lists().base = saved.list_base;
+}
+
+void save_texture(Context& context, SavedAttributes& saved) {
+    saved.textures = save_textures(context.state.texture);
+}
+
+void restore_texture(const SavedAttributes& saved, Context& context) {
+    restore_textures(*saved.textures, context.state.texture);
+    context.dirty.mark(Dirty::Textures);
+    context.dirty.mark(Dirty::Environments);
+    context.dirty.mark(Dirty::TexGen);
+}
+
+struct Group {
+    GLbitfield bit;
+    void (*save)(Context& context, SavedAttributes& saved);
+    void (*restore)(const SavedAttributes& saved, Context& context);
+};
+
+// A group whose saved member holds all of `part` of the state.
+#define WHOLE(bit, member, part, ...)                                                              \
+    Group {                                                                                        \
+        bit, [](Context& c, SavedAttributes& saved) { saved.member = c.state.part; },              \
+            [](const SavedAttributes& saved, Context& c) {                                         \
+                c.state.part = saved.member;                                                       \
+                for (const Dirty group : std::initializer_list<Dirty>{__VA_ARGS__})                \
+                    c.dirty.mark(group);                                                           \
+            }                                                                                      \
+    }
+
+// In the order of restoring: tracked materials follow the current colour, and what GL_ENABLE_BIT
+// shares with another group is the same in both.
+constexpr Group Groups[] = {
+    WHOLE(GL_CURRENT_BIT, current, current, Dirty::Current),
+    {GL_POINT_BIT, save_point, restore_point},
+    WHOLE(GL_LINE_BIT, line, rasterization.line, Dirty::Primitive),
+    WHOLE(GL_POLYGON_BIT, polygon, rasterization.polygon, Dirty::Primitive),
+    WHOLE(GL_POLYGON_STIPPLE_BIT, polygon_stipple, rasterization.polygon_stipple, Dirty::Primitive),
+    {GL_PIXEL_MODE_BIT, save_pixel, restore_pixel},
+    {GL_LIGHTING_BIT, save_lighting, restore_lighting},
+    WHOLE(GL_FOG_BIT, fog, fragment.fog, Dirty::Fragment),
+    WHOLE(GL_DEPTH_BUFFER_BIT, depth, fragment.depth, Dirty::Fragment),
+    WHOLE(GL_ACCUM_BUFFER_BIT, clear_accum, framebuffer.clear_accum),
+    WHOLE(GL_STENCIL_BUFFER_BIT, stencil, fragment.stencil, Dirty::Fragment),
+    WHOLE(GL_VIEWPORT_BIT, viewport, transform.viewport, Dirty::Viewport),
+    WHOLE(GL_TRANSFORM_BIT, transform, transform.group, Dirty::Matrices, Dirty::ClipPlanes),
+    {GL_ENABLE_BIT, save_enables, restore_enables},
+    {GL_COLOR_BUFFER_BIT, save_color_buffer, restore_color_buffer},
+    WHOLE(GL_HINT_BIT, hint, hint),
+    WHOLE(GL_EVAL_BIT, evaluator, evaluator.settings),
+    {GL_LIST_BIT, save_list, restore_list},
+    {GL_TEXTURE_BIT, save_texture, restore_texture},
+    WHOLE(GL_SCISSOR_BIT, scissor, fragment.scissor, Dirty::Viewport),
+    WHOLE(GL_MULTISAMPLE_BIT, multisample, rasterization.multisample),
+};
+
+#undef WHOLE
+
+} // namespace
+
+AttributeStack::AttributeStack() = default;
+AttributeStack::~AttributeStack() = default;
+
+bool AttributeStack::push(Context& context, GLbitfield mask) {
+    if (depth_ == AttributeStackDepth) return false;
+    if (depth_ == saved_.size()) saved_.push_back(std::make_unique<SavedAttributes>());
+    SavedAttributes& saved = *saved_[depth_];
+    for (const Group& group : Groups) {
+        if (mask & group.bit) group.save(context, saved);
+    }
+    saved.mask = mask;
+    ++depth_;
+    return true;
+}
+
+bool AttributeStack::pop(Context& context) {
+    if (depth_ == 0) return false;
+    SavedAttributes& saved = *saved_[--depth_];
+    for (const Group& group : Groups) {
+        if (saved.mask & group.bit) group.restore(saved, context);
+    }
+    saved.textures.reset(); // Textures must not live on in an unused entry.
+    return true;
+}
+
+bool AttributeStack::push_client(Context& context, GLbitfield mask) {
+    if (client_depth_ == ClientAttributeStackDepth) return false;
+    if (client_depth_ == saved_client_.size())
+        saved_client_.push_back(std::make_unique<SavedClientAttributes>());
+    SavedClientAttributes& saved = *saved_client_[client_depth_];
+    saved = {.mask = mask,
+             .pixel_store = context.client.pixel_store,
+             .buffers = context.client.buffers,
+             .arrays = {}};
+    if (mask & GL_CLIENT_VERTEX_ARRAY_BIT) saved.arrays = save(context.client.arrays);
+    ++client_depth_;
+    return true;
+}
+
+bool AttributeStack::pop_client(Context& context) {
+    if (client_depth_ == 0) return false;
+    SavedClientAttributes& saved = *saved_client_[--client_depth_];
+    BufferState& buffers = context.client.buffers;
+    if (saved.mask & GL_CLIENT_PIXEL_STORE_BIT) {
+        context.client.pixel_store = saved.pixel_store;
+        buffers.pixel_pack = saved.buffers.pixel_pack;
+        buffers.pixel_unpack = saved.buffers.pixel_unpack;
+    }
+    if (saved.mask & GL_CLIENT_VERTEX_ARRAY_BIT) {
+        restore(context.client.arrays, *saved.arrays);
+        buffers.array = saved.buffers.array;
+    }
+    saved = {};
+    return true;
+}
+
+} // namespace ffgpu::gl

@@ -1,0 +1,19 @@
+#include "driver/context/extensions.h"
+
+#include <string>
+
+namespace ffgpu::gl {
+
+const char* extension_string() {
+    static const std::string All = [] {
+        std::string all;
+        for (const std::string_view name : Extensions) {
+            if (!all.empty()) all += ' ';
+            all += name;
+        }
+        return all;
+    }();
+    return All.c_str();
+}
+
+} // namespace ffgpu::gl
