@@ -1,0 +1,51 @@
+// The framebuffer as a source of pixels (GL 1.5, 4.3.2): what glReadPixels, glCopyPixels,
+// glCopyTexImage and glBlitFramebuffer read.
+
+#pragma once
+
+#include "driver/gl_types.h"
+#include "driver/pixel/pixel_transfer.h"
+#include "model/device/device.h"
+#include "model/device/registers/fragment.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ffgpu::gl {
+
+class Context;
+
+struct ReadTarget {
+    GLenum status = GL_FRAMEBUFFER_COMPLETE; // or why nothing can be read
+    Surface color;                           // what glReadBuffer selects; format None: nothing
+    Surface depth;                           // format None: neither depth nor stencil
+    bool has_depth = false;
+    bool has_stencil = false;
+};
+
+ReadTarget find_read_target(Context& context);
+
+// A rectangle of pixels; it may lie outside the surface in part.
+struct PixelRectangle {
+    std::int64_t x = 0, y = 0;
+    std::int64_t width = 0, height = 0;
+
+    bool empty() const { return width <= 0 || height <= 0; }
+    bool operator==(const PixelRectangle&) const = default;
+};
+
+// The part that lies inside the surface.
+PixelRectangle clip_to(const Surface& surface, PixelRectangle rectangle);
+
+// Pixels of a surface, which the rectangle lies in, in the surface's format, tightly packed.
+std::vector<std::byte>
+read_surface(Device& device, const Surface& surface, const PixelRectangle& rectangle);
+
+// Writes such pixels back.
+void write_surface(Device& device,
+                   const Surface& surface,
+                   const PixelRectangle& rectangle,
+                   const std::vector<std::byte>& pixels);
+
+} // namespace ffgpu::gl
