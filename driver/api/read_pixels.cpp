@@ -2,6 +2,7 @@
 
 #include "driver/context/context.h"
 #include "driver/entry_points/declarations.h"
+#include "driver/math/conversion.h"
 #include "driver/pixel/pixel_format.h"
 #include "driver/pixel/pixel_memory.h"
 #include "driver/pixel/read_target.h"

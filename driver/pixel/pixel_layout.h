@@ -31,7 +31,4 @@ struct PixelLayout {
 PixelLayout
 pixel_layout(const PixelStore& store, ImageSize size, GLenum format, GLenum type, bool three_d);
 
-// How a copy without gaps is stored.
-constexpr PixelStore TightStore{.alignment = 1};
-
 } // namespace ffgpu::gl

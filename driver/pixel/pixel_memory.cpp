@@ -2,11 +2,7 @@
 
 #include "driver/context/context.h"
 #include "driver/objects/buffer_object.h"
-#include "driver/pixel/elements.h"
 #include "driver/pixel/pixel_format.h"
-
-#include <cstring>
-#include <utility>
 
 namespace ffgpu::gl {
 
@@ -24,20 +20,6 @@ std::byte* buffer_memory(Context& context,
         return nullptr;
     }
     return memory;
-}
-
-// A row of a bitmap, moved to bit 7 of the first byte, most significant bit first.
-void capture_bitmap_row(const PixelSource& source, const std::byte* row, std::byte* to) {
-    for (std::size_t x = 0; x < source.width(); ++x) {
-        if (bitmap_pixel(source, row, x)) to[x / 8] |= std::byte{0x80} >> static_cast<int>(x % 8);
-    }
-}
-
-void swap_elements(std::byte* at, std::size_t bytes, unsigned element) {
-    for (std::size_t i = 0; i + element <= bytes; i += element) {
-        if (element == 2) store_element(at + i, load_element<std::uint16_t>(at + i, true), false);
-        if (element == 4) store_element(at + i, load_element<std::uint32_t>(at + i, true), false);
-    }
 }
 
 } // namespace
@@ -82,42 +64,6 @@ std::optional<PixelDestination> pixel_destination(
     if (!memory) return std::nullopt;
     destination.memory = *memory;
     return destination;
-}
-
-std::vector<std::byte> capture_pixels(Context& context,
-                                      const void* pixels,
-                                      ImageSize size,
-                                      GLenum format,
-                                      GLenum type,
-                                      bool three_d) {
-    if (size.empty() || format_type_error(format, type) != GL_NO_ERROR) return {};
-    const auto source = pixel_source(context, pixels, size, format, type, three_d);
-    if (!source || !source->memory) return {};
-    const PixelLayout tight = pixel_layout(TightStore, size, format, type, three_d);
-    std::vector<std::byte> copy(tight.end);
-    for (GLsizei z = 0; z < size.depth; ++z) {
-        for (GLsizei y = 0; y < size.height; ++y) {
-            std::byte* const to = copy.data() + tight.row(static_cast<std::uint64_t>(y),
-                                                          static_cast<std::uint64_t>(z));
-            if (type == GL_BITMAP)
-                capture_bitmap_row(*source, source->row(y, z), to);
-            else
-                std::memcpy(to, source->row(y, z), source->width() * pixel_bytes(format, type));
-        }
-    }
-    if (source->swap_bytes && type != GL_BITMAP)
-        swap_elements(copy.data(), copy.size(), type_bytes(type));
-    return copy;
-}
-
-TightUnpackScope::TightUnpackScope(Context& context)
-    : context_(context)
-    , store_(std::exchange(context.client.pixel_store.unpack, TightStore))
-    , buffer_(std::exchange(context.client.buffers.pixel_unpack, nullptr)) {}
-
-TightUnpackScope::~TightUnpackScope() {
-    context_.client.pixel_store.unpack = store_;
-    context_.client.buffers.pixel_unpack = std::move(buffer_);
 }
 
 } // namespace ffgpu::gl

@@ -5,11 +5,9 @@
 
 #include "driver/pixel/pack.h"
 #include "driver/pixel/unpack.h"
-#include "driver/state/buffer_state.h"
 
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace ffgpu::gl {
 
@@ -36,25 +34,5 @@ std::optional<PixelDestination> pixel_destination(Context& context,
                                                   GLenum format,
                                                   GLenum type,
                                                   bool three_d = false);
-
-// A copy of the pixels as they are now, stored as TightStore says, for a display list. Empty where
-// there are none, or where the command will fail anyway. Errors of the memory are recorded.
-std::vector<std::byte> capture_pixels(
-    Context& context, const void* pixels, ImageSize size, GLenum format, GLenum type, bool three_d);
-
-// While it lives, pixels are read from plain memory that is stored as TightStore says: what a
-// display list captured.
-class TightUnpackScope {
-public:
-    explicit TightUnpackScope(Context& context);
-    ~TightUnpackScope();
-    TightUnpackScope(const TightUnpackScope&) = delete;
-    TightUnpackScope& operator=(const TightUnpackScope&) = delete;
-
-private:
-    Context& context_;
-    PixelStore store_;
-    std::shared_ptr<BufferObject> buffer_;
-};
 
 } // namespace ffgpu::gl

@@ -18,8 +18,8 @@ class Context;
 
 struct ReadTarget {
     GLenum status = GL_FRAMEBUFFER_COMPLETE; // or why nothing can be read
-    Surface color;                           // what glReadBuffer selects; format None: nothing
-    Surface depth;                           // format None: neither depth nor stencil
+    Surface color{};                         // what glReadBuffer selects; format None: nothing
+    Surface depth{};                         // format None: neither depth nor stencil
     bool has_depth = false;
     bool has_stencil = false;
 };
