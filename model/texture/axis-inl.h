@@ -102,8 +102,8 @@ HWY_INLINE AxisTexelVectors
 axis_texels(const TextureUnit& unit, unsigned axis, VF folded, const AxisLevel& level) {
     const WrapRule& rule = Linear ? unit.linear_rules[axis] : unit.nearest_rules[axis];
     const VI coordinate = texel_coordinate(folded, level, rule);
-    return Linear ? linear_texels(coordinate, level.size, rule)
-                  : nearest_texel(coordinate, level.size, rule);
+    if constexpr (Linear) return linear_texels(coordinate, level.size, rule);
+    return nearest_texel(coordinate, level.size, rule);
 }
 
 // An index as the stored image counts it, safe to address with, and whether the border colour
