@@ -10,7 +10,9 @@
 #pragma once
 
 #include "model/device/registers/fragment.h"
+#include "model/fragment/quad_access.h"
 #include "model/memory/pixel_format.h"
+#include "model/packets/fragment_batch.h"
 
 #include <cstdint>
 
@@ -26,5 +28,16 @@ std::uint32_t apply_logic_op(LogicOp op, std::uint32_t source, std::uint32_t des
 enum class ColorOperation : std::uint8_t { Replace, Blend, Logic };
 
 ColorOperation color_operation(const Blend& state);
+
+// --- On batches: rgba8 words, one a lane --------------------------------------------------------
+
+void pack_color(const FragmentBatch& batch, LaneWords& colors);
+
+// Blends batch.color with `colors`, in place. The kernel is chosen for the state.
+using BlendKernel = void (*)(const Blend& state, const FragmentBatch& batch, LaneWords& colors);
+BlendKernel choose_blend_kernel(const Blend& state);
+
+// destination = source op destination, for `lanes` lanes.
+void apply_logic_op(LogicOp op, const LaneWords& source, LaneWords& destination, unsigned lanes);
 
 } // namespace ffgpu

@@ -13,6 +13,7 @@
 
 #include "model/device/registers/fragment.h"
 #include "model/memory/pixel_format.h"
+#include "model/packets/fragment_batch.h"
 
 #include <cstdint>
 
@@ -36,5 +37,8 @@ std::uint8_t fog_factor(const FogCurve& curve, float coordinate);
 
 // round((f C + (255 - f) Cf) / 255) for r g b; alpha stays.
 PixelColor apply_fog(const FogCurve& curve, std::uint8_t factor, PixelColor color);
+
+// Every lane of batch.color.
+void apply_fog(const FogCurve& curve, FragmentBatch& batch);
 
 } // namespace ffgpu

@@ -1,6 +1,8 @@
 #include "model/fragment/fragment_pipe.h"
 
-#include "model/fragment/fragment_reference.h"
+#include "model/fragment/alpha_test.h"
+#include "model/fragment/color_sum.h"
+#include "model/fragment/quad_access.h"
 
 namespace ffgpu {
 namespace {
@@ -21,6 +23,26 @@ ColorTarget compile_color_target(const Surface& surface, std::uint8_t write_mask
     return {surface, static_cast<std::uint8_t>(write_mask & (has_alpha ? 0xf : 0x7))};
 }
 
+// Loads, tests and stores the live fragments' pixels of the depth target.
+StencilDepthFates visit_depth_target(const FragmentPipe& pipe, const FragmentBatch& batch) {
+    const StencilDepthState& state = pipe.stencil_depth;
+    if (!state.active() || !batch.live.any()) return {batch.live, batch.live};
+    LaneWords pixels;
+    const bool narrow = state.format == Format::Depth16;
+    load_quads(pipe.depth_target, pipe.memory, batch, pixels);
+    if (narrow)
+        for (std::uint32_t& pixel : pixels.words)
+            pixel <<= 8;
+    const StencilDepthFates fates = test_stencil_depth(state, batch, pixels);
+    if (!state.writes()) return fates;
+    if (narrow)
+        for (std::uint32_t& pixel : pixels.words)
+            pixel >>= 8;
+    const FragmentMask& written = state.stencil ? batch.live : fates.after_depth;
+    store_quads(pipe.depth_target, pipe.memory, batch, written, pixels);
+    return fates;
+}
+
 } // namespace
 
 FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> memory) {
@@ -30,6 +52,7 @@ FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> 
     pipe.memory = memory;
     pipe.sampled_units = state.units;
     pipe.antialias = state.antialias;
+    pipe.environments = compile_environments(registers.combiners, state.units);
     pipe.fog = compile_fog(registers.fog);
 
     const Surface& depth = registers.targets.depth;
@@ -39,7 +62,7 @@ FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> 
         compile_stencil_depth(registers.stencil, registers.depth, pipe.depth_target.format);
     pipe.early_depth = state.early_depth && !pipe.stencil_depth.stencil;
 
-    pipe.color_operation = color_operation(registers.blend);
+    pipe.color_stage = compile_color_stage(registers.blend, registers.fragment.dither);
     const Surface* colors[] = {&registers.targets.color, &registers.targets.second_color};
     for (unsigned i = 0; i < pipe.color_targets.size(); ++i)
         if (is_color_target(colors[i]->format) &&
@@ -49,15 +72,28 @@ FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> 
 }
 
 void early_depth_test(const FragmentPipe& pipe, FragmentBatch& batch) {
-    early_depth_test_reference(pipe, batch);
+    if (pipe.early_depth) batch.live = visit_depth_target(pipe, batch).after_depth;
 }
 
 void shade(const FragmentPipe& pipe, FragmentBatch& batch) {
-    shade_reference(pipe, batch);
+    run_environments(pipe.environments, batch);
+    if (pipe.registers->fragment.color_sum) add_secondary(batch);
+    if (pipe.fog.mode != FogMode::Off) apply_fog(pipe.fog, batch);
+    if (pipe.antialias) apply_coverage(batch);
 }
 
 void write(const FragmentPipe& pipe, FragmentBatch& batch, FragmentFates& fates) {
-    write_reference(pipe, batch, fates);
+    batch.live = alpha_test(pipe.registers->fragment, batch);
+    fates.after_alpha = fates.after_stencil = fates.after_depth = batch.live;
+    if (!pipe.early_depth) {
+        const StencilDepthFates tested = visit_depth_target(pipe, batch);
+        fates.after_stencil = tested.after_stencil;
+        fates.after_depth = tested.after_depth;
+    }
+    batch.live = fates.after_depth;
+    if (!batch.live.any()) return;
+    for (const ColorTarget& target : pipe.color_targets)
+        write_color(pipe.color_stage, target, batch, pipe.memory);
 }
 
 } // namespace ffgpu

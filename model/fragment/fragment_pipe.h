@@ -9,9 +9,10 @@
 
 #pragma once
 
-#include "model/fragment/blend.h"
+#include "model/fragment/color_target.h"
 #include "model/fragment/fog.h"
 #include "model/fragment/stencil_depth.h"
+#include "model/fragment/texture_environment.h"
 #include "model/packets/draw_state.h"
 #include "model/packets/fragment_batch.h"
 
@@ -22,11 +23,6 @@
 
 namespace ffgpu {
 
-struct ColorTarget {
-    Surface surface;             // Format::None: nothing is written
-    std::uint8_t write_mask = 0; // one bit a channel, of those that the format has
-};
-
 // What a draw needs, compiled once from its registers. Targets that do not fit into memory, or
 // that do not hold the whole scissor rectangle, are left out: registers may come from a file.
 struct FragmentPipe {
@@ -36,10 +32,11 @@ struct FragmentPipe {
     std::uint8_t sampled_units = 0; // DrawState::units
     bool early_depth = false;       // early_depth_test() does what write() would do later.
     bool antialias = false;
+    EnvironmentProgram environments;
     FogCurve fog;
     StencilDepthState stencil_depth;
     Surface depth_target;
-    ColorOperation color_operation = ColorOperation::Replace;
+    ColorStage color_stage;
     std::array<ColorTarget, 2> color_targets;
 };
 

@@ -1,10 +1,7 @@
 #include "model/fragment/fragment_reference.h"
 
-#include "model/fragment/compare.h"
-#include "model/fragment/texture_environment.h"
-#include "model/fragment/unorm8.h"
-
-#include <algorithm>
+#include "model/fragment/alpha_test.h"
+#include "model/fragment/color_sum.h"
 
 namespace ffgpu {
 namespace {
@@ -39,15 +36,11 @@ PixelColor shade_fragment(const FragmentPipe& pipe, const FragmentBatch& batch, 
         if (combiner.enable) inputs.previous = combine(combiner, inputs);
 
     PixelColor color = inputs.previous;
-    if (registers.fragment.color_sum) {
-        const PixelColor secondary = plane_color(batch.secondary, lane);
-        for (unsigned channel = 0; channel < 3; ++channel)
-            color[channel] =
-                static_cast<std::uint8_t>(std::min(255, color[channel] + secondary[channel]));
-    }
+    if (registers.fragment.color_sum)
+        color = add_secondary(color, plane_color(batch.secondary, lane));
     if (pipe.fog.mode != FogMode::Off)
         color = apply_fog(pipe.fog, fog_factor(pipe.fog, batch.fog_coordinate[lane]), color);
-    if (pipe.antialias) color[3] = multiply_unorm8(color[3], batch.antialias[lane]);
+    if (pipe.antialias) color = apply_coverage(color, batch.antialias[lane]);
     return color;
 }
 
@@ -91,9 +84,11 @@ visit_depth_target(const FragmentPipe& pipe, const FragmentBatch& batch, unsigne
 }
 
 // The colour in the precision of the target: as it reads once it is stored.
-PixelColor to_target(Format format, std::uint32_t threshold, PixelColor color) {
+PixelColor to_target(const FragmentPipe& pipe, Format format, Position at, PixelColor color) {
     if (format != Format::Rgb565) return color;
-    return unpack_rgba8(rgba8_from_rgb565(rgb565_from_rgba8(pack_rgba8(color), threshold)));
+    const std::uint32_t word = pack_rgba8(color);
+    return unpack_rgba8(rgba8_from_rgb565(pipe.color_stage.dither ? dither_rgb565(word, at.x, at.y)
+                                                                  : rgb565_from_rgba8(word)));
 }
 
 void write_color(const FragmentPipe& pipe,
@@ -104,14 +99,12 @@ void write_color(const FragmentPipe& pipe,
     const Format format = target.surface.format;
     std::byte* address = pixel_address(target.surface, pipe.memory, at.x, at.y);
     const PixelColor stored = unpack_rgba8(load_rgba8(format, address));
-    const std::uint32_t threshold =
-        registers.fragment.dither ? dither_threshold(at.x, at.y) : RoundToNearest;
 
     PixelColor color = source;
-    if (pipe.color_operation == ColorOperation::Blend)
+    if (pipe.color_stage.operation == ColorOperation::Blend)
         color = blend(registers.blend, source, stored);
-    color = to_target(format, threshold, color);
-    if (pipe.color_operation == ColorOperation::Logic)
+    color = to_target(pipe, format, at, color);
+    if (pipe.color_stage.operation == ColorOperation::Logic)
         color = unpack_rgba8(
             apply_logic_op(registers.blend.logic_op, pack_rgba8(color), pack_rgba8(stored)));
     for (unsigned channel = 0; channel < 4; ++channel)
@@ -141,9 +134,7 @@ void write_reference(const FragmentPipe& pipe, FragmentBatch& batch, FragmentFat
     for (unsigned lane = 0; lane < batch.lanes(); ++lane) {
         if (!batch.live.test(lane)) continue;
         const PixelColor color = plane_color(batch.color, lane);
-        if (control.alpha_test &&
-            !compare(control.alpha_compare, color[3], control.alpha_reference))
-            continue;
+        if (!passes_alpha_test(control, color[3])) continue;
         fates.after_alpha.set(lane);
 
         StencilDepthResult result{true, true, {}};

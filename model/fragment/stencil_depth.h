@@ -9,6 +9,8 @@
 #pragma once
 
 #include "model/device/registers/fragment.h"
+#include "model/fragment/quad_access.h"
+#include "model/packets/fragment_batch.h"
 
 #include <cstdint>
 
@@ -23,6 +25,7 @@ struct StencilDepthState {
     StencilFace front, back;
 
     bool active() const { return stencil || depth.test_enable || depth.bounds_enable; }
+    bool writes() const { return stencil || depth.write_enable; }
 };
 
 StencilDepthState
@@ -49,5 +52,17 @@ StencilDepthResult test_stencil_depth(const StencilDepthState& state,
                                       StencilDepthPixel stored);
 
 std::uint8_t apply_stencil_op(StencilOp op, std::uint8_t stored, std::uint8_t reference);
+
+// --- On batches -------------------------------------------------------------------------------
+
+struct StencilDepthFates {
+    FragmentMask after_stencil, after_depth;
+};
+
+// Tests the live fragments against `pixels` (depth << 8 | stencil; depths of 16 bits as they are)
+// and puts there what is to be stored: for a fragment that ends in after_depth, and with stencil
+// for every live one. The words of other lanes are left undefined.
+StencilDepthFates
+test_stencil_depth(const StencilDepthState& state, const FragmentBatch& batch, LaneWords& pixels);
 
 } // namespace ffgpu

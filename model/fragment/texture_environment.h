@@ -8,8 +8,10 @@
 
 #include "model/device/registers/texture.h"
 #include "model/memory/pixel_format.h"
+#include "model/packets/fragment_batch.h"
 
 #include <array>
+#include <span>
 
 namespace ffgpu {
 
@@ -24,5 +26,40 @@ constexpr PixelColor UnsampledTexture{0, 0, 0, 255};
 // The specification of one enabled unit for one fragment. Sources and operations beyond their
 // lists read as Zero and act as Replace; a scale beyond 4 is 4.
 PixelColor combine(const Combiner& combiner, const CombineInputs& inputs);
+
+// --- On batches -------------------------------------------------------------------------------
+
+// One argument of one channel: a plane of the batch or a constant, perhaps complemented.
+struct PlaneArgument {
+    std::uint32_t offset = 0;     // of the plane, in bytes from the batch; unused for a constant
+    std::uint32_t step = 0;       // 1 for a plane, 0 for a constant
+    std::uint16_t complement = 0; // 255: one minus the argument
+    alignas(32) std::array<std::uint16_t, 16> constant{}; // a vector of it
+};
+
+// One channel of one unit: result plane = op(arguments).
+struct PlaneProgram {
+    CombineOp op = CombineOp::Replace;
+    std::uint8_t scale_shift = 0;
+    std::array<PlaneArgument, 4> arguments;
+};
+
+struct UnitProgram {
+    bool dot_product = false; // of rgb, with the arguments of channels 0 to 2
+    bool alpha_from_dot = false;
+    std::array<PlaneProgram, 4> channels;
+};
+
+// The enabled units in order. The first takes the primary colour as the previous one.
+struct EnvironmentProgram {
+    unsigned count = 0;
+    std::array<UnitProgram, TextureUnits> units;
+};
+
+EnvironmentProgram compile_environments(std::span<const Combiner, TextureUnits> combiners,
+                                        std::uint8_t sampled_units);
+
+// Every lane: from primary colour and samples to batch.color.
+void run_environments(const EnvironmentProgram& program, FragmentBatch& batch);
 
 } // namespace ffgpu

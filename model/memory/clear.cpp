@@ -60,11 +60,12 @@ void clear_rgb565(const Surface& surface,
     const std::uint16_t mask = rgb565_mask(registers.blend.write_mask);
     for_rows(surface, cut, memory, [&](int y, std::byte* at) {
         for (int x = cut.x0; x < cut.x1; ++x, at += 2) {
-            const std::uint32_t threshold =
-                registers.fragment.dither
-                    ? dither_threshold(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y))
-                    : RoundToNearest;
-            MaskedFill<std::uint16_t>{rgb565_from_rgba8(color, threshold), mask}.row(at, 1);
+            const std::uint16_t pixel = registers.fragment.dither
+                                            ? dither_rgb565(color,
+                                                            static_cast<std::uint32_t>(x),
+                                                            static_cast<std::uint32_t>(y))
+                                            : rgb565_from_rgba8(color);
+            MaskedFill<std::uint16_t>{pixel, mask}.row(at, 1);
         }
     });
 }

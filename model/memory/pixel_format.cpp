@@ -29,16 +29,12 @@ constexpr std::uint32_t rgba8_from_rgb5a1(std::uint32_t pixel) {
 }
 
 constexpr std::uint16_t rgba4_from_rgba8(std::uint32_t color) {
-    const auto level = [&](unsigned shift) {
-        return quantize(color >> shift & 255, 15, RoundToNearest);
-    };
+    const auto level = [&](unsigned shift) { return quantize(color >> shift & 255, 15); };
     return static_cast<std::uint16_t>(level(0) << 12 | level(8) << 8 | level(16) << 4 | level(24));
 }
 
 constexpr std::uint16_t rgb5a1_from_rgba8(std::uint32_t color) {
-    const auto level = [&](unsigned shift) {
-        return quantize(color >> shift & 255, 31, RoundToNearest);
-    };
+    const auto level = [&](unsigned shift) { return quantize(color >> shift & 255, 31); };
     return static_cast<std::uint16_t>(level(0) << 11 | level(8) << 6 | level(16) << 1 |
                                       color >> 31);
 }

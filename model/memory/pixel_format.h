@@ -40,24 +40,27 @@ constexpr std::uint8_t unorm8_from_float(float value) {
 
 // --- Fewer than eight bits --------------------------------------------------------------------
 
-// floor((value * maximum + threshold) / 255): 8 bits to 0 .. maximum. The threshold decides where
-// to round: RoundToNearest, or a place of the dither matrix. A value that stands for a level
-// exactly (as widen_bits makes it) yields that level with each of them.
-constexpr std::uint32_t RoundToNearest = 127;
-
-constexpr std::uint32_t
-quantize(std::uint32_t value, std::uint32_t maximum, std::uint32_t threshold) {
-    return (value * maximum + threshold) / 255;
+// 8 bits to 0 .. maximum, to nearest.
+constexpr std::uint32_t quantize(std::uint32_t value, std::uint32_t maximum) {
+    return (value * maximum + 127) / 255;
 }
 
-// The ordered 4x4 matrix of Bayer, times 16 plus 7: thresholds 7 .. 247.
-constexpr std::uint32_t dither_threshold(std::uint32_t x, std::uint32_t y) {
+// 8 bits to 5 or 6, up or down by the place in the window: over a 4x4 block the levels' mean is
+// value (1 - 2^-bits) / 2^(8 - bits), next to value (2^bits - 1) / 255. `bayer` is 0 .. 15.
+constexpr std::uint32_t dither(std::uint32_t value, unsigned bits, std::uint32_t bayer) {
+    const unsigned dropped = 8 - bits;
+    return (value - (value >> bits) + (bayer >> (4 - dropped))) >> dropped;
+}
+
+// Bayer's ordered 4x4 matrix.
+constexpr std::uint32_t bayer_threshold(std::uint32_t x, std::uint32_t y) {
     constexpr std::uint8_t Bayer[4][4] = {
         {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
-    return Bayer[y % 4][x % 4] * 16u + 7u;
+    return Bayer[y % 4][x % 4];
 }
 
-// A level of 4 to 7 bits as 8 bits, by repeating its upper bits.
+// A level of 4 to 7 bits as 8 bits, by repeating its upper bits. Both quantize and dither give the
+// level back: what is read and stored again stays.
 constexpr std::uint32_t widen_bits(std::uint32_t level, unsigned bits) {
     return level << (8 - bits) | level >> (2 * bits - 8);
 }
@@ -67,11 +70,21 @@ constexpr std::uint32_t rgba8_from_rgb565(std::uint32_t pixel) {
            widen_bits(pixel & 31, 5) << 16 | 0xff000000u;
 }
 
-constexpr std::uint16_t rgb565_from_rgba8(std::uint32_t color,
-                                          std::uint32_t threshold = RoundToNearest) {
-    return static_cast<std::uint16_t>(quantize(color & 255, 31, threshold) << 11 |
-                                      quantize(color >> 8 & 255, 63, threshold) << 5 |
-                                      quantize(color >> 16 & 255, 31, threshold));
+constexpr std::uint16_t pack_rgb565(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
+    return static_cast<std::uint16_t>(red << 11 | green << 5 | blue);
+}
+
+constexpr std::uint16_t rgb565_from_rgba8(std::uint32_t color) {
+    return pack_rgb565(
+        quantize(color & 255, 31), quantize(color >> 8 & 255, 63), quantize(color >> 16 & 255, 31));
+}
+
+// For the pixel (x, y) of the window.
+constexpr std::uint16_t dither_rgb565(std::uint32_t color, std::uint32_t x, std::uint32_t y) {
+    const std::uint32_t bayer = bayer_threshold(x, y);
+    return pack_rgb565(dither(color & 255, 5, bayer),
+                       dither(color >> 8 & 255, 6, bayer),
+                       dither(color >> 16 & 255, 5, bayer));
 }
 
 // --- Depth ------------------------------------------------------------------------------------

@@ -1,0 +1,111 @@
+#include "model/fragment/color_target.h"
+
+#include "model/fragment/quad_access.h"
+
+namespace ffgpu {
+namespace {
+
+constexpr std::uint32_t OpaqueAlpha = 0xff000000;
+
+template <class Convert>
+void for_lanes(LaneWords& words, unsigned lanes, Convert&& convert) {
+    for (unsigned i = 0; i < lanes; ++i)
+        words.words[i] = convert(words.words[i]);
+}
+
+void load_colors(const Surface& surface,
+                 std::span<const std::byte> memory,
+                 const FragmentBatch& batch,
+                 LaneWords& colors) {
+    load_quads(surface, memory, batch, colors);
+    if (surface.format == Format::Rgb565)
+        for_lanes(colors, batch.lanes(), [](std::uint32_t p) { return rgba8_from_rgb565(p); });
+    else if (surface.format == Format::Rgbx8)
+        for_lanes(colors, batch.lanes(), [](std::uint32_t c) { return c | OpaqueAlpha; });
+}
+
+// rgba8 to pixels of Rgb565.
+void quantize_colors(const FragmentBatch& batch, bool dither, LaneWords& colors) {
+    for (unsigned lane = 0; lane < batch.lanes(); ++lane) {
+        const std::uint32_t x = batch.x[lane / 4] + (lane & 1u);
+        const std::uint32_t y = batch.y[lane / 4] + (lane >> 1 & 1u);
+        const std::uint32_t color = colors.words[lane];
+        colors.words[lane] = dither ? dither_rgb565(color, x, y) : rgb565_from_rgba8(color);
+    }
+}
+
+void store_colors(const ColorStage& stage,
+                  const Surface& surface,
+                  const FragmentBatch& batch,
+                  std::span<std::byte> memory,
+                  LaneWords& colors) {
+    if (surface.format == Format::Rgb565)
+        quantize_colors(batch, stage.dither, colors);
+    else if (surface.format == Format::Rgbx8)
+        for_lanes(colors, batch.lanes(), [](std::uint32_t c) { return c | OpaqueAlpha; });
+    store_quads(surface, memory, batch, batch.live, colors);
+}
+
+std::uint32_t channel_bits(unsigned write_mask) {
+    std::uint32_t bits = 0;
+    for (unsigned channel = 0; channel < 4; ++channel)
+        if ((write_mask >> channel & 1) != 0) bits |= 0xffu << 8 * channel;
+    return bits;
+}
+
+bool writes_all_channels(const ColorTarget& target) {
+    return target.write_mask == (target.surface.format == Format::Rgba8 ? 0xf : 0x7);
+}
+
+// From what the target holds to what it will hold, in rgba8; the write mask comes later.
+void apply_operation(const ColorStage& stage,
+                     Format format,
+                     const FragmentBatch& batch,
+                     LaneWords& colors) {
+    if (stage.operation == ColorOperation::Blend) return stage.kernel(stage.state, batch, colors);
+    LaneWords source;
+    pack_color(batch, source);
+    if (stage.operation == ColorOperation::Replace) {
+        colors = source;
+        return;
+    }
+    if (format == Format::Rgb565) {
+        quantize_colors(batch, stage.dither, source);
+        for_lanes(source, batch.lanes(), [](std::uint32_t p) { return rgba8_from_rgb565(p); });
+    }
+    apply_logic_op(stage.state.logic_op, source, colors, batch.lanes());
+}
+
+} // namespace
+
+ColorStage compile_color_stage(const Blend& blend, bool dither) {
+    ColorStage stage{.state = blend, .operation = color_operation(blend), .dither = dither};
+    if (stage.operation == ColorOperation::Blend) stage.kernel = choose_blend_kernel(blend);
+    return stage;
+}
+
+void write_color(const ColorStage& stage,
+                 const ColorTarget& target,
+                 const FragmentBatch& batch,
+                 std::span<std::byte> memory) {
+    if (target.write_mask == 0) return;
+    const Surface& surface = target.surface;
+    LaneWords colors;
+    if (stage.operation == ColorOperation::Replace && writes_all_channels(target)) {
+        pack_color(batch, colors);
+        return store_colors(stage, surface, batch, memory, colors);
+    }
+    load_colors(surface, memory, batch, colors);
+    if (writes_all_channels(target)) {
+        apply_operation(stage, surface.format, batch, colors);
+        return store_colors(stage, surface, batch, memory, colors);
+    }
+    const LaneWords stored = colors;
+    const std::uint32_t written = channel_bits(target.write_mask);
+    apply_operation(stage, surface.format, batch, colors);
+    for (unsigned i = 0; i < batch.lanes(); ++i)
+        colors.words[i] = (colors.words[i] & written) | (stored.words[i] & ~written);
+    store_colors(stage, surface, batch, memory, colors);
+}
+
+} // namespace ffgpu

@@ -1,0 +1,38 @@
+// The last stage: blends or combines the colours of a batch with a colour target, in the
+// precision of its format, under its write mask.
+
+#pragma once
+
+#include "model/device/registers/fragment.h"
+#include "model/fragment/blend.h"
+#include "model/packets/fragment_batch.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace ffgpu {
+
+struct ColorTarget {
+    Surface surface;             // Format::None: nothing is written
+    std::uint8_t write_mask = 0; // one bit a channel, of those that the format has
+};
+
+// Rgb565 is dithered where the draw dithers; with a logic operation the source is brought to its
+// precision first. Rgbx8 stores 255 as its fourth byte.
+struct ColorStage {
+    Blend state;
+    ColorOperation operation = ColorOperation::Replace;
+    BlendKernel kernel = nullptr; // for ColorOperation::Blend
+    bool dither = false;
+};
+
+ColorStage compile_color_stage(const Blend& blend, bool dither);
+
+// Writes the fragments in batch.live.
+void write_color(const ColorStage& stage,
+                 const ColorTarget& target,
+                 const FragmentBatch& batch,
+                 std::span<std::byte> memory);
+
+} // namespace ffgpu

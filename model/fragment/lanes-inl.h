@@ -1,0 +1,85 @@
+// Vectors over the lanes of a FragmentBatch, compiled once a SIMD target.
+// Arrays of a batch hold whole vectors: a loop may run beyond lanes() to the vector's end.
+
+#if defined(FFGPU_FRAGMENT_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FFGPU_FRAGMENT_LANES_INL_H_
+#undef FFGPU_FRAGMENT_LANES_INL_H_
+#else
+#define FFGPU_FRAGMENT_LANES_INL_H_
+#endif
+
+#include "model/fragment/unorm8.h"
+#include "model/packets/fragment_batch.h"
+
+#include <cstdint>
+#include <cstring>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ffgpu::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Channel values.
+using D16 = hn::CappedTag<std::uint16_t, 16>;
+using V16 = hn::Vec<D16>;
+// Half as many wider lanes: depths, coordinates.
+using DHalf16 = hn::Half<D16>;
+using D32 = hn::Rebind<std::uint32_t, DHalf16>;
+using V32 = hn::Vec<D32>;
+using M32 = hn::Mask<D32>;
+
+constexpr unsigned Lanes16 = HWY_LANES(std::uint16_t) < 16 ? HWY_LANES(std::uint16_t) : 16;
+constexpr unsigned Lanes32 = Lanes16 / 2;
+
+HWY_INLINE V16 set16(unsigned value) {
+    return hn::Set(D16(), static_cast<std::uint16_t>(value));
+}
+
+// round(product / 255) for products <= 65025.
+HWY_INLINE V16 divide_by_255(V16 product) {
+    const V16 t = hn::Add(product, set16(128));
+    return hn::ShiftRight<8>(hn::Add(t, hn::ShiftRight<8>(t)));
+}
+
+// The same after a clamp of what may be more.
+HWY_INLINE V16 clamp_and_divide_by_255(V16 product) {
+    return divide_by_255(hn::Min(product, set16(Unorm8OneSquared)));
+}
+
+HWY_INLINE V16 complement(V16 value) {
+    return hn::Xor(value, set16(255));
+}
+
+// Bits of `lanes` lanes from `lane` on, a multiple of `lanes`, which divides 64.
+HWY_INLINE std::uint64_t mask_bits(const FragmentMask& mask, unsigned lane, unsigned lanes) {
+    return mask.words[lane / 64] >> (lane % 64) & ((std::uint64_t{1} << lanes) - 1);
+}
+
+HWY_INLINE void set_mask_bits(FragmentMask& mask, unsigned lane, std::uint64_t bits) {
+    mask.words[lane / 64] |= bits << (lane % 64);
+}
+
+template <class D>
+HWY_INLINE hn::Mask<D> mask_from_bits(D d, std::uint64_t bits) {
+    std::uint8_t bytes[8];
+    std::memcpy(bytes, &bits, sizeof bytes);
+    return hn::LoadMaskBits(d, bytes);
+}
+
+template <class D>
+HWY_INLINE std::uint64_t bits_from_mask(D d, hn::Mask<D> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, mask, bytes);
+    std::uint64_t bits;
+    std::memcpy(&bits, bytes, sizeof bits);
+    return bits;
+}
+
+} // namespace
+} // namespace ffgpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

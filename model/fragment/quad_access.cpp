@@ -1,0 +1,181 @@
+#include "model/fragment/quad_access.h"
+
+#include "model/base/check.h"
+#include "model/memory/pixel_format.h"
+
+namespace ffgpu {
+namespace {
+
+// Two pixels side by side as one word, and as two words of an array.
+template <class Pixel>
+struct Row;
+
+template <>
+struct Row<std::uint32_t> {
+    using Word = std::uint64_t;
+    static constexpr std::array<Word, 4> Masks{
+        0, 0xffffffff, 0xffffffff00000000, 0xffffffffffffffff};
+
+    static Word join(const std::uint32_t* pixels) {
+        Word row;
+        std::memcpy(&row, pixels, sizeof row);
+        return row;
+    }
+    static void split(Word row, std::uint32_t* pixels) { std::memcpy(pixels, &row, sizeof row); }
+};
+
+template <>
+struct Row<std::uint16_t> {
+    using Word = std::uint32_t;
+    static constexpr std::array<Word, 4> Masks{0, 0xffff, 0xffff0000, 0xffffffff};
+
+    static Word join(const std::uint32_t* pixels) { return (pixels[0] & 0xffff) | pixels[1] << 16; }
+    static void split(Word row, std::uint32_t* pixels) {
+        pixels[0] = row & 0xffff;
+        pixels[1] = row >> 16;
+    }
+};
+
+// A surface with pixels of one size, and the places of a batch's quads in it.
+template <class Pixel, class Byte>
+class QuadSurface {
+public:
+    using Pair = Row<Pixel>;
+    using Word = typename Pair::Word;
+
+    QuadSurface(const Surface& surface, std::span<Byte> memory, const FragmentBatch& batch)
+        : base_(memory.data() + surface.address)
+        , stride_(surface.stride)
+        , width_(surface.width)
+        , height_(surface.height)
+        , batch_(batch) {}
+
+    Byte* lower_row(unsigned q) const {
+        return base_ + batch_.y[q] * stride_ + batch_.x[q] * sizeof(Pixel);
+    }
+
+    // Neither the right nor the upper half of the quad is outside.
+    bool is_whole(unsigned q) const {
+        return batch_.x[q] + 1u < width_ && batch_.y[q] + 1u < height_;
+    }
+
+    void load(unsigned q, std::uint32_t* pixels) const {
+        const Byte* row = lower_row(q);
+        Pair::split(load_word<Word>(row), pixels);
+        Pair::split(load_word<Word>(row + stride_), pixels + 2);
+    }
+
+    void store(unsigned q, const std::uint32_t* pixels) const {
+        Byte* row = lower_row(q);
+        store_word(row, Pair::join(pixels));
+        store_word(row + stride_, Pair::join(pixels + 2));
+    }
+
+    void store_masked(unsigned q, unsigned lanes, const std::uint32_t* pixels) const {
+        Byte* row = lower_row(q);
+        merge(row, Pair::Masks[lanes & 3], Pair::join(pixels));
+        merge(row + stride_, Pair::Masks[lanes >> 2], Pair::join(pixels + 2));
+    }
+
+    void load_pixels(unsigned q, unsigned lanes, std::uint32_t* pixels) const {
+        for (unsigned i = 0; i < 4; ++i)
+            if ((lanes >> i & 1) != 0) pixels[i] = load_word<Pixel>(pixel(q, i));
+    }
+
+    void store_pixels(unsigned q, unsigned lanes, const std::uint32_t* pixels) const {
+        for (unsigned i = 0; i < 4; ++i)
+            if ((lanes >> i & 1) != 0) store_word(pixel(q, i), static_cast<Pixel>(pixels[i]));
+    }
+
+private:
+    Byte* pixel(unsigned q, unsigned i) const {
+        return lower_row(q) + (i >> 1) * stride_ + (i & 1) * sizeof(Pixel);
+    }
+
+    static void merge(Byte* at, Word mask, Word row) {
+        store_word(at, static_cast<Word>((load_word<Word>(at) & ~mask) | (row & mask)));
+    }
+
+    Byte* base_;
+    std::size_t stride_;
+    unsigned width_, height_;
+    const FragmentBatch& batch_;
+};
+
+bool all_lanes(const FragmentMask& mask, const FragmentBatch& batch) {
+    return mask.count() == batch.lanes();
+}
+
+template <class Pixel>
+void load_sized(const QuadSurface<Pixel, const std::byte>& surface,
+                const FragmentBatch& batch,
+                std::uint32_t* pixels) {
+    if (all_lanes(batch.live, batch)) { // so that each quad is whole
+        for (unsigned q = 0; q < batch.quad_count; ++q)
+            surface.load(q, pixels + 4 * q);
+        return;
+    }
+    for (unsigned q = 0; q < batch.quad_count; ++q) {
+        const unsigned lanes = batch.live.quad(q);
+        if (lanes == 0) continue;
+        if (surface.is_whole(q)) {
+            surface.load(q, pixels + 4 * q);
+        } else {
+            surface.load_pixels(q, lanes, pixels + 4 * q);
+        }
+    }
+}
+
+template <class Pixel>
+void store_sized(const QuadSurface<Pixel, std::byte>& surface,
+                 const FragmentBatch& batch,
+                 const FragmentMask& mask,
+                 const std::uint32_t* pixels) {
+    if (all_lanes(mask, batch)) {
+        for (unsigned q = 0; q < batch.quad_count; ++q)
+            surface.store(q, pixels + 4 * q);
+        return;
+    }
+    for (unsigned q = 0; q < batch.quad_count; ++q) {
+        const unsigned lanes = mask.quad(q);
+        if (lanes == 0) continue;
+        if (surface.is_whole(q)) {
+            surface.store_masked(q, lanes, pixels + 4 * q);
+        } else {
+            surface.store_pixels(q, lanes, pixels + 4 * q);
+        }
+    }
+}
+
+} // namespace
+
+void load_quads(const Surface& surface,
+                std::span<const std::byte> memory,
+                const FragmentBatch& batch,
+                LaneWords& pixels) {
+    switch (format_info(surface.format).block_bytes) {
+    case 2:
+        return load_sized<std::uint16_t>({surface, memory, batch}, batch, pixels.data());
+    case 4:
+        return load_sized<std::uint32_t>({surface, memory, batch}, batch, pixels.data());
+    default:
+        check(false, "load_quads: not a target's format");
+    }
+}
+
+void store_quads(const Surface& surface,
+                 std::span<std::byte> memory,
+                 const FragmentBatch& batch,
+                 const FragmentMask& mask,
+                 const LaneWords& pixels) {
+    switch (format_info(surface.format).block_bytes) {
+    case 2:
+        return store_sized<std::uint16_t>({surface, memory, batch}, batch, mask, pixels.data());
+    case 4:
+        return store_sized<std::uint32_t>({surface, memory, batch}, batch, mask, pixels.data());
+    default:
+        check(false, "store_quads: not a target's format");
+    }
+}
+
+} // namespace ffgpu

@@ -1,0 +1,169 @@
+#include "model/fragment/fragment_pipe.h"
+#include "model/fragment/fragment_reference.h"
+#include "tests/fragment/random_fragments.h"
+
+#include <catch2/catch.hpp>
+
+using namespace ffgpu;
+using ffgpu::test::Draws;
+using ffgpu::test::Scene;
+
+namespace {
+
+bool same_lanes(const ColorPlanes& a, const ColorPlanes& b, unsigned lanes) {
+    const auto same = [&](const auto& x, const auto& y) {
+        return std::equal(x.begin(), x.begin() + lanes, y.begin());
+    };
+    return same(a.r, b.r) && same(a.g, b.g) && same(a.b, b.b) && same(a.a, b.a);
+}
+
+// One side runs a scene, its own memory and batch.
+struct Run {
+    Scene scene;
+    FragmentBatch batch;
+    FragmentFates fates;
+};
+
+bool is_touched(const Surface& surface,
+                const FragmentMask& live,
+                const FragmentBatch& batch,
+                std::size_t byte) {
+    if (surface.format == Format::None || byte < surface.address) return false;
+    const std::size_t bytes = format_info(surface.format).block_bytes;
+    const std::size_t y = (byte - surface.address) / surface.stride;
+    const std::size_t x = (byte - surface.address) % surface.stride / bytes;
+    for (unsigned lane = 0; lane < batch.lanes(); ++lane)
+        if (live.test(lane) && batch.x[lane / 4] + (lane & 1u) == x &&
+            batch.y[lane / 4] + (lane >> 1 & 1u) == y)
+            return true;
+    return false;
+}
+
+} // namespace
+
+TEST_CASE("The batch stages yield the bits of the scalar pipe for random states and batches") {
+    auto vector = std::make_unique<Run>();
+    auto scalar = std::make_unique<Run>();
+    for (std::uint32_t seed = 0; seed < 4000; ++seed) {
+        INFO("seed " << seed);
+        Draws draws(seed);
+        vector->scene = {};
+        test::randomize(draws, vector->scene);
+        test::randomize(draws, vector->scene, vector->batch);
+        scalar->scene = vector->scene;
+        scalar->batch = vector->batch;
+
+        const FragmentPipe vector_pipe = vector->scene.compile();
+        early_depth_test(vector_pipe, vector->batch);
+        const FragmentPipe scalar_pipe = scalar->scene.compile();
+        early_depth_test_reference(scalar_pipe, scalar->batch);
+        REQUIRE(vector->batch.live == scalar->batch.live);
+
+        shade(vector_pipe, vector->batch);
+        shade_reference(scalar_pipe, scalar->batch);
+        REQUIRE(same_lanes(vector->batch.color, scalar->batch.color, scalar->batch.lanes()));
+
+        write(vector_pipe, vector->batch, vector->fates);
+        write_reference(scalar_pipe, scalar->batch, scalar->fates);
+        REQUIRE(vector->fates.after_alpha == scalar->fates.after_alpha);
+        REQUIRE(vector->fates.after_stencil == scalar->fates.after_stencil);
+        REQUIRE(vector->fates.after_depth == scalar->fates.after_depth);
+        REQUIRE(vector->batch.live == scalar->batch.live);
+        REQUIRE((vector->scene.memory == scalar->scene.memory));
+    }
+}
+
+TEST_CASE("No byte changes but those of live fragments' pixels") {
+    auto run = std::make_unique<Run>();
+    for (std::uint32_t seed = 5000; seed < 5200; ++seed) {
+        INFO("seed " << seed);
+        Draws draws(seed);
+        run->scene = {};
+        test::randomize(draws, run->scene);
+        test::randomize(draws, run->scene, run->batch);
+        const std::vector<std::byte> before = run->scene.memory;
+        const FragmentMask live = run->batch.live;
+
+        const FragmentPipe pipe = run->scene.compile();
+        early_depth_test(pipe, run->batch);
+        shade(pipe, run->batch);
+        write(pipe, run->batch, run->fates);
+
+        const Targets& targets = run->scene.registers->targets;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            if (before[i] == run->scene.memory[i]) continue;
+            const bool touched = is_touched(targets.color, live, run->batch, i) ||
+                                 is_touched(targets.second_color, live, run->batch, i) ||
+                                 is_touched(targets.depth, live, run->batch, i);
+            REQUIRE(touched);
+        }
+    }
+}
+
+TEST_CASE("A target that leaves memory or does not hold the scissor is left out") {
+    Scene scene;
+    scene.memory.resize(64 * 64 * 4);
+    Surface surface{
+        .address = 0, .format = Format::Rgba8, .width = 64, .height = 64, .stride = 256};
+    scene.registers->targets.color = surface;
+    scene.registers->scissor = {.x = 0, .y = 0, .width = 64, .height = 64};
+    REQUIRE(scene.compile().color_targets[0].write_mask == 0xf);
+
+    SECTION("one byte beyond memory") {
+        scene.registers->targets.color.address = 1;
+        REQUIRE(scene.compile().color_targets[0].write_mask == 0);
+    }
+    SECTION("a scissor one pixel too wide") {
+        scene.registers->scissor.width = 65;
+        REQUIRE(scene.compile().color_targets[0].write_mask == 0);
+    }
+    SECTION("a scissor that begins before the target") {
+        scene.registers->scissor.x = -1;
+        REQUIRE(scene.compile().color_targets[0].write_mask == 0);
+    }
+    SECTION("rows that overlap") {
+        scene.registers->targets.color.stride = 255;
+        REQUIRE(scene.compile().color_targets[0].write_mask == 0);
+    }
+    SECTION("a format beyond the list") {
+        scene.registers->targets.color.format = static_cast<Format>(31);
+        scene.registers->targets.depth = surface;
+        scene.registers->targets.depth.format = static_cast<Format>(30);
+        REQUIRE(scene.compile().color_targets[0].write_mask == 0);
+        REQUIRE(scene.compile().depth_target.format == Format::None);
+    }
+}
+
+TEST_CASE("Register values beyond their lists draw the same pixels in both forms") {
+    auto vector = std::make_unique<Run>();
+    auto scalar = std::make_unique<Run>();
+    for (std::uint32_t seed = 9000; seed < 9300; ++seed) {
+        INFO("seed " << seed);
+        Draws draws(seed);
+        vector->scene = {};
+        test::randomize(draws, vector->scene);
+        Registers& r = *vector->scene.registers;
+        Combiner& combiner = r.combiners[seed % TextureUnits];
+        combiner.enable = true;
+        combiner.rgb.op = draws.value_below<CombineOp>(16);
+        combiner.rgb.scale_shift = static_cast<std::uint8_t>(draws.below(4));
+        combiner.rgb.arguments[0].source = draws.value_below<CombineSource>(16);
+        combiner.alpha.op = draws.value_below<CombineOp>(16);
+        combiner.alpha.arguments[0].operand = draws.value_below<CombineOperand>(4);
+        r.blend.enable = true;
+        r.blend.rgb_source = draws.value_below<BlendFactor>(16);
+        r.blend.rgb_equation = draws.value_below<BlendEquation>(8);
+        test::randomize(draws, vector->scene, vector->batch);
+        scalar->scene = vector->scene;
+        scalar->batch = vector->batch;
+
+        const FragmentPipe vector_pipe = vector->scene.compile();
+        shade(vector_pipe, vector->batch);
+        write(vector_pipe, vector->batch, vector->fates);
+        const FragmentPipe scalar_pipe = scalar->scene.compile();
+        shade_reference(scalar_pipe, scalar->batch);
+        write_reference(scalar_pipe, scalar->batch, scalar->fates);
+        REQUIRE(same_lanes(vector->batch.color, scalar->batch.color, scalar->batch.lanes()));
+        REQUIRE((vector->scene.memory == scalar->scene.memory));
+    }
+}
