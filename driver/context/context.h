@@ -10,10 +10,12 @@
 #include "driver/gl_types.h"
 #include "driver/lower/targets.h"
 #include "driver/memory_allocator.h"
+#include "driver/objects/name_table.h"
 #include "driver/objects/query_objects.h"
 #include "driver/state/state.h"
 #include "model/device/device.h"
 
+#include <functional>
 #include <memory>
 
 namespace ffgpu::gl {
@@ -47,7 +49,13 @@ public:
     DirtyGroups dirty = DirtyGroups::all();
     bool was_bound = false; // to a drawable: viewport and scissor have their initial values.
     AttributeStack attributes;
+    // The window system's: shows what was drawn to a front buffer, at glFlush and glFinish.
+    std::function<void()> on_flush;
     QueryObjects queries;
+
+    // Vertex array objects are not shared. Name 0 is an object, too.
+    NameTable<VertexArrayObject> vertex_array_objects;
+    const std::shared_ptr<VertexArrayObject> default_vertex_array_object = client.arrays.object;
 
     // What the device's registers must hold for the next command. prepare_draw() fills and updates
     // all but vertex_format and current, which are the draw path's.

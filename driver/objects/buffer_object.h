@@ -25,8 +25,10 @@ public:
     // `bytes` from `offset` on, as an address to read or write; null where they do not lie within
     // the buffer. (Adding to null, as an application's offset is given, is not defined in C++.)
     std::byte* at(std::size_t offset, std::size_t bytes) {
-        if (offset > data_.size() || bytes > data_.size() - offset) return nullptr;
-        return data_.data() + offset;
+        return contains(offset, bytes) ? data_.data() + offset : nullptr;
+    }
+    bool contains(std::size_t offset, std::size_t bytes) const {
+        return offset <= data_.size() && bytes <= data_.size() - offset;
     }
 
     // Throws std::bad_alloc; the old contents are then kept.
@@ -43,12 +45,21 @@ public:
     GLbitfield map_access = 0; // GL_MAP_READ_BIT ...
     std::size_t map_offset = 0, map_length = 0;
 
-    // Of the binding API: GL_READ_ONLY, GL_WRITE_ONLY or GL_READ_WRITE.
+    void unmap() {
+        mapped = false;
+        map_access = 0;
+        map_offset = map_length = 0;
+    }
+    // An empty buffer has an address, too.
+    std::byte* mapped_bytes() { return data_.empty() ? &nothing_ : data_.data() + map_offset; }
+
+    // Of the last mapping: GL_READ_ONLY, GL_WRITE_ONLY or GL_READ_WRITE.
     GLenum access = GL_READ_WRITE;
 
 private:
     GLuint name_;
     std::vector<std::byte> data_;
+    std::byte nothing_{};
 };
 
 } // namespace ffgpu::gl

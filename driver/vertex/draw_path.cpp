@@ -16,6 +16,11 @@ std::size_t DrawPath::max_words() {
     return ring_.bytes() / sizeof(float) / 2;
 }
 
+std::span<float> DrawPath::scratch(std::size_t words) {
+    if (scratch_.size() < words) scratch_.resize(words);
+    return {scratch_.data(), words};
+}
+
 void DrawPath::draw(const VertexRun& run) {
     const auto address = ring_.place(run.words.size_bytes());
     if (!address) return context_.error(GL_OUT_OF_MEMORY);

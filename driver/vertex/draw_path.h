@@ -22,6 +22,10 @@ public:
     // The most words of a run, and of its indices, that draw() takes.
     std::size_t max_words();
 
+    // A place where a run of so many words may be made; valid until the next call.
+    std::span<float> scratch(std::size_t words);
+    std::vector<std::uint32_t>& index_scratch() { return index_scratch_; }
+
     // Draws a run that lies in host memory.
     void draw(const VertexRun& run);
 
@@ -38,6 +42,8 @@ private:
 
     Context& context_;
     VertexRing ring_;
+    std::vector<float> scratch_;
+    std::vector<std::uint32_t> index_scratch_;
     CommandStream commands_;
     std::vector<DrawCommand> draws_;
     std::vector<std::uint16_t> short_indices_;
