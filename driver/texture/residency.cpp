@@ -173,10 +173,9 @@ bool make_resident(DeviceMemory memory, TextureObject& texture) {
     return true;
 }
 
-Surface image_surface(DeviceMemory memory, TextureObject& texture, ImageName name, unsigned layer) {
+Surface image_memory(DeviceMemory memory, TextureObject& texture, ImageName name, unsigned layer) {
     const TextureLevel& image = texture.level(name.face, name.level);
-    if (!image.defined() || image.border != 0 || !is_renderable(image.format.format)) return {};
-    if (!make_resident(memory, texture) || !image.resident) return {};
+    if (!image.defined() || !make_resident(memory, texture) || !image.resident) return {};
     const ImageStrides strides(image.format.format, whole_box(image));
     return {.address =
                 static_cast<DeviceAddress>(image_address(texture, name) + layer * strides.layer),
@@ -184,6 +183,12 @@ Surface image_surface(DeviceMemory memory, TextureObject& texture, ImageName nam
             .width = static_cast<std::uint16_t>(image.width),
             .height = static_cast<std::uint16_t>(image.height),
             .stride = static_cast<std::uint32_t>(strides.row)};
+}
+
+Surface image_surface(DeviceMemory memory, TextureObject& texture, ImageName name, unsigned layer) {
+    const TextureLevel& image = texture.level(name.face, name.level);
+    if (image.border != 0 || !is_renderable(image.format.format)) return {};
+    return image_memory(memory, texture, name, layer);
 }
 
 } // namespace ffgpu::gl

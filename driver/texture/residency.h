@@ -55,8 +55,11 @@ read_texels(DeviceMemory memory, const TextureObject& texture, ImageName name, c
 // Brings all levels of the texture's chain into device memory. False: there is no room.
 bool make_resident(DeviceMemory memory, TextureObject& texture);
 
-// The image as a target of drawing; it becomes resident. Format None: it cannot be one (no room,
-// not in the chain, not renderable).
+// Any image of uncompressed colours or depth as memory to copy to; it becomes resident. Its border
+// is part of the surface. Format None: there is no room, or it is not in the chain.
+Surface image_memory(DeviceMemory memory, TextureObject& texture, ImageName name, unsigned layer);
+
+// The same as a target of drawing: Format None as well where the device cannot draw to it.
 Surface image_surface(DeviceMemory memory, TextureObject& texture, ImageName name, unsigned layer);
 
 } // namespace ffgpu::gl
