@@ -11,6 +11,14 @@ Vec3 xyz(const Vec4& v) {
     return {v[0], v[1], v[2]};
 }
 
+// Of a light: 0 times it must be 0.
+Vec3 finite_color(const Vec4& v) {
+    Vec3 color = xyz(v);
+    for (float& c : color)
+        if (!std::isfinite(c)) c = 0;
+    return color;
+}
+
 bool is_black(const Vec3& color) {
     return color == Vec3{0, 0, 0};
 }
@@ -34,9 +42,9 @@ LightSource make_light_source(const Light& light) {
         source.position = {light.position[0] / w, light.position[1] / w, light.position[2] / w};
         source.attenuates = light.attenuation != Vec3{1, 0, 0};
     }
-    source.ambient = xyz(light.ambient);
-    source.diffuse = xyz(light.diffuse);
-    source.specular = xyz(light.specular);
+    source.ambient = finite_color(light.ambient);
+    source.diffuse = finite_color(light.diffuse);
+    source.specular = finite_color(light.specular);
     source.attenuation = light.attenuation;
     source.spot = light.spot_cutoff_cosine >= -0.5f;
     source.spot_direction = light.spot_direction;

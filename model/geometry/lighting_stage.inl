@@ -45,8 +45,8 @@ inline void add_weighted(Floats3& sum, Floats weight, const Vec3& color) {
         sum[c] = sum[c] + weight * splat(color[c]);
 }
 
-// n_dot_light and n_dot_half: of the side's normal. The specular term is 0 where the light is
-// behind the surface.
+// n_dot_light and n_dot_half: of the side's normal. Where the light is behind the surface the
+// diffuse and specular weights are exactly 0, so that leaving the terms out changes nothing.
 inline void add_light(const LightSource& light,
                       const MaterialSide& side,
                       const LightRay& ray,
@@ -56,10 +56,10 @@ inline void add_light(const LightSource& light,
     const Mask lit = n_dot_light > splat(0.0f);
     add_weighted(sums.ambient, ray.weight, light.ambient);
     if (!any(lit)) return;
-    add_weighted(sums.diffuse, ray.weight * zero_unless(lit, n_dot_light), light.diffuse);
+    add_weighted(sums.diffuse, zero_unless(lit, ray.weight * n_dot_light), light.diffuse);
     if (side.has_specular) {
         const Floats highlight = power_lanes(n_dot_half, splat(side.shininess));
-        add_weighted(sums.specular, ray.weight * zero_unless(lit, highlight), light.specular);
+        add_weighted(sums.specular, zero_unless(lit, ray.weight * highlight), light.specular);
     }
 }
 
