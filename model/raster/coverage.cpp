@@ -1,8 +1,7 @@
 // The SIMD form of cover_tile: one vector operation an edge and 4 to 16 pixels.
 
-// The targets that matter: x86-64's baseline, SSE4, AVX2, AVX-512; elsewhere all.
-#define HWY_DISABLED_TARGETS                                                                       \
-    (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#include "model/raster/simd_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/raster/coverage.cpp"
 

@@ -19,9 +19,9 @@
 
 namespace ffgpu {
 
-// What the evaluation of a batch's planes shares.
+// What the evaluation of a batch's planes shares: pixels relative to the tile's corner, and w.
 struct PerspectivePlanes {
-    alignas(64) std::array<float, BatchFragments> w;
+    alignas(64) std::array<float, BatchFragments> x, y, w;
 };
 
 void interpolate_depth(std::span<const BatchRun> runs, FragmentBatch& batch);
