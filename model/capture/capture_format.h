@@ -21,8 +21,9 @@ struct Header {
     std::uint32_t version = Version;
     std::uint32_t register_map = 0; // register_map_fingerprint() of the writer
     std::uint64_t memory_bytes = 0; // of the device
+    std::uint32_t first_frame = 0;  // the number of the first frame
 };
-constexpr std::size_t HeaderBytes = Magic.size() + 16;
+constexpr std::size_t HeaderBytes = Magic.size() + 20;
 
 enum class Record : std::uint8_t {
     WriteMemory = 1, // u32 address, u32 bytes, the bytes

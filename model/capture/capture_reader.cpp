@@ -44,6 +44,7 @@ void CaptureReader::read_header() {
     std::memcpy(&header.version, bytes.data() + 8, 4);
     std::memcpy(&header.register_map, bytes.data() + 12, 4);
     std::memcpy(&header.memory_bytes, bytes.data() + 16, 8);
+    std::memcpy(&header.first_frame, bytes.data() + 24, 4);
     if (header.version != Version)
         throw InputError(path_ + ": capture version " + std::to_string(header.version) +
                          "; version " + std::to_string(Version) + " can be read");
@@ -54,6 +55,7 @@ void CaptureReader::read_header() {
         throw InputError(path_ + ": byte 16: expected a memory of at most " + std::to_string(Most) +
                          " bytes, found " + std::to_string(header.memory_bytes));
     memory_size_ = header.memory_bytes;
+    first_frame_ = header.first_frame;
     check_ = CommandCheck(memory_size_);
 }
 

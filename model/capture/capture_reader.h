@@ -33,6 +33,9 @@ public:
     // Of the device that was captured; one to play it on needs as much.
     std::uint64_t memory_size() const { return memory_size_; }
 
+    // The number that the first frame had when it was captured.
+    std::uint32_t first_frame() const { return first_frame_; }
+
     // Plays up to the end of the next frame; nothing at the end of the capture.
     std::optional<ShownPicture> play_frame(Device& device);
 
@@ -60,6 +63,7 @@ private:
     std::string path_;
     std::unique_ptr<std::FILE, Close> file_;
     std::uint64_t memory_size_ = 0;
+    std::uint32_t first_frame_ = 0;
     std::uint64_t file_position_ = 0;
     std::uint64_t chunk_position_ = 0; // of the chunk, in the file
     std::vector<std::byte> compressed_;

@@ -26,7 +26,7 @@ CaptureWriter::CaptureWriter(Device& device)
 
 CaptureWriter::~CaptureWriter() = default; // Without end() the file shows that it is not whole.
 
-void CaptureWriter::begin(const std::string& path) {
+void CaptureWriter::begin(const std::string& path, std::uint32_t first_frame) {
     path_ = path;
     file_.reset(std::fopen(path.c_str(), "wb"));
     if (!file_) throw InputError(path + ": cannot be written: " + std::strerror(errno));
@@ -35,6 +35,7 @@ void CaptureWriter::begin(const std::string& path) {
     put_u32(register_map_fingerprint());
     const std::uint64_t memory = device_.memory_size();
     put_bytes(&memory, sizeof memory);
+    put_u32(first_frame);
     write_file(chunk_.data(), chunk_.size());
     chunk_.clear();
     record_snapshot();

@@ -22,7 +22,7 @@ public:
     ~CaptureWriter() override;
 
     // Throws InputError if the file cannot be written; so do end() and the calls between them.
-    void begin(const std::string& path);
+    void begin(const std::string& path, std::uint32_t first_frame);
     void end();
     bool is_recording() const { return file_ != nullptr; }
 

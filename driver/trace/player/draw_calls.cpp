@@ -51,14 +51,20 @@ std::uint64_t vertices_used(std::span<const std::byte> bytes, GLenum type, const
 
 void TracePlayer::set_array(const GlCommand* command, Call& call) {
     const gl::Context& context = *gl::current_context();
-    play_plain(*command, call);
     const Value& pointer = call.argument(call.argument_count() - 1);
-    if (pointer.kind != ValueKind::Blob) return;
+    if (pointer.kind != ValueKind::Blob) {
+        play_plain(*command, call);
+        return;
+    }
+    Blob copy; // For when the call is played again.
+    if (options_.keep_last_frame) copy.append(call.blob(pointer).data(), call.blob(pointer).size());
+    play_plain(*command, call);
     // An array is told by its command, and the texture unit it is for.
     const auto* const key =
         reinterpret_cast<const char*>(command) + context.client.arrays.active_unit;
     static_assert(sizeof(GlCommand) > TextureUnits);
     memory_.keep_array(context, key, call.blob(pointer));
+    if (options_.keep_last_frame) call.blob(pointer).swap(copy);
 }
 
 void TracePlayer::draw_checked(const GlCommand* command, Call& call, std::uint64_t vertices) {

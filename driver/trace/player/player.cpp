@@ -3,6 +3,8 @@
 #include "driver/context/current.h"
 #include "driver/trace/player/names.h"
 
+#include <utility>
+
 namespace ffgpu::trace {
 namespace {
 
@@ -60,10 +62,20 @@ std::optional<ShownFrame> TracePlayer::play_frame() {
     while (Call* const call = trace_.next()) {
         play(*call);
         ++calls_played_;
-        if (const std::optional<Surface> shown = windows_.take_shown()) [[unlikely]]
+        if (options_.keep_last_frame) this_frame_.push_back(trace_.take());
+        if (const std::optional<Surface> shown = windows_.take_shown()) [[unlikely]] {
+            last_frame_ = std::exchange(this_frame_, {});
             return ShownFrame{frames_++, *shown};
+        }
     }
     return std::nullopt;
+}
+
+bool TracePlayer::repeat_last_frame() {
+    for (const std::unique_ptr<Call>& call : last_frame_)
+        play(*call);
+    windows_.take_shown();
+    return !last_frame_.empty();
 }
 
 void TracePlayer::play(Call& call) {

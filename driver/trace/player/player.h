@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -33,6 +34,8 @@ public:
         std::function<void(const std::string& line)> warn = [](const std::string&) {};
         // Reports each GL error as a warning, with the number of its call.
         bool report_errors = false;
+        // Keeps the calls of the last frame for repeat_last_frame().
+        bool keep_last_frame = false;
     };
 
     TracePlayer(Device& device, TraceReader& trace, Options options);
@@ -40,6 +43,9 @@ public:
     // Plays up to the end of the next frame; nothing at the end of the trace, where also what
     // follows the last frame has been played. Throws InputError as the reader does.
     std::optional<ShownFrame> play_frame();
+
+    // Plays the calls of the last frame again. False if they were not kept.
+    bool repeat_last_frame();
 
     std::uint64_t calls_played() const { return calls_played_; }
 
@@ -88,6 +94,7 @@ private:
     std::set<std::string> warned_;
     std::uint64_t calls_played_ = 0;
     std::uint64_t frames_ = 0;
+    std::vector<std::unique_ptr<Call>> this_frame_, last_frame_; // with keep_last_frame
 };
 
 } // namespace ffgpu::trace

@@ -68,7 +68,8 @@ void TracePlayer::generate_names(const GlCommand* command, Call& call) {
         if (name == "GenBuffers") take_name(shared.buffers, object);
         if (name == "GenRenderbuffers") take_name(shared.renderbuffers, object);
         if (name == "GenFramebuffers") take_name(shared.framebuffers, object);
-        if (name == "GenQueries") context.queries.objects.try_emplace(object);
+        if (name == "GenVertexArrays") take_name(context.vertex_array_objects, object);
+        if (name == "GenQueries") take_name(context.queries.names, object);
     });
 }
 
@@ -129,6 +130,7 @@ TracePlayer::Special TracePlayer::find_special(std::string_view name) {
         {"glGenTextures", &P::generate_names},
         {"glGenBuffers", &P::generate_names},
         {"glGenQueries", &P::generate_names},
+        {"glGenVertexArrays", &P::generate_names},
         {"glGenFramebuffers", &P::generate_names},
         {"glGenRenderbuffers", &P::generate_names},
         {"glGenLists", &P::generate_lists},

@@ -32,6 +32,9 @@ public:
     // naming the file, the place, and what was expected.
     Call* next();
 
+    // Keeps the call that next() returned last beyond the next next().
+    std::unique_ptr<Call> take() { return std::move(delivered_); }
+
     // Back to the first call.
     void rewind();
 

@@ -1,0 +1,46 @@
+#include "tools/commands/command_line.h"
+
+#include "model/base/input_error.h"
+#include "tools/commands/commands.h"
+
+#include <cstdio>
+#include <new>
+
+#include <CLI/CLI.hpp>
+
+namespace ffgpu::tools {
+namespace {
+
+constexpr int Done = 0, BadInput = 2;
+
+int fail(const char* message) {
+    std::fprintf(stderr, "ffgpu: %s\n", message);
+    return BadInput;
+}
+
+} // namespace
+
+int run_command_line(int count, const char* const* arguments, const char* version) {
+    CLI::App application("ffgpu: a deterministic emulator of a fixed-function GPU", "ffgpu");
+    application.set_version_flag("--version", std::string("ffgpu ") + version);
+    application.require_subcommand(1);
+    application.footer("Each verb has --help with an example: ffgpu replay --help\n"
+                       "Exit status: 0 done, 1 a comparison failed, 2 bad input or usage.");
+    Run run;
+    add_replay_command(application, run);
+    add_compare_command(application, run);
+    add_config_command(application, run);
+    try {
+        application.parse(count, arguments);
+        return run();
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == Done) return application.exit(error); // --help, --version
+        return fail((std::string(error.what()) + " (ffgpu --help lists the verbs)").c_str());
+    } catch (const InputError& error) {
+        return fail(error.what());
+    } catch (const std::bad_alloc&) {
+        return fail("out of memory: of the host, or of the device for what it is given to draw");
+    }
+}
+
+} // namespace ffgpu::tools

@@ -1,0 +1,20 @@
+// The verbs of the command line. Each adds itself with its options and an example to the
+// application, and sets `run`, which main() calls: it returns the exit status.
+
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace ffgpu::tools {
+
+using Run = std::function<int()>;
+
+void add_replay_command(CLI::App& application, Run& run);
+void add_compare_command(CLI::App& application, Run& run);
+void add_config_command(CLI::App& application, Run& run);
+
+} // namespace ffgpu::tools

@@ -1,0 +1,176 @@
+#include "tools/config/config_file.h"
+
+#include "model/base/input_error.h"
+#include "tools/config/nearest_name.h"
+
+#include <bit>
+#include <fstream>
+#include <sstream>
+#include <type_traits>
+#include <vector>
+
+#include <fmt/format.h>
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+namespace ffgpu::tools {
+namespace {
+
+std::string place(const std::string& source, const toml::node& node) {
+    const toml::source_position at = node.source().begin;
+    return at.line == 0 ? source : fmt::format("{}:{}", source, at.line);
+}
+
+std::string choices(const ParameterInfo& info) {
+    return fmt::format("\"{}\"", fmt::join(info.choices, "\", \""));
+}
+
+std::string range(const ParameterInfo& info) {
+    if (!info.choices.empty()) return choices(info);
+    return fmt::format(
+        "{} to {}{}", info.minimum, info.maximum, info.power_of_two ? ", a power of two" : "");
+}
+
+template <class Field>
+void set_number(Field& field,
+                const toml::node& node,
+                const ParameterInfo& info,
+                const std::string& where) {
+    const auto* const value = node.as_integer();
+    if (!value) throw InputError(fmt::format("{}: expected an integer, {}", where, range(info)));
+    const std::int64_t number = value->get();
+    if (number < info.minimum || number > info.maximum ||
+        (info.power_of_two && !std::has_single_bit(static_cast<std::uint64_t>(number))))
+        throw InputError(fmt::format("{}: expected {}, found {}", where, range(info), number));
+    field = static_cast<Field>(number);
+}
+
+template <class Field>
+void set_choice(Field& field,
+                const toml::node& node,
+                const ParameterInfo& info,
+                const std::string& where) {
+    const auto* const value = node.as_string();
+    for (std::size_t i = 0; value && i < info.choices.size(); ++i) {
+        if (value->get() != info.choices[i]) continue;
+        field = static_cast<Field>(i);
+        return;
+    }
+    throw InputError(fmt::format("{}: expected one of {}{}",
+                                 where,
+                                 choices(info),
+                                 value ? ", found \"" + value->get() + "\"" : ""));
+}
+
+template <class Field>
+void set_field(Field& field,
+               const toml::node& node,
+               const ParameterInfo& info,
+               const std::string& where) {
+    if constexpr (std::is_same_v<Field, bool>) {
+        const auto* const value = node.as_boolean();
+        if (!value) throw InputError(where + ": expected true or false");
+        field = value->get();
+    } else if constexpr (std::is_enum_v<Field>) {
+        set_choice(field, node, info, where);
+    } else {
+        set_number(field, node, info, where);
+    }
+}
+
+template <class Group>
+void set_group(Group& group,
+               std::string_view group_name,
+               const toml::table& table,
+               const std::string& source) {
+    for (const auto& [key, node] : table) {
+        bool found = false;
+        std::vector<std::string> names;
+        const std::string path = fmt::format("{}.{}", group_name, key.str());
+        Group::visit(group, [&](std::string_view name, auto& field, const ParameterInfo& info) {
+            names.push_back(fmt::format("{}.{}", group_name, name));
+            if (name != key.str()) return;
+            found = true;
+            set_field(field, node, info, place(source, node) + ": " + path);
+        });
+        if (!found)
+            throw InputError(fmt::format("{}: unknown parameter {}; did you mean {}?",
+                                         place(source, node),
+                                         path,
+                                         nearest_name(path, names)));
+    }
+}
+
+void apply(const toml::table& tables, const std::string& source, Configuration& configuration) {
+    for (const auto& [key, node] : tables) {
+        bool found = false;
+        std::vector<std::string> names;
+        Configuration::visit(configuration, [&](std::string_view name, auto& group) {
+            names.emplace_back(name);
+            if (name != key.str()) return;
+            found = true;
+            if (!node.is_table())
+                throw InputError(
+                    fmt::format("{}: {} is a table of parameters", place(source, node), key.str()));
+            set_group(group, name, *node.as_table(), source);
+        });
+        if (!found)
+            throw InputError(fmt::format("{}: unknown table {}; did you mean {}?",
+                                         place(source, node),
+                                         key.str(),
+                                         nearest_name(key.str(), names)));
+    }
+}
+
+toml::table parse(const std::string& text, const std::string& source) {
+    try {
+        return toml::parse(text, source);
+    } catch (const toml::parse_error& error) {
+        throw InputError(fmt::format(
+            "{}:{}: {}", source, error.source().begin.line, std::string(error.description())));
+    }
+}
+
+template <class Field>
+std::string written(const Field& field, const ParameterInfo& info) {
+    if constexpr (std::is_same_v<Field, bool>) {
+        return field ? "true" : "false";
+    } else if constexpr (std::is_enum_v<Field>) {
+        return fmt::format("\"{}\"", info.choices[static_cast<std::size_t>(field)]);
+    } else {
+        return std::to_string(field);
+    }
+}
+
+} // namespace
+
+void read_config_file(const std::string& path, Configuration& configuration) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    if (!file || !(text << file.rdbuf())) throw InputError(path + ": cannot be read");
+    apply(parse(text.str(), path), path, configuration);
+}
+
+void apply_setting(const std::string& setting, Configuration& configuration) {
+    apply(parse(setting, "--set"), "--set", configuration);
+}
+
+std::string to_toml(const Configuration& configuration) {
+    std::string text = "# ffgpu's configuration. Each line: the parameter; its unit, range, "
+                       "meaning.\n";
+    Configuration::visit(configuration, [&](std::string_view group_name, const auto& group) {
+        text += fmt::format("\n[{}]\n", group_name);
+        std::remove_cvref_t<decltype(group)>::visit(
+            group, [&](std::string_view name, const auto& field, const ParameterInfo& info) {
+                const std::string line = fmt::format("{} = {}", name, written(field, info));
+                const std::string unit = info.unit.empty() ? "" : fmt::format("{}, ", info.unit);
+                const std::string values =
+                    std::is_same_v<std::remove_cvref_t<decltype(field)>, bool> ? "true or false"
+                                                                               : range(info);
+                text += fmt::format("{:<32} # {}{}: {}\n", line, unit, values, info.meaning);
+            });
+    });
+    return text;
+}
+
+} // namespace ffgpu::tools

@@ -1,0 +1,22 @@
+// A range of frames as the command line gives it: "3-7", "3" or "3-".
+
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace ffgpu::tools {
+
+struct FrameRange {
+    std::uint64_t first = 0;
+    std::uint64_t last = std::numeric_limits<std::uint64_t>::max(); // included
+
+    bool contains(std::uint64_t frame) const { return first <= frame && frame <= last; }
+    bool operator==(const FrameRange&) const = default;
+};
+
+// Throws InputError.
+FrameRange parse_frame_range(const std::string& text);
+
+} // namespace ffgpu::tools

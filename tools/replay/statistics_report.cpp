@@ -1,0 +1,162 @@
+#include "tools/replay/statistics_report.h"
+
+#include <map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace ffgpu::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr unsigned SchemaVersion = 1;
+
+// Counters by name, as they stood.
+using Snapshot = std::map<std::string, std::uint64_t>;
+
+Snapshot take(const StatisticsReport::Groups& groups) {
+    Snapshot values;
+    for (const StatisticsGroup* const group : groups)
+        for (const Counter& counter : group->counters())
+            values[std::string(counter.name())] = counter.value();
+    return values;
+}
+
+// In the order of declaration.
+Json difference(const StatisticsReport::Groups& groups, const Snapshot& before) {
+    Json json = Json::object();
+    for (const StatisticsGroup* const group : groups) {
+        for (const Counter& counter : group->counters()) {
+            const auto start = before.find(std::string(counter.name()));
+            json[std::string(counter.name())] =
+                counter.value() - (start == before.end() ? 0 : start->second);
+        }
+    }
+    return json;
+}
+
+void add_to(Json& totals, const Json& frame) {
+    for (const auto& [name, value] : frame.items()) {
+        if (value.is_object()) {
+            add_to(totals[name], value);
+        } else if (value.is_number_unsigned()) {
+            totals[name] = totals.value(name, std::uint64_t{0}) + value.get<std::uint64_t>();
+        }
+    }
+}
+
+template <class Field>
+Json parameter(const Field& field, const ParameterInfo& info) {
+    if constexpr (std::is_enum_v<Field>) {
+        return std::string(info.choices[static_cast<std::size_t>(field)]);
+    } else {
+        return field;
+    }
+}
+
+// All that decides a result. How many threads draw does not, nor, without timing, does the rest.
+Json describe(const Configuration& configuration, bool with_timing) {
+    Json json = Json::object();
+    Configuration::visit(configuration, [&](std::string_view group_name, const auto& group) {
+        using Group = std::remove_cvref_t<decltype(group)>;
+        if (!with_timing && !std::is_same_v<Group, GpuParameters>) return;
+        Json fields = Json::object();
+        Group::visit(group,
+                     [&](std::string_view name, const auto& field, const ParameterInfo& info) {
+                         if (name != "threads") fields[std::string(name)] = parameter(field, info);
+                     });
+        json[std::string(group_name)] = std::move(fields);
+    });
+    return json;
+}
+
+double per(std::uint64_t amount, std::uint64_t of) {
+    return of == 0 ? 0 : static_cast<double>(amount) / static_cast<double>(of);
+}
+
+} // namespace
+
+struct StatisticsReport::Content {
+    bool with_timing = false;
+    Json configuration;
+    Json frames = Json::array();
+    Json totals = Json::object();
+    Snapshot functional, timing;
+};
+
+StatisticsReport::StatisticsReport(const Configuration& configuration, bool with_timing)
+    : content_(std::make_unique<Content>()) {
+    content_->with_timing = with_timing;
+    content_->configuration = describe(configuration, with_timing);
+}
+
+StatisticsReport::~StatisticsReport() = default;
+
+void StatisticsReport::begin_frame(const Groups& functional, const Groups& timing) {
+    content_->functional = take(functional);
+    content_->timing = take(timing);
+}
+
+void StatisticsReport::end_frame(const Frame& frame,
+                                 const Groups& functional,
+                                 const Groups& timing,
+                                 const std::optional<timing::FrameTiming>& cycles) {
+    Json json = Json::object();
+    json["frame"] = frame.number;
+    json["width"] = frame.picture.width;
+    json["height"] = frame.picture.height;
+    Json counted = Json::object();
+    counted["api_calls"] = frame.api_calls;
+    counted["pixels"] = std::uint64_t{frame.picture.width} * frame.picture.height;
+    counted["functional"] = difference(functional, content_->functional);
+    if (content_->with_timing) {
+        counted["timing"] = Json::object();
+        counted["timing"]["total_cycles"] = cycles ? cycles->cycles : 0;
+        counted["timing"].update(difference(timing, content_->timing));
+    }
+    add_to(content_->totals, counted);
+    json.update(counted);
+    json["overdraw"] = per(counted["functional"].value("fragments_written", std::uint64_t{0}),
+                           counted["pixels"].get<std::uint64_t>());
+    if (cycles) {
+        Json draws = Json::array();
+        for (const timing::DrawCycles& draw : cycles->draws)
+            draws.push_back({{"draw", draw.draw}, {"cycles", draw.cycles}});
+        json["draws"] = std::move(draws);
+    }
+    content_->frames.push_back(std::move(json));
+}
+
+std::string StatisticsReport::to_json() const {
+    Json json = Json::object();
+    json["schema_version"] = SchemaVersion;
+    json["configuration"] = content_->configuration;
+    json["frame_count"] = content_->frames.size();
+    json["totals"] = content_->totals;
+    json["frames"] = content_->frames;
+    return json.dump(1) + "\n";
+}
+
+std::string StatisticsReport::summary() const {
+    const Json& totals = content_->totals;
+    const std::size_t frames = content_->frames.size();
+    if (frames == 0) return "no frames\n";
+    const auto total = [&](const char* group, const char* name) {
+        return totals.contains(group) ? totals[group].value(name, std::uint64_t{0}) : 0;
+    };
+    std::string text = fmt::format(
+        "{} frames, {} draws, {} primitives, {} fragments written, overdraw {:.2f}\n",
+        frames,
+        total("functional", "draws"),
+        total("functional", "primitives_in"),
+        total("functional", "fragments_written"),
+        per(total("functional", "fragments_written"), totals["pixels"].get<std::uint64_t>()));
+    if (content_->with_timing)
+        text += fmt::format("{} cycles, {:.0f} a frame\n",
+                            total("timing", "total_cycles"),
+                            per(total("timing", "total_cycles"), frames));
+    return text;
+}
+
+} // namespace ffgpu::tools

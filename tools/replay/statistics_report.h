@@ -1,0 +1,46 @@
+// StatisticsReport: stats.json. Equal for equal input and configuration, byte for byte: it holds no
+// time, no thread count, no path. docs/stats.md is its schema.
+
+#pragma once
+
+#include "model/base/statistics.h"
+#include "model/timing/gpu_timing.h"
+#include "tools/config/configuration.h"
+#include "tools/replay/frame_source.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ffgpu::tools {
+
+class StatisticsReport {
+public:
+    explicit StatisticsReport(const Configuration& configuration, bool with_timing);
+    ~StatisticsReport();
+
+    using Groups = std::vector<const StatisticsGroup*>;
+
+    // From here on a frame counts.
+    void begin_frame(const Groups& functional, const Groups& timing);
+
+    // What was counted since begin_frame() is the frame's. `cycles`: of the timing model.
+    void end_frame(const Frame& frame,
+                   const Groups& functional,
+                   const Groups& timing,
+                   const std::optional<timing::FrameTiming>& cycles);
+
+    // The whole file so far.
+    std::string to_json() const;
+
+    // A few lines for people.
+    std::string summary() const;
+
+private:
+    struct Content;
+    std::unique_ptr<Content> content_;
+};
+
+} // namespace ffgpu::tools
