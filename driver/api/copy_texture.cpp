@@ -73,17 +73,6 @@ converted_pixels(const PixelState& transfer, const Copy& copy, const std::byte* 
     return compress(to, texels.data(), copy.box.width, copy.box.height);
 }
 
-void copy_texels(Context& context, TextureObject& texture, ImageName name, const Copy& copy) {
-    if (copy.pixels.empty() || copy_on_device(context, texture, name, copy)) return;
-    const auto pixels = read_surface(context.device(), copy.source, copy.pixels);
-    const Format format = texture.level(name.face, name.level).format.format;
-    write_texels(device_memory(context),
-                 texture,
-                 name,
-                 copy.box,
-                 converted_pixels(context.state.pixel, copy, pixels.data(), format));
-}
-
 // The surface that an image of this format is copied from; the error is recorded where there is
 // none.
 std::optional<Surface> find_source(Context& context, BaseFormat base) {
@@ -102,6 +91,27 @@ std::optional<Surface> find_source(Context& context, BaseFormat base) {
     return is_depth(base) ? target.depth : target.color;
 }
 
+// The error of the source has been looked for.
+void copy_texels(Context& context,
+                 TextureObject& texture,
+                 ImageName name,
+                 const PixelRectangle& asked,
+                 const TexelBox& box) {
+    // First, because the source may be another level of the texture, which then moves with it.
+    make_resident(device_memory(context), texture);
+    const InternalFormat format = texture.level(name.face, name.level).format;
+    const auto source = find_source(context, format.base);
+    if (!source) return;
+    const Copy copy = clip_copy(*source, asked, box);
+    if (copy.pixels.empty() || copy_on_device(context, texture, name, copy)) return;
+    const auto pixels = read_surface(context.device(), copy.source, copy.pixels);
+    write_texels(device_memory(context),
+                 texture,
+                 name,
+                 copy.box,
+                 converted_pixels(context.state.pixel, copy, pixels.data(), format.format));
+}
+
 void copy_image(Context& context,
                 unsigned dimensions,
                 GLenum token,
@@ -116,17 +126,13 @@ void copy_image(Context& context,
         return context.error(GL_INVALID_ENUM);
     if (const GLenum error = definition_error(definition)) return context.error(error);
     if (is_too_large(definition)) return context.error(GL_INVALID_VALUE);
-    const auto source = find_source(context, base);
-    if (!source) return;
+    if (!find_source(context, base)) return;
 
     TextureObject& texture = bound_texture(context, *target);
     const ImageName name{target->face, static_cast<unsigned>(definition.level)};
-    // The source may be the very image that is defined anew: then it is read first.
-    const PixelRectangle asked{x, y, definition.size.width, definition.size.height};
-    const TexelBox box = whole_box(level_of(definition));
-    const Copy copy = clip_copy(*source, asked, box);
     define_image(device_memory(context), texture, name, level_of(definition), {});
-    copy_texels(context, texture, name, copy);
+    const PixelRectangle asked{x, y, definition.size.width, definition.size.height};
+    copy_texels(context, texture, name, asked, whole_box(texture.level(name.face, name.level)));
     finish_image_change(context, texture, name, true);
 }
 
@@ -144,10 +150,9 @@ void copy_part(Context& context,
     const ImageName name{target->face, static_cast<unsigned>(level)};
     const TextureLevel& image = texture.level(name.face, name.level);
     if (const GLenum error = part_error(image, *target, part)) return context.error(error);
-    const auto source = find_source(context, image.format.base);
-    if (!source || part.size.empty()) return;
+    if (!find_source(context, image.format.base) || part.size.empty()) return;
     const PixelRectangle asked{x, y, part.size.width, part.size.height};
-    copy_texels(context, texture, name, clip_copy(*source, asked, box_of(image, *target, part)));
+    copy_texels(context, texture, name, asked, box_of(image, *target, part));
     finish_image_change(context, texture, name, false);
 }
 

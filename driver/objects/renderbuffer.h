@@ -12,10 +12,10 @@ namespace ffgpu::gl {
 struct Renderbuffer {
     GLuint name = 0;
     GLenum internal_format = GL_RGBA;
-    InternalFormat format; // base None: it has no storage yet
+    InternalFormat format{}; // base None: it has no storage yet
     GLsizei width = 0, height = 0;
     GLsizei samples = 0; // always drawn with one sample a pixel
-    DeviceBlock block;
+    DeviceBlock block{};
 
     Surface surface() const {
         if (!block) return {};
