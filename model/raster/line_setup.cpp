@@ -44,13 +44,12 @@ std::int32_t from_centre(std::int32_t at) {
 }
 
 // Inside the open diamond |u| + |v| < 1/2 around the centre of the point's own pixel. On its
-// boundary the perturbation decides, that of x first.
+// boundary the perturbation decides, that of x: to the left.
 bool inside_diamond(const MajorLine& line, SubPixelPoint point) {
     const std::int32_t u = from_centre(point.x), v = from_centre(point.y);
     const std::int32_t distance = std::abs(u) + std::abs(v);
     if (distance != Half) return distance < Half;
-    const std::int32_t x = line.x_major ? u : v, y = line.x_major ? v : u;
-    return x != 0 ? x > 0 : y > 0;
+    return (line.x_major ? u : v) > 0;
 }
 
 struct Columns {

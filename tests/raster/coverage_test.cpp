@@ -1,8 +1,8 @@
 #include "tests/raster/raster_helpers.h"
 
-#include <catch2/catch.hpp>
-
 #include <map>
+
+#include <catch2/catch.hpp>
 
 using namespace ffgpu;
 using namespace ffgpu::test;

@@ -85,9 +85,7 @@ public:
     explicit Random(unsigned seed)
         : engine_(seed) {}
 
-    int below(int limit) {
-        return static_cast<int>(engine_() % static_cast<unsigned>(limit));
-    }
+    int below(int limit) { return static_cast<int>(engine_() % static_cast<unsigned>(limit)); }
     int between(int low, int high) { return low + below(high - low + 1); }
     float unit() { return static_cast<float>(engine_() >> 8) / 16777216.0f; }
 
