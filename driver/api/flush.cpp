@@ -6,11 +6,14 @@
 namespace ffgpu::gl::api {
 
 // What waited has been submitted before (the dispatcher settles the vertices), and the device takes
-// commands at once: there is nothing left to hurry.
-void Flush(Context&) {}
+// commands at once: all that is left is to show a front buffer.
+void Flush(Context& context) {
+    if (context.on_flush) context.on_flush();
+}
 
 void Finish(Context& context) {
     context.device().finish();
+    if (context.on_flush) context.on_flush();
 }
 
 } // namespace ffgpu::gl::api

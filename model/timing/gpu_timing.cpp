@@ -66,7 +66,7 @@ CacheConfig vertex_cache(const VertexConfig& config) {
 // The block diagram. Members are made in this order: clock, memory ports, links, units.
 class GpuTiming::Machine {
 public:
-    explicit Machine(const TimingConfig& wanted)
+    Machine(const TimingConfig& wanted, std::uint32_t evaluation_order)
         : config(wanted)
         , addresses(config)
         , clock("clock", [this] { return must_wait(); })
@@ -177,6 +177,7 @@ public:
         connect_memory(color, color_port.requests, color_port.responses);
         memory.connect(arbiter);
         arbiter.socket.bind(memory.socket);
+        attach_units(evaluation_order);
     }
 
     // Runs until the command processor has nothing left to read.
@@ -248,6 +249,17 @@ public:
     std::function<void(const QuadRetired&)> on_retire;
 
 private:
+    // In the order of the pipe, or shuffled by a linear congruential generator.
+    void attach_units(std::uint32_t seed) {
+        auto order = units();
+        for (std::size_t i = order.size() - 1; i > 0 && seed != 0; --i) {
+            seed = seed * 1664525u + 1013904223u;
+            std::swap(order[i], order[(seed >> 16) % (i + 1)]);
+        }
+        for (Unit* unit : order)
+            unit->attach();
+    }
+
     bool must_wait() const { return command_processor.starves(); }
 
     void connect_memory(Unit& unit, RequestPort& requests, Channel<std::uint64_t>& responses) {
@@ -274,10 +286,10 @@ private:
     }
 };
 
-GpuTiming::GpuTiming(const TimingConfig& config)
+GpuTiming::GpuTiming(const TimingConfig& config, std::uint32_t evaluation_order)
     : context_(std::make_unique<SimulationContext>()) {
     const SimulationContext::Scope scope(*context_);
-    machine_ = std::make_unique<Machine>(config);
+    machine_ = std::make_unique<Machine>(config, evaluation_order);
 }
 
 GpuTiming::~GpuTiming() {

@@ -42,7 +42,9 @@ class SimulationContext;
 
 class GpuTiming final : public WorkSink {
 public:
-    explicit GpuTiming(const TimingConfig& config);
+    // `evaluation_order`: a seed by which the units' order of evaluation is shuffled; for the test
+    // that proves it invisible.
+    explicit GpuTiming(const TimingConfig& config, std::uint32_t evaluation_order = 0);
     ~GpuTiming() override;
 
     void bin(const WorkBin& bin) override;

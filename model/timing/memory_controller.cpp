@@ -128,7 +128,7 @@ Activity MemoryController::step() {
         accept_arrivals(channel);
         issue(channel);
         moving |= channel.bus_free_at > now();
-        waiting |= !channel.queue.empty() || !channel.arrivals->holds_nothing();
+        waiting |= !channel.queue.empty() || channel.arrivals->can_pop();
     }
     return moving ? Activity::Busy : waiting ? Activity::StalledMemory : Activity::Idle;
 }

@@ -26,18 +26,21 @@ public:
         if (asleep_) wake_.notify(sc_core::SC_ZERO_TIME);
     }
 
-    bool asleep() const { return asleep_; }
+    // Makes the unit a method of the clock's edge. Units are called in the order in which they were
+    // attached; no result depends on it.
+    void attach() {
+        sc_core::sc_spawn_options options;
+        options.spawn_method();
+        options.dont_initialize();
+        options.set_sensitivity(&clock_.edge());
+        sc_core::sc_spawn([this] { on_edge(); }, sc_core::sc_gen_unique_name("on_edge"), &options);
+    }
 
 protected:
     Unit(sc_core::sc_module_name name, const Clock& clock)
         : sc_module(name)
         , clock_(clock)
-        , account_(static_cast<const char*>(name)) {
-        SC_HAS_PROCESS(Unit);
-        SC_METHOD(on_edge);
-        sensitive << clock.edge();
-        dont_initialize();
-    }
+        , account_(static_cast<const char*>(name)) {}
 
     // One cycle. Reads channels as they stood when the cycle began.
     virtual Activity step() = 0;
@@ -61,7 +64,7 @@ private:
         accounted_ = clock_.now();
         if (last_ != Activity::Busy && may_sleep()) {
             asleep_ = true;
-            next_trigger(wake_);
+            sc_core::next_trigger(wake_);
         }
     }
 

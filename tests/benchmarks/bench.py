@@ -91,7 +91,7 @@ def rates(library, environment):
 
 
 def bench_rates(options):
-    ours = rates(os.path.join(options.build, "driver", "offscreen", "libOSMesa.so.8"), dict(os.environ, FFGPU_THREADS=str(options.threads)))
+    ours = rates(os.path.join(options.build, "driver", "OSMesa", "libOSMesa.so.8"), dict(os.environ, FFGPU_THREADS=str(options.threads)))
     mesa = next((path for path in OSMESA if os.path.exists(path)), None)
     peers = {peer: rates(mesa, mesa_environment(peer, options.threads)) if mesa else {} for peer in PEERS}
     print(f"\nRates through an off-screen context, 640x480, {options.threads} thread(s); million a second")

@@ -15,12 +15,10 @@ namespace {
 
 using Figures = std::map<std::string, std::uint64_t>;
 
-Figures run(const TimingConfig& config, const Scene& scene, unsigned frames = 1) {
-    GpuTiming timing(config);
-    for (unsigned frame = 0; frame < frames; ++frame) {
-        timing.bin(make_bin(scene));
-        timing.end_frame(frame);
-    }
+Figures run(const TimingConfig& config, const Scene& scene, std::uint32_t evaluation_order = 0) {
+    GpuTiming timing(config, evaluation_order);
+    timing.bin(make_bin(scene));
+    timing.end_frame(0);
     Figures figures;
     for (const StatisticsGroup* group : timing.statistics()) {
         for (const Counter& counter : group->counters())
@@ -98,8 +96,21 @@ TEST_CASE("every unit accounts for every cycle, every cache for every access") {
     CHECK(figures.at("memory_texture_read_bytes") == figures.at("texel_cache_read_bytes"));
 }
 
-TEST_CASE(
-    "the same stream takes the same cycles, also when it comes in two frames of one machine") {
+TEST_CASE("the order in which the units are evaluated changes no figure") {
+    TimingConfig narrow; // Full queues and refused requests everywhere.
+    narrow.texel_cache.fragment_fifo = 3;
+    narrow.texel_cache.outstanding_lines = 2;
+    narrow.fragment.queue = 2;
+    narrow.raster.quads_per_cycle = 2;
+    narrow.memory.queue = 2;
+    for (const TimingConfig& config : {TimingConfig{}, narrow}) {
+        const Figures in_pipe_order = run(config, floor_scene(256));
+        for (const std::uint32_t seed : {1u, 2u, 3u, 4u, 5u})
+            CHECK(run(config, floor_scene(256), seed) == in_pipe_order);
+    }
+}
+
+TEST_CASE("a second machine in the same process takes the same cycles") {
     const Figures once = run(TimingConfig{}, floor_scene(256));
     CHECK(run(TimingConfig{}, floor_scene(256)) == once);
 }
