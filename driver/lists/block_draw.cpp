@@ -87,7 +87,6 @@ void execute_block(Context& context, VertexBlock& block) {
     for (std::size_t a = 1; a < Attributes; ++a) {
         if (block.sets >> a & 1) current.of(static_cast<Attribute>(a)) = block.last[a];
     }
-    context.dirty.mark(Dirty::Current);
 }
 
 } // namespace ffgpu::gl

@@ -132,12 +132,10 @@ void ImmediateVertices::store_current() {
         const auto attribute = static_cast<Attribute>(a);
         context_.state.current.of(attribute) = pending_value(attribute);
     }
-    context_.dirty.mark(Dirty::Current);
 }
 
 void ImmediateVertices::outside_attribute(Attribute attribute, unsigned, const Vec4& value) {
     context_.state.current.of(attribute) = value;
-    context_.dirty.mark(Dirty::Current);
 }
 
 bool ImmediateVertices::enters(Attribute attribute, Vec4& before) {

@@ -1,0 +1,16 @@
+// glEvalCoord: the vertex that the enabled maps make at a parameter (GL 1.5, 5.1).
+
+#pragma once
+
+namespace ffgpu::gl {
+
+class Context;
+
+void evaluate_vertex_1(Context& context, float u);
+void evaluate_vertex_2(Context& context, float u, float v);
+
+// Parameters of the grid's line i (glMapGrid).
+struct EvaluatorGrid;
+float grid_parameter(const EvaluatorGrid& grid, int i);
+
+} // namespace ffgpu::gl
