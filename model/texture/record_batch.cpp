@@ -36,19 +36,22 @@ HWY_INLINE VI marked(const TextureUnit& unit, VI index, VI size) {
     return hn::IfThenElse(stored.outside, constant(TexelAccess::BorderTexel), stored.index);
 }
 
-// Both indices of one axis in a word.
+// Both indices of one axis in a word, for one kind of filter ...
+template <bool Linear>
+HWY_INLINE VI filter_word(const TextureUnit& unit, unsigned axis, VF folded, const AxisLevel& at) {
+    const AxisTexelVectors texels = axis_texels<Linear>(unit, axis, folded, at);
+    const VI upper = hn::ShiftLeft<16>(marked(unit, texels.second, at.size));
+    return hn::Or(marked(unit, texels.first, at.size), upper);
+}
+
+// ... and for the filter of each lane.
 HWY_INLINE VI index_word(const TextureUnit& unit, unsigned axis, VF coordinate, const Pass& pass) {
     const AxisLevel at = axis_level(unit, axis, pass.level);
     const VF folded = fold_coordinate(unit.linear_rules[axis].fold, coordinate, unit.extent[axis]);
-    AxisTexelVectors texels{at.size, at.size, at.size};
-    if (pass.any_nearest) texels = axis_texels<false>(unit, axis, folded, at);
-    if (pass.any_linear) {
-        const AxisTexelVectors two = axis_texels<true>(unit, axis, folded, at);
-        texels.first = hn::IfThenElse(pass.linear, two.first, texels.first);
-        texels.second = hn::IfThenElse(pass.linear, two.second, texels.second);
-    }
-    const VI upper = hn::ShiftLeft<16>(marked(unit, texels.second, at.size));
-    return hn::Or(marked(unit, texels.first, at.size), upper);
+    if (!pass.any_nearest) return filter_word<true>(unit, axis, folded, at);
+    const VI nearest = filter_word<false>(unit, axis, folded, at);
+    if (!pass.any_linear) return nearest;
+    return hn::IfThenElse(pass.linear, filter_word<true>(unit, axis, folded, at), nearest);
 }
 
 HWY_INLINE VI head_word(const TextureUnit& unit, unsigned lane, const Pass& pass) {

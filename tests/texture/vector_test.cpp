@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include <catch2/catch.hpp>
+#include <hwy/targets.h>
 
 namespace ffgpu::test {
 namespace {
@@ -148,9 +149,9 @@ void compare_batches(const TextureUnit& unit, Random& random) {
     CHECK(same_texels);
 }
 
-TEST_CASE("the vector stages equal the reference bit for bit, and the work stream its reads") {
-    Random random(20030729);
-    for (unsigned state = 0; state < 6000; ++state) {
+void compare_states(unsigned seed, unsigned states) {
+    Random random(seed);
+    for (unsigned state = 0; state < states; ++state) {
         TextureMemory memory(random_shape(random), 64 * below(random, 4));
         memory.fill_random(random);
         const Sampler sampler = random_sampler(random);
@@ -163,6 +164,27 @@ TEST_CASE("the vector stages equal the reference bit for bit, and the work strea
         for (unsigned batch = 0; batch < 3; ++batch)
             compare_batches(unit, random);
     }
+}
+
+TEST_CASE("the vector stages equal the reference bit for bit, and the work stream its reads") {
+    compare_states(20030729, 4000); // With the processor's best instruction set.
+}
+
+TEST_CASE("every instruction set gives the reference's bits") {
+    const std::int64_t supported = hwy::SupportedTargets();
+    for (const std::int64_t target : {std::int64_t{HWY_SSE4}, std::int64_t{HWY_AVX2}}) {
+        if ((supported & target) == 0) continue;
+        INFO("target " << hwy::TargetName(target));
+        hwy::SetSupportedTargetsForTest(target);
+        compare_states(static_cast<unsigned>(target), 2000);
+    }
+    hwy::SetSupportedTargetsForTest(0);
+}
+
+TEST_CASE("a processor without vectors gives the reference's bits") {
+    hwy::SetSupportedTargetsForTest(HWY_STATIC_TARGET);
+    compare_states(7, 100);
+    hwy::SetSupportedTargetsForTest(0);
 }
 
 } // namespace
