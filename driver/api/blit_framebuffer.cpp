@@ -17,7 +17,7 @@ GLenum arguments_error(GLbitfield mask, GLenum filter) {
     return GL_NO_ERROR;
 }
 
-PixelRectangle rectangle_of(const Scissor& scissor) {
+PixelRectangle rectangle_of(const ffgpu::Scissor& scissor) {
     return {scissor.x, scissor.y, scissor.width, scissor.height};
 }
 
