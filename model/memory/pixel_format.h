@@ -45,8 +45,8 @@ constexpr std::uint32_t quantize(std::uint32_t value, std::uint32_t maximum) {
     return (value * maximum + 127) / 255;
 }
 
-// 8 bits to 5 or 6, up or down by the place in the window: over a 4x4 block the levels' mean is
-// value (1 - 2^-bits) / 2^(8 - bits), next to value (2^bits - 1) / 255. `bayer` is 0 .. 15.
+// 8 bits to 5 or 6, up or down by the place in the window; `bayer` is 0 .. 15. Over a 4x4 block the
+// mean is within a quarter level of value (2^bits - 1) / 255.
 constexpr std::uint32_t dither(std::uint32_t value, unsigned bits, std::uint32_t bayer) {
     const unsigned dropped = 8 - bits;
     return (value - (value >> bits) + (bayer >> (4 - dropped))) >> dropped;

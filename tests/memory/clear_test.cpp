@@ -1,0 +1,170 @@
+#include "model/memory/clear.h"
+#include "model/memory/pixel_format.h"
+
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+using namespace ffgpu;
+
+namespace {
+
+constexpr std::uint32_t Old = 0x5a6b7c8d;
+
+struct ClearBench {
+    std::vector<std::byte> memory = std::vector<std::byte>(16384);
+    Registers registers;
+    ClearCommand clear;
+    Rectangle rectangle{2, 1, 7, 5};
+
+    ClearBench() {
+        for (std::size_t i = 0; i < memory.size(); i += 4)
+            store_word(memory.data() + i, Old);
+        registers.targets.color = surface(1024, Format::Rgba8);
+        registers.targets.depth = surface(4096, Format::Depth24Stencil8);
+    }
+
+    static Surface surface(DeviceAddress address, Format format) {
+        return {.address = address,
+                .format = format,
+                .width = 10,
+                .height = 8,
+                .stride = 11u * format_info(format).block_bytes};
+    }
+
+    // Runs the clear and requires that exactly the rectangle's pixels hold `expected(x, y)`.
+    template <class Word, class Expected>
+    void require_pixels(const Surface& target, Expected&& expected) {
+        std::vector<std::byte> wanted = memory;
+        for (int y = rectangle.y0; y < rectangle.y1; ++y)
+            for (int x = rectangle.x0; x < rectangle.x1; ++x)
+                store_word(pixel_address(target,
+                                         wanted,
+                                         static_cast<std::uint32_t>(x),
+                                         static_cast<std::uint32_t>(y)),
+                           static_cast<Word>(expected(x, y)));
+        clear_rectangle(clear, registers, rectangle, memory);
+        REQUIRE((memory == wanted));
+    }
+};
+
+} // namespace
+
+TEST_CASE("A colour clear fills the rectangle and no other byte") {
+    ClearBench bench;
+    bench.clear = {.color = true, .color_value = 0x11223344};
+    bench.require_pixels<std::uint32_t>(bench.registers.targets.color,
+                                        [](int, int) { return 0x11223344u; });
+}
+
+TEST_CASE("The colour write mask keeps the channels that are off, for each of the 16 masks") {
+    for (std::uint8_t mask = 0; mask < 16; ++mask) {
+        ClearBench bench;
+        bench.registers.blend.write_mask = mask;
+        bench.clear = {.color = true, .color_value = 0x11223344};
+        std::uint32_t bits = 0;
+        for (unsigned i = 0; i < 4; ++i)
+            if ((mask >> i & 1) != 0) bits |= 0xffu << 8 * i;
+        bench.require_pixels<std::uint32_t>(bench.registers.targets.color, [&](int, int) {
+            return (0x11223344u & bits) | (Old & ~bits);
+        });
+    }
+}
+
+TEST_CASE("Rgbx8 stores 255 as its fourth byte whatever the mask") {
+    ClearBench bench;
+    bench.registers.targets.color.format = Format::Rgbx8;
+    bench.registers.blend.write_mask = 0x1;
+    bench.clear = {.color = true, .color_value = 0x11223344};
+    bench.require_pixels<std::uint32_t>(bench.registers.targets.color, [](int, int) {
+        return 0xff000000u | (Old & 0x00ffff00u) | 0x44u;
+    });
+}
+
+TEST_CASE("Rgb565 is cleared under the mask, dithered if the draw is") {
+    for (const bool dithered : {false, true}) {
+        ClearBench bench;
+        bench.registers.targets.color = ClearBench::surface(1024, Format::Rgb565);
+        bench.registers.fragment.dither = dithered;
+        bench.registers.blend.write_mask = 0x5;
+        bench.clear = {.color = true, .color_value = 0x00818283};
+        const std::uint16_t old = static_cast<std::uint16_t>(Old);
+        REQUIRE((Old >> 16) != old);
+        const auto at = [&](int x, int y) {
+            return pixel_address(bench.registers.targets.color,
+                                 bench.memory,
+                                 static_cast<std::uint32_t>(x),
+                                 static_cast<std::uint32_t>(y));
+        };
+        std::vector<std::byte> before = bench.memory;
+        bench.require_pixels<std::uint16_t>(bench.registers.targets.color, [&](int x, int y) {
+            const std::uint16_t stored =
+                load_word<std::uint16_t>(before.data() + (at(x, y) - bench.memory.data()));
+            const std::uint16_t pixel = dithered ? dither_rgb565(0x00818283,
+                                                                 static_cast<std::uint32_t>(x),
+                                                                 static_cast<std::uint32_t>(y))
+                                                 : rgb565_from_rgba8(0x00818283);
+            return (pixel & 0xf81f) | (stored & 0x07e0);
+        });
+    }
+}
+
+TEST_CASE("Depth and stencil are cleared apart and together, stencil under its mask") {
+    ClearBench bench;
+    const Surface& target = bench.registers.targets.depth;
+    bench.registers.stencil.front.write_mask = 0x0f;
+    SECTION("depth keeps stencil") {
+        bench.clear = {.depth = true, .stencil_value = 0xff, .depth_value = 0x123456};
+        bench.require_pixels<std::uint32_t>(target,
+                                            [](int, int) { return 0x12345600u | (Old & 0xff); });
+    }
+    SECTION("stencil keeps depth and what is masked") {
+        bench.clear = {.stencil = true, .stencil_value = 0xa5, .depth_value = 0x123456};
+        bench.require_pixels<std::uint32_t>(target,
+                                            [](int, int) { return (Old & ~0x0fu) | 0x05u; });
+    }
+    SECTION("both") {
+        bench.clear = {
+            .depth = true, .stencil = true, .stencil_value = 0xa5, .depth_value = 0x123456};
+        bench.require_pixels<std::uint32_t>(
+            target, [](int, int) { return 0x12345600u | (Old & 0xf0u) | 0x05u; });
+    }
+    SECTION("a stencil mask of nothing") {
+        bench.registers.stencil.front.write_mask = 0;
+        bench.clear = {.stencil = true, .stencil_value = 0xa5};
+        bench.require_pixels<std::uint32_t>(target, [](int, int) { return Old; });
+    }
+}
+
+TEST_CASE("Depth16 takes the depth and has no stencil") {
+    ClearBench bench;
+    bench.registers.targets.depth = ClearBench::surface(4096, Format::Depth16);
+    bench.clear = {.depth = true, .stencil = true, .stencil_value = 1, .depth_value = 0xfedc};
+    bench.require_pixels<std::uint16_t>(bench.registers.targets.depth,
+                                        [](int, int) { return 0xfedc; });
+}
+
+TEST_CASE("Both colour targets are cleared") {
+    ClearBench bench;
+    bench.registers.targets.second_color = ClearBench::surface(8192, Format::Rgba8);
+    bench.clear = {.color = true, .color_value = 0x01020304};
+    clear_rectangle(bench.clear, bench.registers, bench.rectangle, bench.memory);
+    for (const Surface* target :
+         {&bench.registers.targets.color, &bench.registers.targets.second_color})
+        REQUIRE(load_word<std::uint32_t>(pixel_address(*target, bench.memory, 3, 3)) == 0x01020304);
+}
+
+TEST_CASE("A clear beyond the target or of a target beyond memory touches nothing outside") {
+    ClearBench bench;
+    bench.clear = {.color = true, .depth = true, .color_value = 1, .depth_value = 1};
+    const std::vector<std::byte> before = bench.memory;
+    SECTION("outside") {
+        bench.rectangle = {10, 8, 20, 20};
+    }
+    SECTION("beyond memory") {
+        bench.registers.targets.color.address = 16384 - 8;
+        bench.registers.targets.depth.address = 0xfffffff0;
+    }
+    clear_rectangle(bench.clear, bench.registers, bench.rectangle, bench.memory);
+    REQUIRE((bench.memory == before));
+}
