@@ -15,13 +15,11 @@ FragmentMask alpha_test_lanes(const FragmentControl& control, const FragmentBatc
     // Values below 2^15 compare the same as signed ones.
     const hn::RebindToSigned<D16> d;
     const auto reference = hn::Set(d, static_cast<std::int16_t>(control.alpha_reference));
-    FragmentMask passed;
-    for (unsigned i = 0; i < batch.lanes(); i += Lanes16) {
+    const FragmentMask passed = collect_mask<Lanes16>(batch.lanes(), [&](unsigned i) HWY_ATTR {
         const auto alpha = hn::BitCast(d, hn::Load(D16(), batch.color.a.data() + i));
-        const auto mask = compare_lanes(d, control.alpha_compare, alpha, reference);
-        set_mask_bits(passed, i, bits_from_mask(d, mask) & mask_bits(batch.live, i, Lanes16));
-    }
-    return passed;
+        return bits_from_mask(d, compare_lanes(d, control.alpha_compare, alpha, reference));
+    });
+    return both(passed, batch.live);
 }
 
 } // namespace

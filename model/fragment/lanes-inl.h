@@ -58,8 +58,25 @@ HWY_INLINE std::uint64_t mask_bits(const FragmentMask& mask, unsigned lane, unsi
     return mask.words[lane / 64] >> (lane % 64) & ((std::uint64_t{1} << lanes) - 1);
 }
 
-HWY_INLINE void set_mask_bits(FragmentMask& mask, unsigned lane, std::uint64_t bits) {
-    mask.words[lane / 64] |= bits << (lane % 64);
+// Calls bits(lane) for each vector of Lanes lanes, and gathers the bits that it returns into a
+// word before it is stored: a mask that grows in memory would chain the iterations.
+template <unsigned Lanes, class Bits>
+HWY_INLINE FragmentMask collect_mask(unsigned lanes, Bits&& bits) {
+    FragmentMask mask;
+    for (unsigned first = 0; first < lanes; first += 64) {
+        const unsigned end = lanes - first < 64 ? lanes - first : 64;
+        std::uint64_t word = 0;
+        for (unsigned i = 0; i < end; i += Lanes)
+            word |= bits(first + i) << i;
+        mask.words[first / 64] = word;
+    }
+    return mask;
+}
+
+HWY_INLINE FragmentMask both(FragmentMask a, const FragmentMask& b) {
+    for (unsigned i = 0; i < a.words.size(); ++i)
+        a.words[i] &= b.words[i];
+    return a;
 }
 
 template <class D>

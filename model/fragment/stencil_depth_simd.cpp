@@ -27,46 +27,37 @@ HWY_INLINE V32 set32(std::uint32_t value) {
 // --- Depth alone --------------------------------------------------------------------------------
 
 template <Compare Function>
-void test_depth(const FragmentBatch& batch, LaneWords& pixels, FragmentMask& passed) {
+FragmentMask test_depth(const FragmentBatch& batch, LaneWords& pixels) {
     const D32 d;
-    for (unsigned i = 0; i < batch.lanes(); i += Lanes32) {
+    return collect_mask<Lanes32>(batch.lanes(), [&](unsigned i) HWY_ATTR {
         std::uint32_t* pixel = pixels.data() + i;
         const V32 stored = hn::Load(d, pixel);
         const V32 depth = hn::Load(d, batch.depth.data() + i);
-        const M32 pass = compare_words(Function, depth, hn::ShiftRight<8>(stored));
         hn::Store(hn::Or(hn::ShiftLeft<8>(depth), hn::And(stored, set32(255))), d, pixel);
-        set_mask_bits(passed, i, bits_from_mask(d, pass) & mask_bits(batch.live, i, Lanes32));
-    }
+        return bits_from_mask(d, compare_words(Function, depth, hn::ShiftRight<8>(stored)));
+    });
 }
 
 FragmentMask test_depth_only(Compare function, const FragmentBatch& batch, LaneWords& pixels) {
-    FragmentMask passed;
     switch (function) {
     case Compare::Never:
-        break;
+        return {};
     case Compare::Less:
-        test_depth<Compare::Less>(batch, pixels, passed);
-        break;
+        return test_depth<Compare::Less>(batch, pixels);
     case Compare::Equal:
-        test_depth<Compare::Equal>(batch, pixels, passed);
-        break;
+        return test_depth<Compare::Equal>(batch, pixels);
     case Compare::Lequal:
-        test_depth<Compare::Lequal>(batch, pixels, passed);
-        break;
+        return test_depth<Compare::Lequal>(batch, pixels);
     case Compare::Greater:
-        test_depth<Compare::Greater>(batch, pixels, passed);
-        break;
+        return test_depth<Compare::Greater>(batch, pixels);
     case Compare::Notequal:
-        test_depth<Compare::Notequal>(batch, pixels, passed);
-        break;
+        return test_depth<Compare::Notequal>(batch, pixels);
     case Compare::Gequal:
-        test_depth<Compare::Gequal>(batch, pixels, passed);
-        break;
+        return test_depth<Compare::Gequal>(batch, pixels);
     case Compare::Always:
-        test_depth<Compare::Always>(batch, pixels, passed);
-        break;
+        return test_depth<Compare::Always>(batch, pixels);
     }
-    return passed;
+    return {};
 }
 
 // --- Everything
@@ -162,10 +153,10 @@ void test_face(const StencilDepthState& state,
         const V32 pixel = new_pixel(state, face, passes, depth, stored);
         hn::Store(hn::IfThenElse(tested, pixel, stored), d, at);
 
-        const M32 after_stencil = hn::And(tested, passes.stencil);
-        set_mask_bits(fates.after_stencil, i, bits_from_mask(d, after_stencil));
-        set_mask_bits(
-            fates.after_depth, i, bits_from_mask(d, hn::And(after_stencil, passes.depth)));
+        const M32 passed = hn::And(tested, passes.stencil);
+        fates.after_stencil.words[i / 64] |= bits_from_mask(d, passed) << (i % 64);
+        fates.after_depth.words[i / 64] |= bits_from_mask(d, hn::And(passed, passes.depth))
+                                           << (i % 64);
     }
 }
 
@@ -174,8 +165,8 @@ FragmentMask front_lanes(const FragmentBatch& batch) {
     FragmentMask mask;
     for (unsigned q = 0; q < batch.quad_count; ++q)
         if ((batch.front_facing[q / 64] >> (q % 64) & 1) != 0)
-            set_mask_bits(mask, 4 * q, batch.live.quad(q));
-    return mask;
+            mask.words[q / 16] |= std::uint64_t{0xf} << (4 * (q % 16));
+    return both(mask, batch.live);
 }
 
 FragmentMask difference(const FragmentMask& all, const FragmentMask& part) {
@@ -191,7 +182,7 @@ StencilDepthFates test_stencil_depth_lanes(const StencilDepthState& state,
     StencilDepthFates fates;
     if (!state.stencil && !state.depth.bounds_enable) {
         fates.after_stencil = batch.live;
-        fates.after_depth = test_depth_only(state.depth.compare, batch, pixels);
+        fates.after_depth = both(test_depth_only(state.depth.compare, batch, pixels), batch.live);
         return fates;
     }
     const FragmentMask front = front_lanes(batch), back = difference(batch.live, front);
