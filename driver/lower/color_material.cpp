@@ -2,7 +2,7 @@
 
 namespace ffgpu::gl {
 
-std::uint8_t tracked_colors(const ColorMaterial& color_material, unsigned face) {
+std::uint8_t tracked_colors(const ColorMaterialState& color_material, unsigned face) {
     if (!color_material.enable) return 0;
     if (color_material.face == (face == 0 ? GL_BACK : GL_FRONT)) return 0;
     switch (color_material.mode) {

@@ -66,9 +66,9 @@ struct StencilState {
     bool enable = false;
     bool two_side = false;
     GLenum active_face = GL_FRONT;
-    StencilFaceState front;
-    StencilFaceState back;          // ATI_separate_stencil
-    StencilFaceState two_side_back; // EXT_stencil_two_side
+    StencilFaceState front{};
+    StencilFaceState back{};          // ATI_separate_stencil
+    StencilFaceState two_side_back{}; // EXT_stencil_two_side
     GLint clear_value = 0;
 };
 

@@ -39,7 +39,7 @@ struct LightModel {
     GLenum color_control = GL_SINGLE_COLOR;
 };
 
-struct ColorMaterial {
+struct ColorMaterialState {
     bool enable = false;
     GLenum face = GL_FRONT_AND_BACK;
     GLenum mode = GL_AMBIENT_AND_DIFFUSE;
@@ -49,7 +49,7 @@ struct LightingState {
     bool enable = false;
     GLenum shade_model = GL_SMOOTH;
     LightModel model;
-    ColorMaterial color_material;
+    ColorMaterialState color_material;
     std::array<MaterialFace, 2> materials; // front, back
     std::array<LightSource, Lights> lights = [] {
         std::array<LightSource, Lights> all{};
