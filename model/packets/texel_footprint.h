@@ -12,7 +12,8 @@ namespace ffgpu {
 
 // One access of one fragment to one level: 1 texel (nearest), 2x1 (1-D linear), 2x2 (linear), and
 // twice that across two layers for 3-D linear. The texels are (x0|x1, y0|y1, layer0|layer1) after
-// wrapping; texels beyond the edge that the border colour stands for are marked by BorderTexel.
+// wrapping, counted in the stored image: from its border if it has one. Texels beyond the edge that
+// the border colour stands for are marked by BorderTexel.
 struct TexelAccess {
     static constexpr std::uint16_t BorderTexel = 0xffff;
 

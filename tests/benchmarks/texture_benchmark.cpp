@@ -4,6 +4,7 @@
 #include "tests/texture/texture_fixture.h"
 
 #include <benchmark/benchmark.h>
+#include <hwy/targets.h>
 
 namespace ffgpu::test {
 namespace {
@@ -18,6 +19,7 @@ struct Case {
     bool mixed_levels = false;
     unsigned anisotropy = 1;
     bool footprints = false;
+    std::int64_t instructions = 0; // Highway's target, 0: the best
 };
 
 // A tile of 16x16 pixels, turned a little; with mixed levels the scale grows from left to right.
@@ -54,11 +56,13 @@ void run(benchmark::State& state, const Case& c) {
     const FragmentMask live = all_live(BatchQuads);
     ColorPlanes out;
     TexelFootprints footprints;
+    hwy::SetSupportedTargetsForTest(c.instructions);
     for (auto _ : state) {
         footprints.accesses.clear();
         sample(unit, *planes, BatchQuads, live, out, c.footprints ? &footprints : nullptr);
         benchmark::DoNotOptimize(out);
     }
+    hwy::SetSupportedTargetsForTest(0);
     state.counters["fragment"] = benchmark::Counter(BatchFragments,
                                                     benchmark::Counter::kIsIterationInvariantRate |
                                                         benchmark::Counter::kInvert);
@@ -83,6 +87,16 @@ BENCHMARK_CAPTURE(run, trilinear_rgba8_footprints, Case{.mip = Trilinear, .footp
 BENCHMARK_CAPTURE(run, trilinear_rgba8_mixed, Case{.mip = Trilinear, .mixed_levels = true});
 BENCHMARK_CAPTURE(run, trilinear_dxt1, Case{.format = Format::Dxt1Rgb, .mip = Trilinear});
 BENCHMARK_CAPTURE(run, anisotropic_8, Case{.mip = Trilinear, .anisotropy = 8});
+
+BENCHMARK_CAPTURE(run, nearest_rgba8_avx2, Case{.linear = false, .instructions = HWY_AVX2});
+BENCHMARK_CAPTURE(run, bilinear_rgba8_avx2, Case{.instructions = HWY_AVX2});
+BENCHMARK_CAPTURE(run,
+                  bilinear_rgba8_footprints_avx2,
+                  Case{.footprints = true, .instructions = HWY_AVX2});
+BENCHMARK_CAPTURE(run, trilinear_rgba8_avx2, Case{.mip = Trilinear, .instructions = HWY_AVX2});
+BENCHMARK_CAPTURE(run,
+                  trilinear_rgba8_mixed_avx2,
+                  Case{.mip = Trilinear, .mixed_levels = true, .instructions = HWY_AVX2});
 
 } // namespace
 } // namespace ffgpu::test
