@@ -67,9 +67,9 @@ private:
     // in units of RecordAlign. A command without WholeBit only says whose the records after it are.
     static constexpr std::uint32_t CommandBit = 1u << 31, WholeBit = 1u << 30;
     static constexpr std::size_t RecordAlign = 16;
-    static constexpr std::size_t ArenaBytes = std::size_t{8} << 20;
-    static constexpr std::size_t MaxWords = std::size_t{4} << 20;
-    static constexpr std::size_t MaxCommands = 1 << 16;
+    static constexpr std::size_t ArenaBytes = std::size_t{512} << 10; // Stays in a level-2 cache.
+    static constexpr std::size_t MaxWords = std::size_t{1} << 18;
+    static constexpr std::size_t MaxCommands = 1 << 14;
 
     struct Tile {
         std::vector<std::uint32_t> words;

@@ -119,7 +119,7 @@ void TileRenderer::flush() {
     if (context.state.needs_depth) interpolate_depth(runs, batch_);
     early_depth_test(context.pipe, batch_);
     if (batch_.live.any()) {
-        interpolate_perspective(runs, batch_, perspective_);
+        if (needs_perspective(layout, runs)) interpolate_perspective(runs, batch_, perspective_);
         interpolate_colors(layout, runs, perspective_, batch_);
         for (unsigned unit = 0; unit < TextureUnits; ++unit)
             if (context.samples(unit)) {
@@ -150,7 +150,7 @@ void TileRenderer::finish_batch(const FragmentMask& covered) {
     const FragmentMask early = batch_.live;
     FragmentFates fates;
     if (early.any()) {
-        shade(context_->pipe, batch_);
+        if (context_->state.layout.color >= 0) shade(context_->pipe, batch_);
         write(context_->pipe, batch_, fates);
     }
     count(covered, early, fates);
@@ -160,9 +160,16 @@ void TileRenderer::finish_batch(const FragmentMask& covered) {
 void TileRenderer::count(const FragmentMask& covered,
                          const FragmentMask& early,
                          const FragmentFates& fates) {
-    const std::uint64_t all = covered.count(), after_early = early.count();
-    const std::uint64_t alpha = fates.after_alpha.count(), stencil = fates.after_stencil.count();
-    const std::uint64_t depth = fates.after_depth.count();
+    // Most batches lose nobody: comparing masks is quicker than counting bits.
+    const auto next =
+        [](std::uint64_t count, const FragmentMask& before, const FragmentMask& after) {
+            return before == after ? count : std::uint64_t{after.count()};
+        };
+    const std::uint64_t all = covered.count();
+    const std::uint64_t after_early = next(all, covered, early);
+    const std::uint64_t alpha = next(after_early, early, fates.after_alpha);
+    const std::uint64_t stencil = next(alpha, fates.after_alpha, fates.after_stencil);
+    const std::uint64_t depth = next(stencil, fates.after_stencil, fates.after_depth);
     counts_.covered += all;
     counts_.killed_early_depth += all - after_early;
     counts_.killed_alpha += after_early - alpha;

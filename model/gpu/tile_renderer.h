@@ -51,7 +51,7 @@ private:
     std::uint32_t command_ = 0;
     const DrawContext* context_ = nullptr;
 
-    FragmentBatch batch_;
+    FragmentBatch batch_{};
     QuadCollector collector_{batch_};
     TileCoverage coverage_;
     PerspectivePlanes perspective_;

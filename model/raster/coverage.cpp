@@ -83,8 +83,8 @@ void CoverTile(const SetupRecord& record, const Rectangle& tile, TileCoverage& c
             for (unsigned i = 0; i < walk.edge_count; ++i)
                 e[i] = walk.edges[i].e + walk.edges[i].a * (x - walk.blocks.x0) +
                        walk.edges[i].b * (y - walk.blocks.y0);
-            const BlockMask mask =
-                classify_block(walk, offsets, e) & rectangle_mask(walk.area, x, y);
+            BlockMask mask = classify_block(walk, offsets, e);
+            if (!walk.holds(x, y)) mask &= rectangle_mask(walk.area, x, y);
             if (mask != 0)
                 coverage.blocks[coverage.count++] = {
                     static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), mask};
@@ -101,7 +101,12 @@ namespace ffgpu {
 HWY_EXPORT(CoverTile);
 
 void cover_tile(const SetupRecord& record, const Rectangle& tile, TileCoverage& coverage) {
-    HWY_DYNAMIC_DISPATCH(CoverTile)(record, tile, coverage);
+    // Chosen once: a call for each small triangle would feel Highway's own look-up.
+    static const auto cover = [] {
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        return HWY_DYNAMIC_DISPATCH(CoverTile);
+    }();
+    cover(record, tile, coverage);
 }
 
 } // namespace ffgpu

@@ -22,34 +22,38 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, 16>;
 using QuadFloats = hn::FixedTag<float, 4>;
 
-// Calls body(d, lane) for vectors that cover lanes first .. end - 1 and do not leave the batch.
-template <class Body>
-HWY_INLINE void for_lanes(std::size_t first, std::size_t end, Body&& body) {
-    const Floats d;
-    std::size_t lane = first;
-    for (; lane < end && lane + hn::Lanes(d) <= BatchFragments; lane += hn::Lanes(d))
-        body(d, lane);
-    for (; lane < end; lane += 4)
-        body(QuadFloats(), lane);
-}
+// The lanes of one primitive. Its reference pixel relative to the tile's corner is made of whole
+// numbers, so the additions that go from one to the other are exact.
+struct LaneRun {
+    const SetupRecord& record;
+    std::size_t first, end;
+    float x, y;
+};
 
-// Calls body(record, first lane, end lane) for each run.
+// Calls body(run) for each run of the batch.
 template <class Body>
 HWY_INLINE void for_runs(std::span<const BatchRun> runs, const FragmentBatch& batch, Body&& body) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
+        const SetupRecord& record = *runs[i].record;
         const unsigned end = i + 1 < runs.size() ? runs[i + 1].first_quad : batch.quad_count;
-        body(*runs[i].record, std::size_t{4} * runs[i].first_quad, std::size_t{4} * end);
+        body(LaneRun{record,
+                     std::size_t{4} * runs[i].first_quad,
+                     std::size_t{4} * end,
+                     static_cast<float>(batch.tile_x - record.x_reference),
+                     static_cast<float>(batch.tile_y - record.y_reference)});
     }
 }
 
-// Pixels relative to a record's reference pixel; integers, so exact.
-struct RunOrigin {
-    float x, y;
-
-    RunOrigin(const SetupRecord& record, const FragmentBatch& batch)
-        : x(static_cast<float>(batch.tile_x - record.x_reference))
-        , y(static_cast<float>(batch.tile_y - record.y_reference)) {}
-};
+// Calls body(d, lane) for vectors that cover the run and do not leave the batch.
+template <class Body>
+HWY_INLINE void for_lanes(const LaneRun& run, Body&& body) {
+    const Floats d;
+    std::size_t lane = run.first;
+    for (; lane < run.end && lane + hn::Lanes(d) <= BatchFragments; lane += hn::Lanes(d))
+        body(d, lane);
+    for (; lane < run.end; lane += 4)
+        body(QuadFloats(), lane);
+}
 
 template <class D>
 HWY_INLINE hn::Vec<D> plane_at(D d, const AttributePlane& plane, hn::Vec<D> x, hn::Vec<D> y) {
@@ -57,22 +61,19 @@ HWY_INLINE hn::Vec<D> plane_at(D d, const AttributePlane& plane, hn::Vec<D> x, h
     return hn::Add(along_x, hn::Mul(hn::Set(d, plane.dy), y));
 }
 
-// Evaluates a record's planes for a vector of lanes.
+// Evaluates a run's planes for a vector of lanes.
 template <class D>
 struct LanePlanes {
     D d;
     const SetupRecord& record;
     hn::Vec<D> x, y, w;
 
-    HWY_INLINE LanePlanes(D tag,
-                          const SetupRecord& r,
-                          const RunOrigin& origin,
-                          const PerspectivePlanes& planes,
-                          std::size_t lane)
+    HWY_INLINE
+    LanePlanes(D tag, const LaneRun& run, const PerspectivePlanes& planes, std::size_t lane)
         : d(tag)
-        , record(r)
-        , x(hn::Add(hn::LoadU(tag, planes.x.data() + lane), hn::Set(tag, origin.x)))
-        , y(hn::Add(hn::LoadU(tag, planes.y.data() + lane), hn::Set(tag, origin.y)))
+        , record(run.record)
+        , x(hn::Add(hn::LoadU(tag, planes.x.data() + lane), hn::Set(tag, run.x)))
+        , y(hn::Add(hn::LoadU(tag, planes.y.data() + lane), hn::Set(tag, run.y)))
         , w(hn::LoadU(tag, planes.w.data() + lane)) {}
 
     HWY_INLINE hn::Vec<D> at(int i) const {
@@ -100,25 +101,20 @@ std::uint16_t constant_color(float value) {
     return static_cast<std::uint16_t>((positive < 1.0f ? positive : 1.0f) * 255.0f + 0.5f);
 }
 
-// The first `channels` planes of a colour at `first` in the layout.
-void color_run(const SetupRecord& record,
+// A colour whose planes stand at `first` in the layout.
+void color_run(const LaneRun& run,
                int first,
                bool constant,
                const PerspectivePlanes& planes,
-               const RunOrigin& origin,
-               std::size_t begin,
-               std::size_t end,
                std::span<std::uint16_t* const> out) {
     if (constant) {
+        const float* const value = run.record.plane_c() + first;
         for (std::size_t i = 0; i < out.size(); ++i)
-            fill(out[i],
-                 begin,
-                 end,
-                 constant_color(record.plane_c()[static_cast<std::size_t>(first) + i]));
+            fill(out[i], run.first, run.end, constant_color(value[i]));
         return;
     }
-    for_lanes(begin, end, [&](auto d, std::size_t lane) HWY_ATTR {
-        const LanePlanes at(d, record, origin, planes, lane);
+    for_lanes(run, [&](auto d, std::size_t lane) HWY_ATTR {
+        const LanePlanes at(d, run, planes, lane);
         for (std::size_t i = 0; i < out.size(); ++i)
             store_color(d, at.at(first + static_cast<int>(i)), out[i] + lane);
     });
@@ -129,110 +125,92 @@ void InterpolateDepth(std::span<const BatchRun> runs, FragmentBatch& batch) {
     const hn::RebindToUnsigned<decltype(d)> wide;
     const hn::Rebind<std::uint32_t, decltype(d)> narrow;
     constexpr auto Half = std::int64_t{1} << (DepthPlane::FractionBits - 1);
-    for_runs(
-        runs, batch, [&](const SetupRecord& record, std::size_t first, std::size_t end) HWY_ATTR {
-            const DepthPlane& plane = record.depth;
-            alignas(32) const std::int64_t offsets[4] = {
-                Half, Half + plane.dx, Half + plane.dy, Half + plane.dx + plane.dy};
-            const auto lowest = hn::Set(d, std::int64_t{record.depth_min});
-            const auto highest = hn::Set(d, std::int64_t{record.depth_max});
-            for (std::size_t lane = first; lane < end; lane += 4) {
-                const auto base = hn::Set(d,
-                                          plane.at(batch.x[lane / 4] - record.x_reference,
-                                                   batch.y[lane / 4] - record.y_reference));
-                for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
-                    const auto sum = hn::Add(base, hn::Load(d, offsets + i));
-                    const auto depth = hn::ShiftRight<DepthPlane::FractionBits>(sum);
-                    const auto clamped = hn::Min(hn::Max(depth, lowest), highest);
-                    hn::StoreU(hn::TruncateTo(narrow, hn::BitCast(wide, clamped)),
-                               narrow,
-                               batch.depth.data() + lane + i);
-                }
+    for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
+        const SetupRecord& record = run.record;
+        const DepthPlane& plane = record.depth;
+        alignas(32) const std::int64_t offsets[4] = {
+            Half, Half + plane.dx, Half + plane.dy, Half + plane.dx + plane.dy};
+        const auto lowest = hn::Set(d, std::int64_t{record.depth_min});
+        const auto highest = hn::Set(d, std::int64_t{record.depth_max});
+        for (std::size_t lane = run.first; lane < run.end; lane += 4) {
+            const auto base = hn::Set(d,
+                                      plane.at(batch.x[lane / 4] - record.x_reference,
+                                               batch.y[lane / 4] - record.y_reference));
+            for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
+                const auto sum = hn::Add(base, hn::Load(d, offsets + i));
+                const auto depth = hn::ShiftRight<DepthPlane::FractionBits>(sum);
+                const auto clamped = hn::Min(hn::Max(depth, lowest), highest);
+                hn::StoreU(hn::TruncateTo(narrow, hn::BitCast(wide, clamped)),
+                           narrow,
+                           batch.depth.data() + lane + i);
             }
-        });
+        }
+    });
+}
+
+// Four quads at a time: each one's corner in all four lanes, and the lanes' own offsets.
+void place_axis(const std::uint16_t* corner, int tile, const float* lane_offset, float* out) {
+    const QuadFloats d;
+    const hn::RebindToSigned<QuadFloats> integers;
+    const hn::Rebind<std::uint16_t, QuadFloats> halves;
+    const auto offset = hn::Load(d, lane_offset);
+    const auto whole = hn::PromoteTo(integers, hn::LoadU(halves, corner));
+    const auto at = hn::ConvertTo(d, hn::Sub(whole, hn::Set(integers, tile)));
+    hn::Store(hn::Add(hn::Broadcast<0>(at), offset), d, out);
+    hn::Store(hn::Add(hn::Broadcast<1>(at), offset), d, out + 4);
+    hn::Store(hn::Add(hn::Broadcast<2>(at), offset), d, out + 8);
+    hn::Store(hn::Add(hn::Broadcast<3>(at), offset), d, out + 12);
+}
+
+void place_fragments(const FragmentBatch& batch, PerspectivePlanes& planes) {
+    alignas(16) static constexpr float LaneX[4] = {0, 1, 0, 1};
+    alignas(16) static constexpr float LaneY[4] = {0, 0, 1, 1};
+    for (std::size_t q = 0; q < batch.quad_count; q += 4) {
+        place_axis(batch.x.data() + q, batch.tile_x, LaneX, planes.x.data() + 4 * q);
+        place_axis(batch.y.data() + q, batch.tile_y, LaneY, planes.y.data() + 4 * q);
+    }
 }
 
 void InterpolatePerspective(std::span<const BatchRun> runs,
                             const FragmentBatch& batch,
                             PerspectivePlanes& planes) {
-    const QuadFloats quad;
-    alignas(16) static constexpr float LaneX[4] = {0, 1, 0, 1}, LaneY[4] = {0, 0, 1, 1};
-    for (std::size_t q = 0; q < batch.quad_count; ++q) {
-        const auto x = hn::Set(quad, static_cast<float>(batch.x[q] - batch.tile_x));
-        const auto y = hn::Set(quad, static_cast<float>(batch.y[q] - batch.tile_y));
-        hn::Store(hn::Add(x, hn::Load(quad, LaneX)), quad, planes.x.data() + 4 * q);
-        hn::Store(hn::Add(y, hn::Load(quad, LaneY)), quad, planes.y.data() + 4 * q);
-    }
-    for_runs(
-        runs, batch, [&](const SetupRecord& record, std::size_t first, std::size_t end) HWY_ATTR {
-            const RunOrigin origin(record, batch);
-            for_lanes(first, end, [&](auto d, std::size_t lane) HWY_ATTR {
-                auto w = hn::Set(d, 1.0f);
-                if (record.perspective) {
-                    const auto x =
-                        hn::Add(hn::LoadU(d, planes.x.data() + lane), hn::Set(d, origin.x));
-                    const auto y =
-                        hn::Add(hn::LoadU(d, planes.y.data() + lane), hn::Set(d, origin.y));
-                    const auto inverse = plane_at(d, record.inverse_w, x, y);
-                    const auto floor = hn::Set(d, record.inverse_w_floor);
-                    w = hn::Div(w, hn::IfThenElse(hn::Gt(inverse, floor), inverse, floor));
-                }
-                hn::StoreU(w, d, planes.w.data() + lane);
-            });
+    place_fragments(batch, planes);
+    for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
+        const SetupRecord& record = run.record;
+        for_lanes(run, [&](auto d, std::size_t lane) HWY_ATTR {
+            auto w = hn::Set(d, 1.0f);
+            if (record.perspective) {
+                const auto x = hn::Add(hn::LoadU(d, planes.x.data() + lane), hn::Set(d, run.x));
+                const auto y = hn::Add(hn::LoadU(d, planes.y.data() + lane), hn::Set(d, run.y));
+                const auto inverse = plane_at(d, record.inverse_w, x, y);
+                const auto floor = hn::Set(d, record.inverse_w_floor);
+                w = hn::Div(w, hn::IfThenElse(hn::Gt(inverse, floor), inverse, floor));
+            }
+            hn::StoreU(w, d, planes.w.data() + lane);
         });
+    });
 }
 
 void InterpolateColors(const InterpolantLayout& layout,
                        std::span<const BatchRun> runs,
                        const PerspectivePlanes& planes,
                        FragmentBatch& batch) {
-    ColorPlanes& primary = batch.primary;
-    ColorPlanes& secondary = batch.secondary;
-    std::uint16_t* const all[] = {primary.r.data(),
-                                  primary.g.data(),
-                                  primary.b.data(),
-                                  primary.a.data(),
-                                  secondary.r.data(),
-                                  secondary.g.data(),
-                                  secondary.b.data(),
-                                  secondary.a.data()};
-    const std::span<std::uint16_t* const> every(all);
-    const std::size_t lanes = batch.lanes();
-    // What the layout does not carry.
-    for (std::size_t i = layout.color < 0 ? 0 : 4; i < (layout.secondary < 0 ? 7u : 4u); ++i)
-        fill(all[i], 0, lanes, 0);
-    fill(all[7], 0, lanes, 0);
-    if (layout.fog < 0)
-        for (std::size_t lane = 0; lane < lanes; ++lane)
-            batch.fog_coordinate[lane] = 0;
-
-    for_runs(
-        runs, batch, [&](const SetupRecord& record, std::size_t first, std::size_t end) HWY_ATTR {
-            const RunOrigin origin(record, batch);
-            if (layout.color >= 0)
-                color_run(record,
-                          layout.color,
-                          record.constant_color,
-                          planes,
-                          origin,
-                          first,
-                          end,
-                          every.first(4));
-            if (layout.secondary >= 0)
-                color_run(record,
-                          layout.secondary,
-                          record.constant_secondary,
-                          planes,
-                          origin,
-                          first,
-                          end,
-                          every.subspan(4, 3));
-            if (layout.fog >= 0)
-                for_lanes(first, end, [&](auto d, std::size_t lane) HWY_ATTR {
-                    const LanePlanes at(d, record, origin, planes, lane);
-                    hn::StoreU(at.at(layout.fog), d, batch.fog_coordinate.data() + lane);
-                });
-        });
+    ColorPlanes& one = batch.primary;
+    ColorPlanes& two = batch.secondary;
+    std::uint16_t* const primary[] = {one.r.data(), one.g.data(), one.b.data(), one.a.data()};
+    std::uint16_t* const secondary[] = {two.r.data(), two.g.data(), two.b.data()};
+    if (layout.secondary >= 0) fill(two.a.data(), 0, batch.lanes(), 0);
+    for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
+        const SetupRecord& record = run.record;
+        if (layout.color >= 0) color_run(run, layout.color, record.constant_color, planes, primary);
+        if (layout.secondary >= 0)
+            color_run(run, layout.secondary, record.constant_secondary, planes, secondary);
+        if (layout.fog >= 0)
+            for_lanes(run, [&](auto d, std::size_t lane) HWY_ATTR {
+                const LanePlanes at(d, run, planes, lane);
+                hn::StoreU(at.at(layout.fog), d, batch.fog_coordinate.data() + lane);
+            });
+    });
 }
 
 void InterpolateTexCoords(const InterpolantLayout& layout,
@@ -248,15 +226,13 @@ void InterpolateTexCoords(const InterpolantLayout& layout,
         for (std::size_t lane = 0; lane < batch.lanes(); ++lane)
             all[i][lane] = i == 3 ? 1.0f : 0.0f;
     if (carried == 0) return;
-    for_runs(
-        runs, batch, [&](const SetupRecord& record, std::size_t first, std::size_t end) HWY_ATTR {
-            const RunOrigin origin(record, batch);
-            for_lanes(first, end, [&](auto d, std::size_t lane) HWY_ATTR {
-                const LanePlanes at(d, record, origin, planes, lane);
-                for (unsigned i = 0; i < carried; ++i)
-                    hn::StoreU(at.at(first_plane + static_cast<int>(i)), d, all[i] + lane);
-            });
+    for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
+        for_lanes(run, [&](auto d, std::size_t lane) HWY_ATTR {
+            const LanePlanes at(d, run, planes, lane);
+            for (unsigned i = 0; i < carried; ++i)
+                hn::StoreU(at.at(first_plane + static_cast<int>(i)), d, all[i] + lane);
         });
+    });
 }
 
 } // namespace HWY_NAMESPACE

@@ -20,17 +20,21 @@
 namespace ffgpu {
 
 // What the evaluation of a batch's planes shares: pixels relative to the tile's corner, and w.
+// Needed only where the batch's runs have planes to evaluate: see needs_perspective().
 struct PerspectivePlanes {
     alignas(64) std::array<float, BatchFragments> x, y, w;
 };
 
 void interpolate_depth(std::span<const BatchRun> runs, FragmentBatch& batch);
 
+// False where all that the layout carries is constant in every run.
+bool needs_perspective(const InterpolantLayout& layout, std::span<const BatchRun> runs);
+
 void interpolate_perspective(std::span<const BatchRun> runs,
                              const FragmentBatch& batch,
                              PerspectivePlanes& perspective);
 
-// primary, secondary and fog_coordinate, those that the layout has; else black and 0.
+// primary, secondary and fog_coordinate, as far as the layout has them.
 void interpolate_colors(const InterpolantLayout& layout,
                         std::span<const BatchRun> runs,
                         const PerspectivePlanes& perspective,

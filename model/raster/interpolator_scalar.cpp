@@ -36,6 +36,15 @@ std::uint16_t color_value(float value) {
 
 } // namespace
 
+bool needs_perspective(const InterpolantLayout& layout, std::span<const BatchRun> runs) {
+    const unsigned colors = (layout.color < 0 ? 0u : 4u) + (layout.secondary < 0 ? 0u : 3u);
+    if (layout.count > colors) return true;
+    return std::any_of(runs.begin(), runs.end(), [&](const BatchRun& run) {
+        return (layout.color >= 0 && !run.record->constant_color) ||
+               (layout.secondary >= 0 && !run.record->constant_secondary);
+    });
+}
+
 void interpolate_depth_scalar(std::span<const BatchRun> runs, FragmentBatch& batch) {
     for_each_fragment(runs, batch, [&](const Fragment& at) {
         const auto half = std::int64_t{1} << (DepthPlane::FractionBits - 1);
@@ -67,26 +76,29 @@ void interpolate_colors_scalar(const InterpolantLayout& layout,
                                const PerspectivePlanes& perspective,
                                FragmentBatch& batch) {
     const auto color = [&](const Fragment& at, int first, unsigned channel, bool constant) {
-        if (first < 0) return std::uint16_t{0};
         const unsigned i = static_cast<unsigned>(first) + channel;
         return color_value(constant ? at.record.plane_c()[i]
                                     : at.plane(i) * perspective.w[at.lane]);
     };
     for_each_fragment(runs, batch, [&](const Fragment& at) {
         const unsigned lane = at.lane;
-        const bool flat = at.record.constant_color;
-        batch.primary.r[lane] = color(at, layout.color, 0, flat);
-        batch.primary.g[lane] = color(at, layout.color, 1, flat);
-        batch.primary.b[lane] = color(at, layout.color, 2, flat);
-        batch.primary.a[lane] = color(at, layout.color, 3, flat);
-        const bool flat_secondary = at.record.constant_secondary;
-        batch.secondary.r[lane] = color(at, layout.secondary, 0, flat_secondary);
-        batch.secondary.g[lane] = color(at, layout.secondary, 1, flat_secondary);
-        batch.secondary.b[lane] = color(at, layout.secondary, 2, flat_secondary);
-        batch.secondary.a[lane] = 0;
-        batch.fog_coordinate[lane] =
-            layout.fog < 0 ? 0.0f
-                           : at.plane(static_cast<unsigned>(layout.fog)) * perspective.w[lane];
+        if (layout.color >= 0) {
+            const bool flat = at.record.constant_color;
+            batch.primary.r[lane] = color(at, layout.color, 0, flat);
+            batch.primary.g[lane] = color(at, layout.color, 1, flat);
+            batch.primary.b[lane] = color(at, layout.color, 2, flat);
+            batch.primary.a[lane] = color(at, layout.color, 3, flat);
+        }
+        if (layout.secondary >= 0) {
+            const bool flat = at.record.constant_secondary;
+            batch.secondary.r[lane] = color(at, layout.secondary, 0, flat);
+            batch.secondary.g[lane] = color(at, layout.secondary, 1, flat);
+            batch.secondary.b[lane] = color(at, layout.secondary, 2, flat);
+            batch.secondary.a[lane] = 0;
+        }
+        if (layout.fog >= 0)
+            batch.fog_coordinate[lane] =
+                at.plane(static_cast<unsigned>(layout.fog)) * perspective.w[lane];
     });
 }
 

@@ -22,6 +22,11 @@ struct TileWalk {
     Rectangle blocks; // around it, at multiples of BlockSize
     unsigned edge_count = 0;
     std::array<TileEdge, MaxEdges> edges; // those that cross the area
+
+    // Whether the block at (x, y) lies wholly inside the area.
+    bool holds(int x, int y) const {
+        return x >= area.x0 && y >= area.y0 && x + BlockSize <= area.x1 && y + BlockSize <= area.y1;
+    }
 };
 
 // Returns false where the primitive covers nothing of the tile.
