@@ -48,6 +48,7 @@ public:
         , stride_(surface.stride)
         , width_(surface.width)
         , height_(surface.height)
+        , even_((width_ | height_) % 2 == 0)
         , batch_(batch) {}
 
     Byte* lower_row(unsigned q) const {
@@ -56,7 +57,7 @@ public:
 
     // Neither the right nor the upper half of the quad is outside.
     bool is_whole(unsigned q) const {
-        return batch_.x[q] + 1u < width_ && batch_.y[q] + 1u < height_;
+        return even_ || (batch_.x[q] + 1u < width_ && batch_.y[q] + 1u < height_);
     }
 
     void load(unsigned q, std::uint32_t* pixels) const {
@@ -99,24 +100,33 @@ private:
     Byte* base_;
     std::size_t stride_;
     unsigned width_, height_;
+    bool even_; // then every quad is whole
     const FragmentBatch& batch_;
 };
 
+// Is each lane of the batch in the mask? (Counting bits costs a call where x86-64 has no popcnt.)
 bool all_lanes(const FragmentMask& mask, const FragmentBatch& batch) {
-    return mask.count() == batch.lanes();
+    constexpr std::uint64_t Full = ~std::uint64_t{0};
+    const unsigned whole = batch.lanes() / 64, rest = batch.lanes() % 64;
+    for (unsigned i = 0; i < whole; ++i)
+        if (mask.words[i] != Full) return false;
+    return rest == 0 || mask.words[whole] == Full >> (64 - rest);
 }
 
+// The masks are copied: a store of pixels might change them, for all that the compiler knows.
 template <class Pixel>
 void load_sized(const QuadSurface<Pixel, const std::byte>& surface,
                 const FragmentBatch& batch,
                 std::uint32_t* pixels) {
+    const unsigned quads = batch.quad_count;
     if (all_lanes(batch.live, batch)) { // so that each quad is whole
-        for (unsigned q = 0; q < batch.quad_count; ++q)
+        for (unsigned q = 0; q < quads; ++q)
             surface.load(q, pixels + 4 * q);
         return;
     }
-    for (unsigned q = 0; q < batch.quad_count; ++q) {
-        const unsigned lanes = batch.live.quad(q);
+    const FragmentMask live = batch.live;
+    for (unsigned q = 0; q < quads; ++q) {
+        const unsigned lanes = live.quad(q);
         if (lanes == 0) continue;
         if (surface.is_whole(q)) {
             surface.load(q, pixels + 4 * q);
@@ -131,13 +141,15 @@ void store_sized(const QuadSurface<Pixel, std::byte>& surface,
                  const FragmentBatch& batch,
                  const FragmentMask& mask,
                  const std::uint32_t* pixels) {
+    const unsigned quads = batch.quad_count;
     if (all_lanes(mask, batch)) {
-        for (unsigned q = 0; q < batch.quad_count; ++q)
+        for (unsigned q = 0; q < quads; ++q)
             surface.store(q, pixels + 4 * q);
         return;
     }
-    for (unsigned q = 0; q < batch.quad_count; ++q) {
-        const unsigned lanes = mask.quad(q);
+    const FragmentMask written = mask;
+    for (unsigned q = 0; q < quads; ++q) {
+        const unsigned lanes = written.quad(q);
         if (lanes == 0) continue;
         if (surface.is_whole(q)) {
             surface.store_masked(q, lanes, pixels + 4 * q);
