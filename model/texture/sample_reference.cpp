@@ -79,7 +79,7 @@ Rgba filter_level(const TextureUnit& unit,
                   bool linear,
                   const Witness& witness) {
     const Neighbourhood near = neighbourhood(unit, fragment.coord, level, linear);
-    const auto& [x, y, z] = near.axes;
+    const AxisTexels &x = near.axes[0], &y = near.axes[1], &z = near.axes[2];
     if (witness.accesses)
         witness.accesses->push_back(make_access(unit, near, level, fragment.face, witness.lane));
 
