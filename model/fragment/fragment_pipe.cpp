@@ -7,13 +7,6 @@
 namespace ffgpu {
 namespace {
 
-// A target that no fragment within the scissor can leave.
-bool usable(const Surface& surface, const Scissor& scissor, std::uint64_t memory_size) {
-    return surface_fits(surface, memory_size) && scissor.x >= 0 && scissor.y >= 0 &&
-           scissor.x + scissor.width <= surface.width &&
-           scissor.y + scissor.height <= surface.height;
-}
-
 bool is_color_target(Format format) {
     return format == Format::Rgba8 || format == Format::Rgbx8 || format == Format::Rgb565;
 }
@@ -56,7 +49,7 @@ FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> 
     pipe.fog = compile_fog(registers.fog);
 
     const Surface& depth = registers.targets.depth;
-    if (is_depth_target(depth.format) && usable(depth, registers.scissor, memory.size()))
+    if (is_depth_target(depth.format) && surface_fits(depth, memory.size()))
         pipe.depth_target = depth;
     pipe.stencil_depth =
         compile_stencil_depth(registers.stencil, registers.depth, pipe.depth_target.format);
@@ -65,8 +58,7 @@ FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> 
     pipe.color_stage = compile_color_stage(registers.blend, registers.fragment.dither);
     const Surface* colors[] = {&registers.targets.color, &registers.targets.second_color};
     for (unsigned i = 0; i < pipe.color_targets.size(); ++i)
-        if (is_color_target(colors[i]->format) &&
-            usable(*colors[i], registers.scissor, memory.size()))
+        if (is_color_target(colors[i]->format) && surface_fits(*colors[i], memory.size()))
             pipe.color_targets[i] = compile_color_target(*colors[i], registers.blend.write_mask);
     return pipe;
 }

@@ -23,8 +23,9 @@
 
 namespace ffgpu {
 
-// What a draw needs, compiled once from its registers. Targets that do not fit into memory, or
-// that do not hold the whole scissor rectangle, are left out: registers may come from a file.
+// What a draw needs, compiled once from its registers. Targets that do not fit into memory are
+// left out: registers may come from a file. Live fragments lie within every target that is there:
+// the rasterizer's clip is the scissor cut to the targets.
 struct FragmentPipe {
     std::shared_ptr<const Registers> registers;
     std::span<std::byte> memory;
