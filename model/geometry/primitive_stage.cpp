@@ -1,8 +1,5 @@
 #include "model/geometry/primitive_stage.h"
 
-#include <algorithm>
-#include <cstring>
-
 namespace ffgpu {
 namespace {
 

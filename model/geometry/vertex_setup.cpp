@@ -1,5 +1,7 @@
 #include "model/geometry/vertex_setup.h"
 
+#include "model/packets/rectangle.h"
+
 #include <algorithm>
 
 namespace ffgpu {
@@ -21,11 +23,22 @@ bool uses(const TexCoordSetup& setup, TexGenMode mode) {
     return std::find(setup.mode.begin(), setup.mode.end(), mode) != setup.mode.end();
 }
 
-// No pixel of the scissor rectangle lies outside the viewport.
-bool viewport_covers(const Viewport& viewport, const Scissor& scissor) {
-    return viewport.x <= scissor.x && viewport.y <= scissor.y &&
-           viewport.x + viewport.width >= static_cast<float>(scissor.x + scissor.width) &&
-           viewport.y + viewport.height >= static_cast<float>(scissor.y + scissor.height);
+// The pixels that fragments can be made for.
+Rectangle drawn_pixels(const Registers& registers) {
+    const Scissor& scissor = registers.scissor;
+    const Rectangle kept{
+        scissor.x, scissor.y, scissor.x + scissor.width, scissor.y + scissor.height};
+    const Targets& targets = registers.targets;
+    const Surface& target = targets.color.format != Format::None ? targets.color : targets.depth;
+    if (target.format == Format::None) return kept;
+    return intersect(kept, {0, 0, target.width, target.height});
+}
+
+bool viewport_covers(const Viewport& viewport, const Rectangle& pixels) {
+    return viewport.x <= static_cast<float>(pixels.x0) &&
+           viewport.y <= static_cast<float>(pixels.y0) &&
+           viewport.x + viewport.width >= static_cast<float>(pixels.x1) &&
+           viewport.y + viewport.height >= static_cast<float>(pixels.y1);
 }
 
 void add_texture_units(const Registers& registers, VertexSetup& setup) {
@@ -83,7 +96,7 @@ WindowSetup make_window_setup(const Registers& registers) {
 
     // A pixel less than the guard band: room for the rounding of what is clipped to it.
     constexpr float Guard = GuardBand - 1;
-    const bool exact = !viewport_covers(viewport, registers.scissor);
+    const bool exact = !viewport_covers(viewport, drawn_pixels(registers));
     const auto limit = [&](unsigned axis, float& low, float& high) {
         const float guard_low = (-Guard - window.offset[axis]) / window.scale[axis];
         const float guard_high = (Guard - window.offset[axis]) / window.scale[axis];

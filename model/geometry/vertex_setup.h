@@ -25,7 +25,7 @@ struct WindowSetup {
     std::array<float, 3> scale{}, offset{};
     bool visible = false; // The viewport has an area.
     // Polygons are clipped to x in [low_x, high_x] and y alike, in normalised device coordinates:
-    // the view volume, or the guard band where the scissor removes what lies outside the viewport.
+    // the view volume, or the guard band where no pixel outside the viewport can be drawn.
     float low_x = -1, high_x = 1, low_y = -1, high_y = 1;
 };
 

@@ -103,7 +103,7 @@ Vec3 eye_normal(NormalMode mode, Vec3 normal, float rescale = 1) {
     scene.registers.transform.rescale = rescale;
     scene.carry(Attribute::Normal, 3);
     scene.vertex({0, 0, 0, 1, normal[0], normal[1], normal[2]});
-    const auto& attributes = scene.draw(PrimitiveType::Points).at(0)[0].attributes;
+    const auto attributes = scene.draw(PrimitiveType::Points).at(0)[0].attributes;
     return {attributes[0], attributes[1], attributes[2]};
 }
 
