@@ -38,7 +38,7 @@ double cos_small(double x) {
 
 SinCos sin_cos_degrees(double angle) {
     if (!std::isfinite(angle)) return {0, 1};
-    const double turn = std::fmod(angle, 360.0);        // exact
+    const double turn = std::fmod(angle, 360.0);         // exact
     const double quarters = std::floor(turn / 90 + 0.5); // -4 .. 4
     const double x = (turn - 90 * quarters) * (Pi / 180);
     const double sin = sin_small(x);

@@ -1,5 +1,5 @@
 // Sine and cosine of an angle in degrees, the same bits on every machine: only + - * and an exact
-// remainder (docs/arithmetic/driver.md). Within one unit in the last place of binary64.
+// remainder (docs/arithmetic/driver.md). Within two units in the last place of binary64.
 
 #pragma once
 
