@@ -1,5 +1,7 @@
 #include "driver/raster_position/host_vertex.h"
 
+#include "driver/math/matrix.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -114,14 +116,6 @@ float generated(TexGenMode mode,
 }
 
 } // namespace
-
-Vec4 transform(const Mat4& matrix, const Vec4& v) {
-    Vec4 result{};
-    for (std::size_t row = 0; row < 4; ++row)
-        for (std::size_t column = 0; column < 4; ++column)
-            result[row] += matrix[column * 4 + row] * v[column];
-    return result;
-}
 
 EyeVertex transform_vertex(const Registers& registers, const Vec4& object, const Vec4& normal) {
     const Transform& matrices = registers.transform;

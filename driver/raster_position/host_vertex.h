@@ -15,7 +15,6 @@ struct EyeVertex {
     Vec4 clip{};
 };
 
-Vec4 transform(const Mat4& matrix, const Vec4& v);
 EyeVertex transform_vertex(const Registers& registers, const Vec4& object, const Vec4& normal);
 
 // Inside of the view volume and of the enabled clip planes.

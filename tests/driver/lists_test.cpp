@@ -1,0 +1,345 @@
+#include "driver/lists/list_compiler.h"
+#include "tests/driver/draw_fixture.h"
+
+#include <catch2/catch.hpp>
+
+using namespace ffgpu;
+using namespace ffgpu::gl;
+namespace entry = ffgpu::gl::entry;
+using Value = std::array<float, 4>;
+
+namespace {
+
+void triangle(float first) {
+    entry::Begin(GL_TRIANGLES);
+    for (int i = 0; i < 3; ++i)
+        entry::Vertex3f(first + static_cast<float>(i), 0, 0);
+    entry::End();
+}
+
+GLfloat current_red() {
+    GLfloat color[4] = {};
+    entry::GetFloatv(GL_CURRENT_COLOR, color);
+    return color[0];
+}
+
+GLint get(GLenum name) {
+    GLint value = -1;
+    entry::GetIntegerv(name, &value);
+    return value;
+}
+
+} // namespace
+
+TEST_CASE_METHOD(DrawFixture, "a compiled list draws when it is called, as often as it is") {
+    entry::NewList(1, GL_COMPILE);
+    triangle(10);
+    entry::EndList();
+    CHECK(draws().empty());
+    for (int i = 0; i < 2; ++i) {
+        entry::CallList(1);
+        const auto all = draws();
+        REQUIRE(all.size() == 1);
+        CHECK(names(all[0]) == std::vector<float>{10, 11, 12});
+    }
+    CHECK(error() == GL_NO_ERROR);
+}
+
+TEST_CASE_METHOD(DrawFixture, "GL_COMPILE_AND_EXECUTE draws at once and later") {
+    entry::NewList(1, GL_COMPILE_AND_EXECUTE);
+    entry::Color3f(0.5f, 0, 0);
+    triangle(0);
+    entry::EndList();
+    CHECK(draws().size() == 1);
+    CHECK(current_red() == 0.5f);
+    entry::Color3f(0, 0, 0);
+    entry::CallList(1);
+    CHECK(draws().size() == 1);
+    CHECK(current_red() == 0.5f);
+}
+
+TEST_CASE_METHOD(DrawFixture, "primitives without a command between them become one draw") {
+    entry::NewList(1, GL_COMPILE);
+    entry::Normal3f(0, 0, 1);
+    for (int i = 0; i < 10; ++i) {
+        entry::Normal3f(0, static_cast<float>(i), 0);
+        triangle(static_cast<float>(3 * i));
+    }
+    entry::EndList();
+    entry::CallList(1);
+    const auto all = draws();
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].count == 30);
+    CHECK(attribute(all[0], 29, Attribute::Normal) == Value{0, 9, 0, 1});
+}
+
+TEST_CASE_METHOD(DrawFixture, "a list's vertices stay in device memory") {
+    entry::NewList(1, GL_COMPILE);
+    triangle(0);
+    entry::EndList();
+    entry::CallList(1);
+    const DeviceAddress first = draws()[0].vertex_address;
+    const std::uint64_t used = gl.shared()->memory->bytes_in_use();
+    entry::CallList(1);
+    CHECK(draws()[0].vertex_address == first);
+    CHECK(gl.shared()->memory->bytes_in_use() == used);
+    entry::DeleteLists(1, 1);
+    CHECK(gl.shared()->memory->bytes_in_use() < used);
+}
+
+TEST_CASE_METHOD(DrawFixture,
+                 "vertices before a list's first colour take the one that is current") {
+    entry::NewList(1, GL_COMPILE);
+    entry::Begin(GL_TRIANGLES);
+    entry::Vertex2f(0, 0);
+    entry::Vertex2f(1, 0);
+    entry::Color3f(0, 1, 0);
+    entry::Vertex2f(2, 0);
+    entry::End();
+    entry::EndList();
+    for (const float red : {0.25f, 0.75f}) {
+        entry::Color4f(red, 0, 0, 0.5f);
+        entry::CallList(1);
+        const auto all = draws();
+        REQUIRE(all.size() == 1);
+        CHECK(attribute(all[0], 1, Attribute::Color)[0] == red);
+        CHECK(attribute(all[0], 2, Attribute::Color) == Value{0, 1, 0, 1});
+    }
+}
+
+TEST_CASE_METHOD(DrawFixture, "attributes that a list sets are current after it") {
+    entry::NewList(1, GL_COMPILE);
+    entry::Color3f(0.25f, 0, 0);
+    triangle(0);
+    entry::Color3f(0.5f, 0, 0);
+    triangle(3);
+    entry::EndList();
+    entry::CallList(1);
+    CHECK(current_red() == 0.5f);
+    entry::NewList(2, GL_COMPILE);
+    entry::Color3f(0.125f, 0, 0);
+    entry::EndList();
+    entry::CallList(2);
+    CHECK(current_red() == 0.125f);
+}
+
+TEST_CASE_METHOD(DrawFixture, "a list may hold vertices whose glBegin is outside of it") {
+    entry::NewList(1, GL_COMPILE);
+    entry::Color3f(0, 0, 1);
+    for (int i = 0; i < 3; ++i)
+        entry::Vertex3f(static_cast<float>(i), 0, 0);
+    entry::EndList();
+    entry::Begin(GL_TRIANGLES);
+    entry::CallList(1);
+    entry::End();
+    const auto all = draws();
+    REQUIRE(all.size() == 1);
+    CHECK(names(all[0]) == std::vector<float>{0, 1, 2});
+    CHECK(attribute(all[0], 0, Attribute::Color) == Value{0, 0, 1, 1});
+}
+
+TEST_CASE_METHOD(DrawFixture, "a list may begin a primitive that ends outside of it") {
+    entry::NewList(1, GL_COMPILE);
+    triangle(100);
+    entry::Begin(GL_TRIANGLES);
+    entry::Color3f(1, 0, 0);
+    entry::Vertex2f(0, 0);
+    entry::EndList();
+    entry::CallList(1);
+    entry::Vertex2f(1, 0);
+    entry::Vertex2f(2, 0);
+    entry::End();
+    const auto all = draws();
+    REQUIRE(all.size() == 2);
+    CHECK(names(all[1]) == std::vector<float>{0, 1, 2});
+    CHECK(error() == GL_NO_ERROR);
+}
+
+TEST_CASE_METHOD(DrawFixture, "a list called inside a primitive of a list adds its vertices") {
+    entry::NewList(1, GL_COMPILE);
+    entry::Vertex2f(1, 0);
+    entry::EndList();
+    entry::NewList(2, GL_COMPILE);
+    entry::Begin(GL_TRIANGLES);
+    entry::Vertex2f(0, 0);
+    entry::CallList(1);
+    entry::Vertex2f(2, 0);
+    entry::End();
+    entry::EndList();
+    entry::CallList(2);
+    const auto all = draws();
+    REQUIRE(all.size() == 1);
+    CHECK(names(all[0]) == std::vector<float>{0, 1, 2});
+}
+
+TEST_CASE_METHOD(DrawFixture, "a whole primitive of a list is an error inside another") {
+    entry::NewList(1, GL_COMPILE);
+    triangle(0);
+    entry::EndList();
+    entry::Begin(GL_TRIANGLES);
+    entry::CallList(1);
+    CHECK(draws().size() == 1); // The list's glEnd ended it.
+    CHECK(error() == GL_INVALID_OPERATION);
+    entry::End();
+    CHECK(error() == GL_INVALID_OPERATION);
+}
+
+TEST_CASE_METHOD(DrawFixture, "state commands keep their place between a list's primitives") {
+    entry::NewList(1, GL_COMPILE);
+    entry::PointSize(2);
+    triangle(0);
+    entry::PointSize(3);
+    triangle(3);
+    entry::EndList();
+    entry::PointSize(1);
+    CHECK(get(GL_POINT_SIZE) == 1);
+    entry::CallList(1);
+    CHECK(get(GL_POINT_SIZE) == 3);
+    CHECK(draws().size() == 2);
+}
+
+TEST_CASE_METHOD(DrawFixture, "arrays of recorded commands are copied") {
+    GLfloat matrix[16] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1};
+    GLfloat ambient[4] = {0.5f, 0.25f, 0, 1};
+    entry::NewList(1, GL_COMPILE);
+    entry::LoadMatrixf(matrix);
+    entry::Lightfv(GL_LIGHT2, GL_AMBIENT, ambient);
+    entry::EndList();
+    matrix[0] = ambient[0] = 9;
+    entry::CallList(1);
+    GLfloat got[16] = {};
+    entry::GetFloatv(GL_MODELVIEW_MATRIX, got);
+    CHECK(got[0] == 2);
+    entry::GetLightfv(GL_LIGHT2, GL_AMBIENT, got);
+    CHECK(got[0] == 0.5f);
+    CHECK(got[1] == 0.25f);
+}
+
+TEST_CASE_METHOD(DrawFixture, "an image is recorded with the pixel store of its time") {
+    // A 2 x 2 image within rows of four, the first of which is skipped.
+    GLubyte texels[12];
+    for (GLubyte i = 0; i < 12; ++i)
+        texels[i] = i;
+    entry::PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    entry::PixelStorei(GL_UNPACK_ROW_LENGTH, 4);
+    entry::PixelStorei(GL_UNPACK_SKIP_PIXELS, 1);
+    entry::PixelStorei(GL_UNPACK_SKIP_ROWS, 1);
+    entry::NewList(1, GL_COMPILE);
+    entry::TexImage2D(
+        GL_TEXTURE_2D, 0, GL_LUMINANCE8, 2, 2, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, texels);
+    entry::EndList();
+    entry::PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    entry::PixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
+    std::fill(std::begin(texels), std::end(texels), GLubyte{99});
+    entry::CallList(1);
+    CHECK(get(GL_UNPACK_SKIP_ROWS) == 1); // As it was.
+    GLubyte got[4] = {};
+    entry::PixelStorei(GL_PACK_ALIGNMENT, 1);
+    entry::GetTexImage(GL_TEXTURE_2D, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, got);
+    CHECK(got[0] == 5);
+    CHECK(got[1] == 6);
+    CHECK(got[2] == 9);
+    CHECK(got[3] == 10);
+    CHECK(error() == GL_NO_ERROR);
+}
+
+TEST_CASE_METHOD(DrawFixture, "vertex arrays are read when a list is compiled") {
+    GLfloat positions[] = {0, 0, 1, 0, 2, 0};
+    entry::EnableClientState(GL_VERTEX_ARRAY);
+    entry::VertexPointer(2, GL_FLOAT, 0, positions);
+    entry::NewList(1, GL_COMPILE);
+    entry::DrawArrays(GL_TRIANGLES, 0, 3);
+    entry::EndList();
+    CHECK(draws().empty());
+    positions[0] = 50;
+    entry::DisableClientState(GL_VERTEX_ARRAY);
+    entry::CallList(1);
+    const auto all = draws();
+    REQUIRE(all.size() == 1);
+    CHECK(names(all[0]) == std::vector<float>{0, 1, 2});
+}
+
+TEST_CASE_METHOD(DrawFixture, "names of glCallLists have any of its types and the base added") {
+    for (GLuint name = 300; name < 303; ++name) {
+        entry::NewList(name, GL_COMPILE);
+        entry::PointSize(static_cast<GLfloat>(name - 290));
+        entry::EndList();
+    }
+    const auto called = [&](GLenum type, const void* names) {
+        entry::PointSize(1);
+        entry::CallLists(1, type, names);
+        return get(GL_POINT_SIZE);
+    };
+    entry::ListBase(300);
+    const GLubyte byte = 2;
+    CHECK(called(GL_UNSIGNED_BYTE, &byte) == 12);
+    const GLfloat real = 1.5f;
+    CHECK(called(GL_FLOAT, &real) == 11);
+    const GLubyte two[] = {0, 1};
+    CHECK(called(GL_2_BYTES, two) == 11);
+    entry::ListBase(303);
+    const GLbyte negative = -1;
+    CHECK(called(GL_BYTE, &negative) == 12);
+    entry::ListBase(0);
+    const GLubyte three[] = {0, 1, 45};
+    CHECK(called(GL_3_BYTES, three) == 11);
+    entry::CallLists(1, GL_DOUBLE, &byte);
+    CHECK(error() == GL_INVALID_ENUM);
+}
+
+TEST_CASE_METHOD(DrawFixture, "a list that calls itself ends at the nesting limit") {
+    entry::NewList(1, GL_COMPILE);
+    entry::Translatef(1, 0, 0);
+    entry::CallList(1);
+    entry::EndList();
+    entry::CallList(1);
+    GLfloat matrix[16] = {};
+    entry::GetFloatv(GL_MODELVIEW_MATRIX, matrix);
+    CHECK(matrix[12] == 64);
+}
+
+TEST_CASE_METHOD(DrawFixture, "a list may be replaced or deleted; calling none does nothing") {
+    entry::NewList(1, GL_COMPILE);
+    triangle(0);
+    entry::EndList();
+    entry::NewList(1, GL_COMPILE);
+    entry::CallList(1); // The new one, when it is executed: it nests until the limit.
+    entry::EndList();
+    entry::CallList(1);
+    CHECK(draws().empty());
+    entry::DeleteLists(1, 1);
+    CHECK_FALSE(entry::IsList(1));
+    entry::CallList(1);
+    CHECK(error() == GL_NO_ERROR);
+}
+
+TEST_CASE_METHOD(DrawFixture, "the list commands report their errors") {
+    entry::NewList(0, GL_COMPILE);
+    CHECK(error() == GL_INVALID_VALUE);
+    entry::NewList(1, GL_RENDER);
+    CHECK(error() == GL_INVALID_ENUM);
+    entry::EndList();
+    CHECK(error() == GL_INVALID_OPERATION);
+    entry::NewList(1, GL_COMPILE);
+    entry::NewList(2, GL_COMPILE);
+    CHECK(error() == GL_INVALID_OPERATION);
+    entry::EndList();
+    CHECK(entry::GenLists(-1) == 0);
+    CHECK(error() == GL_INVALID_VALUE);
+    entry::DeleteLists(1, -1);
+    CHECK(error() == GL_INVALID_VALUE);
+    entry::CallList(0);
+    CHECK(error() == GL_INVALID_VALUE);
+    const GLuint first = entry::GenLists(3);
+    CHECK(entry::IsList(first + 2));
+}
+
+TEST_CASE_METHOD(DrawFixture, "errors of recorded commands come when the list is executed") {
+    entry::NewList(1, GL_COMPILE);
+    entry::PointSize(-1);
+    entry::Begin(99);
+    entry::EndList();
+    CHECK(error() == GL_NO_ERROR);
+    entry::CallList(1);
+    CHECK(error() == GL_INVALID_VALUE);
+}
