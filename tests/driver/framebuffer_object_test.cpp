@@ -131,7 +131,8 @@ TEST_CASE_METHOD(FramebufferFixture, "attachments answer queries and vanish with
     CHECK(GetError() == GL_NO_ERROR);
 }
 
-TEST_CASE_METHOD(FramebufferFixture, "the wrong arguments are the specified errors") {
+TEST_CASE_METHOD(FramebufferFixture,
+                 "wrong arguments of framebuffer commands are the specified errors") {
     FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_3D, texture, 0);
     CHECK(GetError() == GL_INVALID_OPERATION);
     define(0, GL_RGBA, 4, 4);

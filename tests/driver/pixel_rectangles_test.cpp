@@ -157,7 +157,7 @@ TEST_CASE_METHOD(PixelFixture,
     CHECK(read == Bytes{1, 2, 3, 4});
 }
 
-TEST_CASE_METHOD(PixelFixture, "the wrong arguments are the specified errors") {
+TEST_CASE_METHOD(PixelFixture, "wrong arguments of pixel commands are the specified errors") {
     const auto draw = [](GLsizei width, GLenum format, GLenum type) {
         DrawPixels(width, 1, format, type, nullptr);
         return GetError();
