@@ -69,7 +69,7 @@ private:
     static constexpr std::size_t RecordAlign = 16;
     static constexpr std::size_t ArenaBytes = std::size_t{512} << 10; // Stays in a level-2 cache.
     static constexpr std::size_t MaxWords = std::size_t{1} << 18;
-    static constexpr std::size_t MaxCommands = 1 << 14;
+    static constexpr std::size_t MaxCommands = 1 << 10; // Each may hold registers.
 
     struct Tile {
         std::vector<std::uint32_t> words;

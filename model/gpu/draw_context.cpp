@@ -1,24 +1,43 @@
 #include "model/gpu/draw_context.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ffgpu {
+namespace {
+
+std::shared_ptr<const PixelContext> compile_pixel_context(const DrawState& state,
+                                                          std::span<std::byte> memory) {
+    const Registers& r = state.regs();
+    auto pixels = std::make_shared<PixelContext>();
+    pixels->layout = state.layout;
+    pixels->units = state.units;
+    pixels->needs_depth = state.needs_depth;
+    pixels->antialias = state.antialias;
+    pixels->count_samples = r.fragment.count_samples;
+    pixels->stipple = {r.polygon_stipple.rows,
+                       r.primitive.line_stipple_pattern,
+                       std::max<std::uint16_t>(1, r.primitive.line_stipple_factor)};
+    pixels->pipe = compile_fragment_pipe(state, memory);
+    for (unsigned unit = 0; unit < TextureUnits; ++unit)
+        if (pixels->samples(unit))
+            pixels->textures[unit] = compile_texture_unit(r.images[unit], r.samplers[unit], memory);
+    return pixels;
+}
+
+} // namespace
 
 std::shared_ptr<const DrawContext> compile_draw_context(std::shared_ptr<const Registers> registers,
                                                         std::uint32_t number,
-                                                        std::span<std::byte> memory) {
-    const Registers& r = *registers;
+                                                        std::span<std::byte> memory,
+                                                        const DrawContext* earlier) {
     auto context = std::make_shared<DrawContext>();
-    context->state = compile_draw_state(registers, number);
+    context->state = compile_draw_state(std::move(registers), number);
     context->setup = compile_setup(context->state);
-    context->stipple = {r.polygon_stipple.rows,
-                        r.primitive.line_stipple_pattern,
-                        std::max<std::uint16_t>(1, r.primitive.line_stipple_factor)};
-    context->pipe = compile_fragment_pipe(context->state, memory);
-    for (unsigned unit = 0; unit < TextureUnits; ++unit)
-        if (context->samples(unit))
-            context->textures[unit] =
-                compile_texture_unit(r.images[unit], r.samplers[unit], memory);
+    // Which coordinates are carried depends on the vertices' format, matrices and generation.
+    context->pixels = earlier && earlier->pixels->layout == context->state.layout
+                          ? earlier->pixels
+                          : compile_pixel_context(context->state, memory);
     return context;
 }
 

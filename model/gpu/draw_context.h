@@ -1,5 +1,6 @@
 // DrawContext: a set of register values compiled for every stage. Draws with the same registers
-// share one.
+// share one; draws that differ in geometry's registers alone share the part of it that makes
+// pixels, and so can share batches.
 
 #pragma once
 
@@ -16,19 +17,32 @@
 
 namespace ffgpu {
 
+// From the rasterizer's batches on.
+struct PixelContext {
+    InterpolantLayout layout;
+    std::uint8_t units = 0; // DrawState::units
+    bool needs_depth = false;
+    bool antialias = false;
+    bool count_samples = false;
+    StipplePatterns stipple;
+    FragmentPipe pipe;
+    std::array<TextureUnit, TextureUnits> textures; // those of `units`
+
+    bool samples(unsigned unit) const { return units >> unit & 1; }
+};
+
 struct DrawContext {
     DrawState state; // Its number is that of the first draw.
     SetupContext setup;
-    StipplePatterns stipple;
-    FragmentPipe pipe;
-    std::array<TextureUnit, TextureUnits> textures; // those of state.units
+    std::shared_ptr<const PixelContext> pixels;
 
     const Registers& regs() const { return *state.registers; }
-    bool samples(unsigned unit) const { return state.units >> unit & 1; }
 };
 
+// `earlier`, if not null, may lend its pixel context: only geometry's registers have changed since.
 std::shared_ptr<const DrawContext> compile_draw_context(std::shared_ptr<const Registers> registers,
                                                         std::uint32_t number,
-                                                        std::span<std::byte> memory);
+                                                        std::span<std::byte> memory,
+                                                        const DrawContext* earlier);
 
 } // namespace ffgpu

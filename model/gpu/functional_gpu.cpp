@@ -96,7 +96,10 @@ void FunctionalGpu::write_register(const CommandReader& reader) {
     if (address >= RegisterCount)
         throw InputError("there is no register " + std::to_string(address));
     reader.expect(1 + RegisterFile::word_count(address));
-    if (registers_.write(address, payload.subspan(1))) context_.reset();
+    const RegisterFile::Change change = registers_.write(address, payload.subspan(1));
+    if (change == RegisterFile::Change::None) return;
+    context_valid_ = false;
+    pixels_valid_ = pixels_valid_ && change == RegisterFile::Change::Geometry;
 }
 
 void FunctionalGpu::clear(const ClearCommand& command) {
@@ -117,7 +120,7 @@ void FunctionalGpu::draw_image(const DrawImageCommand& command) {
                    .image = std::make_unique<const DrawImageCommand>(command)});
     bin_reads_.add(command.address, bytes);
     bin_serial_ = bin_serial_ || bin_writes_.overlaps(command.address, bytes);
-    samples_pending_ = samples_pending_ || context_->regs().fragment.count_samples;
+    samples_pending_ = samples_pending_ || context_->pixels->count_samples;
     bin_.insert_whole(image_bounds(command, context_->setup.clip));
 }
 

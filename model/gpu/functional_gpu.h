@@ -90,8 +90,10 @@ private:
     Targets bin_targets_; // what the bin draws into
     PageSet bin_reads_, bin_writes_;
     bool bin_serial_ = false; // A draw reads what it writes: one thread, so that it repeats.
-    std::shared_ptr<const DrawContext> context_;        // of registers_; null: to be compiled
-    std::shared_ptr<const DrawContext> binned_context_; // the last whose pages are in the sets
+    std::shared_ptr<const DrawContext> context_; // of the registers, where it is valid
+    bool context_valid_ = false;
+    bool pixels_valid_ = false; // context_->pixels is, though geometry's registers changed
+    std::shared_ptr<const PixelContext> binned_pixels_; // the last whose pages are in the sets
 
     std::uint32_t draw_number_ = 0;
     std::uint32_t frame_ = 0;

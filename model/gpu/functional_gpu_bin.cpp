@@ -22,7 +22,7 @@ void for_each_target(const Targets& targets, Visit&& visit) {
 template <class Visit>
 void for_each_image(const DrawContext& context, Visit&& visit) {
     for (unsigned unit = 0; unit < TextureUnits; ++unit)
-        if (context.samples(unit) && context.textures[unit].valid)
+        if (context.pixels->samples(unit) && context.pixels->textures[unit].valid)
             visit(context.regs().images[unit]);
 }
 
@@ -38,9 +38,13 @@ double primitive_area(const SetupRecord& record) {
 } // namespace
 
 void FunctionalGpu::prepare_context() {
-    if (context_) return;
+    if (context_valid_) return;
     validate(registers_.values(), memory_.size());
-    context_ = compile_draw_context(registers_.snapshot(), draw_number_, memory_.bytes());
+    context_ = compile_draw_context(registers_.snapshot(),
+                                    draw_number_,
+                                    memory_.bytes(),
+                                    pixels_valid_ ? context_.get() : nullptr);
+    context_valid_ = pixels_valid_ = true;
 }
 
 void FunctionalGpu::draw(const DrawCommand& command) {
@@ -63,7 +67,7 @@ void FunctionalGpu::draw(const DrawCommand& command) {
     if (own_target) flush();
     begin_command({.kind = WorkKind::Draw, .number = number});
     bin_serial_ = bin_serial_ || own_target;
-    samples_pending_ = samples_pending_ || context_->regs().fragment.count_samples;
+    samples_pending_ = samples_pending_ || context_->pixels->count_samples;
 
     GeometryWork work;
     geometry_.draw(context_->state, command, *this, sink_ ? &work : nullptr);
@@ -88,18 +92,18 @@ bool FunctionalGpu::reads_own_target(const DrawContext& context) const {
 void FunctionalGpu::begin_command(BinCommand command) {
     const Targets& targets = context_->regs().targets;
     if (!bin_.empty() && (bin_.full() || !(bin_targets_ == targets))) flush();
-    if (context_ != binned_context_) {
+    if (context_->pixels != binned_pixels_) {
         // Textures that the bin draws into must be finished; others must stay as they are.
         for_each_image(*context_, [this](const TextureImage& image) {
             before_read(image.address, texture_bytes(image.shape));
         });
     }
     if (bin_.empty()) open_bin(targets);
-    if (context_ != binned_context_) {
+    if (context_->pixels != binned_pixels_) {
         for_each_image(*context_, [this](const TextureImage& image) {
             bin_reads_.add(image.address, texture_bytes(image.shape));
         });
-        binned_context_ = context_;
+        binned_pixels_ = context_->pixels;
     }
     command.frame = frame_;
     command.context = context_;
@@ -173,7 +177,7 @@ void FunctionalGpu::flush() {
     bin_.reset(0, 0);
     bin_reads_.clear();
     bin_writes_.clear();
-    binned_context_.reset();
+    binned_pixels_.reset();
     bin_serial_ = false;
     samples_pending_ = false;
 }
@@ -184,7 +188,7 @@ void FunctionalGpu::hand_over(std::vector<WorkTile> tiles) {
         work.draws.push_back({.kind = command.kind,
                               .number = command.number,
                               .frame = command.frame,
-                              .early_depth = command.context->pipe.early_depth,
+                              .early_depth = command.context->pixels->pipe.early_depth,
                               .state = command.context->state.registers,
                               .geometry = std::move(command.geometry),
                               .clear = command.clear});

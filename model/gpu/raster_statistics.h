@@ -30,7 +30,7 @@ struct FragmentStatistics : StatisticsGroup {
         count("fragments_killed_depth", "fragments", "ended at the depth test after texturing");
     Counter& written = count("fragments_written", "fragments", "passed all tests");
     Counter& quads = count("quads", "quads", "with at least one covered fragment");
-    Counter& batches = count("batches", "batches", "of up to 64 quads of one draw and tile");
+    Counter& batches = count("batches", "batches", "of up to 64 quads of one tile and state");
     Counter& tiles = count("tiles_visited", "tiles", "carried out, once for each bin");
     Counter& bins = count("bins", "bins", "carried out");
 

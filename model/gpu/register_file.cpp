@@ -11,6 +11,7 @@ namespace {
 struct Slot {
     std::size_t offset; // of the register in Registers
     std::size_t words;
+    bool geometry; // Only geometry reads it: the registers before primitive set-up.
     bool (*write)(std::byte* at, std::span<const std::uint32_t> words);
 };
 
@@ -27,12 +28,17 @@ std::array<Slot, RegisterCount> make_slots() {
     std::array<Slot, RegisterCount> slots{};
     const Registers registers;
     std::size_t address = 0;
+    const auto offset_of = [&registers](const void* reg) {
+        return static_cast<std::size_t>(static_cast<const std::byte*>(reg) -
+                                        reinterpret_cast<const std::byte*>(&registers));
+    };
     Registers::visit(registers, [&](const auto& reg) {
         using Register = std::remove_cvref_t<decltype(reg)>;
-        const auto offset = reinterpret_cast<const std::byte*>(&reg) -
-                            reinterpret_cast<const std::byte*>(&registers);
-        slots[address++] = {
-            static_cast<std::size_t>(offset), WordCount<Register>, write_register<Register>};
+        const std::size_t offset = offset_of(&reg);
+        slots[address++] = {offset,
+                            WordCount<Register>,
+                            offset < offset_of(&registers.primitive),
+                            write_register<Register>};
     });
     return slots;
 }
@@ -45,12 +51,14 @@ std::size_t RegisterFile::word_count(std::uint32_t address) {
     return address < RegisterCount ? Slots[address].words : 0;
 }
 
-bool RegisterFile::write(std::uint32_t address, std::span<const std::uint32_t> words) {
+RegisterFile::Change RegisterFile::write(std::uint32_t address,
+                                         std::span<const std::uint32_t> words) {
     check(words.size() == word_count(address), "a register is written as a whole");
     const Slot& slot = Slots[address];
-    const bool changed = slot.write(reinterpret_cast<std::byte*>(&values_) + slot.offset, words);
-    if (changed) snapshot_.reset();
-    return changed;
+    if (!slot.write(reinterpret_cast<std::byte*>(&values_) + slot.offset, words))
+        return Change::None;
+    snapshot_.reset();
+    return slot.geometry ? Change::Geometry : Change::Pixels;
 }
 
 std::shared_ptr<const Registers> RegisterFile::snapshot() {

@@ -18,8 +18,14 @@ public:
     // Words of the register at `address`; 0: there is none.
     static std::size_t word_count(std::uint32_t address);
 
-    // `words` has word_count(address) elements. Returns whether the value changed.
-    bool write(std::uint32_t address, std::span<const std::uint32_t> words);
+    enum class Change : std::uint8_t {
+        None,
+        Geometry, // of a register that only geometry and vertex fetch read
+        Pixels,
+    };
+
+    // `words` has word_count(address) elements. Returns what the write changed.
+    Change write(std::uint32_t address, std::span<const std::uint32_t> words);
 
     // The values as they are; the same object until a register changes.
     std::shared_ptr<const Registers> snapshot();

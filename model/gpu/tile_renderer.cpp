@@ -26,15 +26,14 @@ void TileRenderer::render(const Bin& bin, std::uint32_t tile, WorkTile* recordin
     }
     recording_ = recording;
     command_ = ~0u;
+    pixels_ = nullptr;
     collector_.clear();
     collector_.begin_tile(tile_);
     ++counts_.tiles;
     bin.for_each_step(tile, [&](const Bin::Step& step) {
         if (step.command != command_) {
-            flush();
+            begin_command(bin.commands()[step.command]);
             command_ = step.command;
-            context_ = bin.commands()[command_].context.get();
-            if (context_->state.antialias) batch_.antialias.fill(255);
         }
         if (step.record)
             draw_record(*step.record);
@@ -44,13 +43,22 @@ void TileRenderer::render(const Bin& bin, std::uint32_t tile, WorkTile* recordin
     flush();
 }
 
+// Draws whose pixels are made alike share batches, unless the work of each is to be told apart.
+void TileRenderer::begin_command(const BinCommand& command) {
+    const PixelContext* const pixels = command.context->pixels.get();
+    if (command.kind == WorkKind::Draw && pixels == pixels_ && !recording_) return;
+    flush();
+    pixels_ = pixels;
+    if (pixels_->antialias) batch_.antialias.fill(255);
+}
+
 void TileRenderer::draw_record(const SetupRecord& record) {
     if (record.coverage != CoverageKind::Centre) return draw_smooth(record);
     cover_tile(record, tile_, coverage_);
     for (unsigned i = 0; i < coverage_.count; ++i) {
         BlockCoverage& block = coverage_.blocks[i];
         if (record.stipple != StippleKind::None)
-            block.mask &= stipple_mask(record, context_->stipple, block.x, block.y);
+            block.mask &= stipple_mask(record, pixels_->stipple, block.x, block.y);
         if (block.mask != 0) collector_.add(record, block, nullptr, [this] { flush(); });
     }
 }
@@ -61,7 +69,7 @@ void TileRenderer::draw_smooth(const SetupRecord& record) {
     for (int y = area.y0 & -BlockSize; y < area.y1; y += BlockSize)
         for (int x = area.x0 & -BlockSize; x < area.x1; x += BlockSize) {
             const BlockMask mask = smooth_block(record, x, y, antialias) &
-                                   stipple_mask(record, context_->stipple, x, y);
+                                   stipple_mask(record, pixels_->stipple, x, y);
             const BlockCoverage block{
                 static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), mask};
             if (mask != 0) collector_.add(record, block, &antialias, [this] { flush(); });
@@ -94,29 +102,33 @@ void TileRenderer::draw_image(const BinCommand& command) {
         batch_.tile_x = static_cast<std::uint16_t>(tile_.x0);
         batch_.tile_y = static_cast<std::uint16_t>(tile_.y0);
         const FragmentMask covered = batch_.live;
-        early_depth_test(context_->pipe, batch_);
+        early_depth_test(pixels_->pipe, batch_);
         if (batch_.live.any()) {
             for (unsigned unit = 0; unit < TextureUnits; ++unit)
-                if (context_->samples(unit)) {
+                if (pixels_->samples(unit)) {
                     coordinates_ = constant_coordinates(image.tex_coords[unit]);
                     sample_unit(unit);
                 }
         }
         finish_batch(covered);
     };
-    image_fragments(image, context_->state, intersect(context_->setup.clip, tile_), memory_, sink);
+    image_fragments(image,
+                    command.context->state,
+                    intersect(command.context->setup.clip, tile_),
+                    memory_,
+                    sink);
     collector_.clear();
 }
 
 // Carries out the batch that was collected.
 void TileRenderer::flush() {
     if (collector_.empty()) return;
-    const DrawContext& context = *context_;
-    const InterpolantLayout& layout = context.state.layout;
+    const PixelContext& context = *pixels_;
+    const InterpolantLayout& layout = context.layout;
     const std::span<const BatchRun> runs = collector_.runs();
     const FragmentMask covered = batch_.live;
 
-    if (context.state.needs_depth) interpolate_depth(runs, batch_);
+    if (context.needs_depth) interpolate_depth(runs, batch_);
     early_depth_test(context.pipe, batch_);
     if (batch_.live.any()) {
         if (needs_perspective(layout, runs)) interpolate_perspective(runs, batch_, perspective_);
@@ -128,7 +140,7 @@ void TileRenderer::flush() {
             }
     }
     finish_batch(covered);
-    if (context.state.antialias) batch_.antialias.fill(255); // Smooth primitives wrote theirs.
+    if (context.antialias) batch_.antialias.fill(255); // Smooth primitives wrote theirs.
     collector_.clear();
 }
 
@@ -138,7 +150,7 @@ void TileRenderer::sample_unit(unsigned unit) {
         footprints = &footprints_.emplace_back();
         footprints->unit = static_cast<std::uint8_t>(unit);
     }
-    sample(context_->textures[unit],
+    sample(pixels_->textures[unit],
            coordinates_,
            batch_.quad_count,
            batch_.live,
@@ -150,8 +162,8 @@ void TileRenderer::finish_batch(const FragmentMask& covered) {
     const FragmentMask early = batch_.live;
     FragmentFates fates;
     if (early.any()) {
-        if (context_->state.layout.color >= 0) shade(context_->pipe, batch_);
-        write(context_->pipe, batch_, fates);
+        if (pixels_->layout.color >= 0) shade(pixels_->pipe, batch_);
+        write(pixels_->pipe, batch_, fates);
     }
     count(covered, early, fates);
     if (recording_) record(covered, early, fates);
@@ -178,7 +190,7 @@ void TileRenderer::count(const FragmentMask& covered,
     counts_.written += depth;
     counts_.quads += batch_.quad_count;
     ++counts_.batches;
-    if (context_->regs().fragment.count_samples) counts_.samples += depth;
+    if (pixels_->count_samples) counts_.samples += depth;
 }
 
 void TileRenderer::record(const FragmentMask& covered,

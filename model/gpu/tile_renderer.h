@@ -27,6 +27,7 @@ public:
     FragmentCounts take_counts() { return std::exchange(counts_, {}); }
 
 private:
+    void begin_command(const BinCommand& command);
     void draw_record(const SetupRecord& record);
     void draw_smooth(const SetupRecord& record);
     void whole_command(const BinCommand& command);
@@ -49,7 +50,7 @@ private:
     Rectangle tile_;
     WorkTile* recording_ = nullptr;
     std::uint32_t command_ = 0;
-    const DrawContext* context_ = nullptr;
+    const PixelContext* pixels_ = nullptr;
 
     FragmentBatch batch_{};
     QuadCollector collector_{batch_};

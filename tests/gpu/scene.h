@@ -10,9 +10,9 @@
 namespace ffgpu::test {
 
 constexpr DeviceAddress ColorAt = 0x100000;
-constexpr DeviceAddress DepthAt = 0x200000;
-constexpr DeviceAddress VerticesAt = 0x300000;
-constexpr DeviceAddress TextureAt = 0x800000;
+constexpr DeviceAddress DepthAt = 0x400000;
+constexpr DeviceAddress VerticesAt = 0x800000;
+constexpr DeviceAddress TextureAt = 0x1800000;
 
 // Position x y z w, colour r g b a, texture coordinate s t.
 struct Vertex {
