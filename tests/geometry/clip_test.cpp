@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <catch2/catch.hpp>
 
@@ -176,6 +177,39 @@ TEST_CASE("a shared edge is cut at the same place in both triangles") {
     }
 }
 
+TEST_CASE("cuts of an edge are the same number to the last bit from either end") {
+    Random random(33);
+    Scene scene;
+    const DrawState state = scene.state();
+    const VertexSetup setup = make_vertex_setup(state.regs(), scene.layout, {});
+    Clipper clipper;
+    clipper.start(setup);
+    for (int round = 0; round < 2000; ++round) {
+        std::array<Vec4, 4> corners;
+        for (Vec4& corner : corners)
+            for (float& c : corner)
+                c = random.between(-3, 3);
+        const auto cuts_of_edge = [&](std::array<std::uint32_t, 3> order) {
+            clipper.clear();
+            std::array<ClipCorner, 3> polygon;
+            for (unsigned i = 0; i < 3; ++i)
+                polygon[i] = {clipper.add(order[i], corners[order[i]], {})};
+            std::set<std::array<double, 4>> cuts;
+            const ClipCode codes = clip_code::Near;
+            for (const ClipCorner& corner :
+                 clipper.clip_polygon(polygon, codes, Clipper::Bounds::Polygon)) {
+                const ClipVertex& vertex = clipper.vertex(corner.vertex);
+                if (!vertex.made) continue;
+                const auto slots =
+                    std::minmax(clipper.vertex(vertex.from).slot, clipper.vertex(vertex.to).slot);
+                if (slots.first == 0 && slots.second == 1) cuts.insert(vertex.clip);
+            }
+            return cuts;
+        };
+        REQUIRE(cuts_of_edge({0, 1, 2}) == cuts_of_edge({1, 0, 3}));
+    }
+}
+
 // Against Monte Carlo sampling of the original triangle in homogeneous coordinates.
 TEST_CASE("random triangles keep exactly the part inside the view volume") {
     Random random(32);
@@ -189,6 +223,8 @@ TEST_CASE("random triangles keep exactly the part inside the view volume") {
             std::copy(scene.words.end() - 4, scene.words.end(), vertex.begin());
         }
         const auto pieces = scene.draw(PrimitiveType::Triangles);
+        for (const KeptPrimitive& piece : pieces) // No sliver that snapping turned over.
+            CHECK((area(piece) > 0) == piece.primitive.front_facing);
         const auto contains = [&](double x, double y) {
             for (const KeptPrimitive& piece : pieces) {
                 bool inside = true;
@@ -267,6 +303,38 @@ TEST_CASE("in line mode the edges that clipping makes are drawn, and cut edges k
     for (const KeptPrimitive& line : kept)
         along_the_plane += line[0].x == 32768 && line[1].x == 32768;
     CHECK(along_the_plane == 1);
+}
+
+TEST_CASE("an edge without flag stays undrawn when cut, the edge along the plane is drawn") {
+    Scene scene = colored_square(1);
+    scene.carry(Attribute::EdgeFlag, 1);
+    std::vector<float> words;
+    for (std::size_t vertex = 0; vertex < 4; ++vertex) {
+        words.insert(words.end(),
+                     scene.words.begin() + static_cast<std::ptrdiff_t>(8 * vertex),
+                     scene.words.begin() + static_cast<std::ptrdiff_t>(8 * vertex + 8));
+        words.push_back(vertex % 2 ? 1.0f : 0.0f); // The lower and the upper edge have none.
+    }
+    scene.words = words;
+    scene.registers.primitive.front_mode = PolygonMode::Line;
+    scene.registers.clip_planes.enable = 1;
+    scene.registers.clip_planes.planes[0] = {-1, 0, 0, 0}; // keeps the left half
+    const auto kept = scene.draw(PrimitiveType::Quads);
+    REQUIRE(kept.size() == 2);
+    CHECK((kept[0][0].x == 32768 && kept[0][1].x == 32768));
+    CHECK((kept[1][0].x == 0 && kept[1][1].x == 0));
+}
+
+TEST_CASE("points at cuts of a polygon in point mode have their size") {
+    Scene scene = colored_square(1);
+    scene.registers.primitive.front_mode = PolygonMode::Point;
+    scene.registers.primitive.point_size = 5;
+    scene.registers.clip_planes.enable = 1;
+    scene.registers.clip_planes.planes[0] = {1, 0, 0, 0};
+    const auto kept = scene.draw(PrimitiveType::Quads);
+    REQUIRE(kept.size() == 4);
+    for (const KeptPrimitive& point : kept)
+        CHECK(point[0].point_size == 5);
 }
 
 TEST_CASE("flat colours are chosen before clipping") {

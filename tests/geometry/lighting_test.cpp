@@ -212,6 +212,24 @@ TEST_CASE("both sides of lit triangles have the colours of GL's lighting equatio
     }
 }
 
+TEST_CASE("a draw's back colours are not those of the draw before") {
+    Scene scene;
+    scene.registers.lighting.enable = true;
+    scene.registers.lighting.two_sided = true;
+    scene.registers.primitive.front_is_clockwise = true;
+    for (const auto& [x, y] : {std::pair{0.f, 0.f}, {0.5f, 0.f}, {0.f, 0.5f}})
+        scene.vertex({x, y, 0, 1});
+    scene.fill_memory();
+    GeometryUnit unit(scene.memory);
+    for (const float red : {0.25f, 0.75f}) {
+        scene.registers.materials[1].ambient = {0, 0, 0, 1};
+        scene.registers.materials[1].emission = {red, 0, 0, 1};
+        KeepingSink sink;
+        unit.draw(scene.state(), scene.command(PrimitiveType::Triangles), sink);
+        CHECK(sink.kept.at(0)[0].attributes[0] == red);
+    }
+}
+
 TEST_CASE("with lighting off the vertices' colours pass, clamped") {
     Scene scene;
     scene.carry_color();

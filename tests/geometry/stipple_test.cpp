@@ -66,8 +66,8 @@ TEST_CASE("the counter goes on from the draw before where the command says so") 
 
 TEST_CASE("the counter stays within the pattern's period of 16 times the factor") {
     Scene scene = pixels({{0.5f, 10.5f}, {100.5f, 10.5f}, {120.5f, 10.5f}});
-    scene.registers.primitive.line_stipple_factor = 3;
-    CHECK(counters(scene.draw(PrimitiveType::LineStrip)) == std::vector<int>{0, 100 % 48});
+    scene.registers.primitive.line_stipple_factor = 5;
+    CHECK(counters(scene.draw(PrimitiveType::LineStrip)) == std::vector<int>{0, 100 % 80});
 }
 
 TEST_CASE("a part that is clipped away does not count") {
