@@ -39,6 +39,7 @@ Json difference(const StatisticsReport::Groups& groups, const Snapshot& before) 
 void add_to(Json& totals, const Json& frame) {
     for (const auto& [name, value] : frame.items()) {
         if (value.is_object()) {
+            if (!totals.contains(name)) totals[name] = Json::object();
             add_to(totals[name], value);
         } else if (value.is_number_unsigned()) {
             totals[name] = totals.value(name, std::uint64_t{0}) + value.get<std::uint64_t>();

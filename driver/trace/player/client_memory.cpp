@@ -48,6 +48,7 @@ std::uint64_t ClientMemory::bytes_from(const void* pointer) const {
 }
 
 std::uint64_t ClientMemory::vertices_available(const gl::VertexArray& array) const {
+    if (!array.enabled || array.buffer) return ~std::uint64_t{0};
     const std::uint64_t element =
         static_cast<std::uint64_t>(array.size) * component_bytes(array.type);
     const std::uint64_t stride =
@@ -56,12 +57,9 @@ std::uint64_t ClientMemory::vertices_available(const gl::VertexArray& array) con
     return bytes < element ? 0 : (bytes - element) / stride + 1;
 }
 
-std::uint64_t ClientMemory::vertices_available(const gl::Context& context) const {
-    std::uint64_t available = ~std::uint64_t{0};
-    for (const gl::VertexArray& array : context.client.arrays.object->arrays)
-        if (array.enabled && !array.buffer)
-            available = std::min(available, vertices_available(array));
-    return available;
+bool ClientMemory::uses(const gl::VertexArrayObject& object) {
+    return std::ranges::any_of(
+        object.arrays, [](const gl::VertexArray& array) { return array.enabled && !array.buffer; });
 }
 
 void ClientMemory::map(std::uint64_t address, std::shared_ptr<gl::BufferObject> buffer) {

@@ -23,9 +23,12 @@ public:
     // others. `array`: whatever tells one array from another.
     void keep_array(const gl::Context& context, const void* array, Blob& blob);
 
-    // Vertices 0 .. n - 1 can be fetched from all arrays that are enabled; a damaged trace's draw
-    // may ask for more. Arrays in buffer objects are the driver's business.
-    std::uint64_t vertices_available(const gl::Context& context) const;
+    // Vertices 0 .. n - 1 can be fetched from the array; a damaged trace's draw may ask for more.
+    // No limit for an array that is off, or in a buffer object, which is the driver's business.
+    std::uint64_t vertices_available(const gl::VertexArray& array) const;
+
+    // Whether an array of the object that is enabled lies in the program's memory.
+    static bool uses(const gl::VertexArrayObject& object);
 
     // The memory at `address` of the traced program is the mapped part of `buffer`, for as long as
     // that is mapped.
@@ -38,7 +41,6 @@ public:
     GLuint* selection(const gl::Context& context, std::size_t elements);
 
 private:
-    std::uint64_t vertices_available(const gl::VertexArray& array) const;
     // Bytes from `pointer` to the end of the blob it points into; 0: none.
     std::uint64_t bytes_from(const void* pointer) const;
 

@@ -6,12 +6,12 @@
 #include "driver/trace/player/player.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <utility>
 
 namespace ffgpu::trace {
 namespace {
-
-constexpr std::uint64_t Unlimited = ~std::uint64_t{0};
 
 std::uint64_t positive(const Value& value) {
     return static_cast<std::uint64_t>(std::max<std::int64_t>(0, to_number<std::int64_t>(value)));
@@ -67,15 +67,27 @@ void TracePlayer::set_array(const GlCommand* command, Call& call) {
     if (options_.keep_last_frame) call.blob(pointer).swap(copy);
 }
 
+// An array that is enabled but has no (or too little) memory: the program left it so because
+// nothing uses it, as a texture unit's that is off. It is disabled for the draw.
 void TracePlayer::draw_checked(const GlCommand* command, Call& call, std::uint64_t vertices) {
-    if (vertices > memory_.vertices_available(*gl::current_context()))
-        return warn_once(std::string(call.name()) +
-                         " draws more vertices than its arrays have: left out at call " +
-                         std::to_string(call.number()));
+    gl::VertexArrayObject& object = *gl::current_context()->client.arrays.object;
+    if (memory_.vertices_available(object.of(Attribute::Position)) < vertices)
+        return warn_once(call.name(),
+                         "call " + std::to_string(call.number()) + " " + std::string(call.name()) +
+                             ": left out: its arrays have fewer vertices");
+    std::array<gl::VertexArray*, Attributes> disabled{};
+    std::size_t count = 0;
+    for (gl::VertexArray& array : object.arrays) {
+        if (memory_.vertices_available(array) >= vertices) continue;
+        array.enabled = false;
+        disabled[count++] = &array;
+    }
     play_plain(*command, call);
+    for (gl::VertexArray* const array : std::span(disabled).first(count))
+        array->enabled = true;
 }
 
-// glDrawArrays(mode, first, count), glLockArraysEXT(first, count), glArrayElement(i)
+// glDrawArrays(mode, first, count), glArrayElement(i)
 void TracePlayer::draw_arrays(const GlCommand* command, Call& call) {
     const std::size_t count = call.argument_count();
     const std::uint64_t last = count == 1 ? 1 : positive(call.argument(count - 1));
@@ -92,7 +104,7 @@ void TracePlayer::multi_draw_arrays(const GlCommand* command, Call& call) {
 // indices there and its vertices not.
 void TracePlayer::draw_elements(const GlCommand* command, Call& call) {
     const gl::VertexArrayState& arrays = gl::current_context()->client.arrays;
-    if (memory_.vertices_available(*gl::current_context()) == Unlimited) {
+    if (!ClientMemory::uses(*arrays.object)) {
         play_plain(*command, call);
         return;
     }

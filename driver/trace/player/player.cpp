@@ -105,8 +105,9 @@ std::uint64_t TracePlayer::play_plain(const GlCommand& command, Call& call) {
     arguments_.begin(call, context, command.array_size, has_buffer(command.offset_into, context));
     const std::uint64_t result = command.call(command.function, arguments_);
     if (arguments_.refused())
-        warn_once(std::string(call.name()) + " reads too much memory: left out at call " +
-                  std::to_string(call.number()));
+        warn_once(call.name(),
+                  "call " + std::to_string(call.number()) + " " + std::string(call.name()) +
+                      ": left out: it reads too much memory");
     return result;
 }
 
@@ -135,7 +136,7 @@ TracePlayer::Action TracePlayer::make_action(const std::string& name) {
     } else if (action.command) {
         action.kind = Kind::Plain;
     } else {
-        warn_once("not supported yet: " + name);
+        warn_once(name, "not supported yet: " + name);
     }
     return action;
 }
@@ -147,8 +148,8 @@ void TracePlayer::report_error(const Call& call) {
                   error_name(error));
 }
 
-void TracePlayer::warn_once(const std::string& line) {
-    if (warned_.insert(line).second) options_.warn(line);
+void TracePlayer::warn_once(std::string_view name, const std::string& what) {
+    if (warned_.insert(std::string(name)).second) options_.warn(what);
 }
 
 } // namespace ffgpu::trace

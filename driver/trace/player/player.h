@@ -67,7 +67,8 @@ private:
     void play(Call& call);
     std::uint64_t play_plain(const GlCommand& command, Call& call);
     void report_error(const Call& call);
-    void warn_once(const std::string& line);
+    // Once for each function of the trace.
+    void warn_once(std::string_view name, const std::string& what);
 
     // Commands that need more than their arguments (special_calls.cpp).
     void generate_names(const GlCommand* command, Call& call);

@@ -147,7 +147,6 @@ TracePlayer::Special TracePlayer::find_special(std::string_view name) {
         {"glInterleavedArrays", &P::set_array},
         {"glArrayElement", &P::draw_arrays},
         {"glDrawArrays", &P::draw_arrays},
-        {"glLockArrays", &P::draw_arrays},
         {"glMultiDrawArrays", &P::multi_draw_arrays},
         {"glDrawElements", &P::draw_elements},
         {"glDrawElementsBaseVertex", &P::draw_elements},
