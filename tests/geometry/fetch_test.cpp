@@ -15,6 +15,11 @@ Scene points(unsigned count) {
     return scene;
 }
 
+std::int64_t double_area(const KeptPrimitive& t) {
+    return std::int64_t{t[1].x - t[0].x} * (t[2].y - t[0].y) -
+           std::int64_t{t[2].x - t[0].x} * (t[1].y - t[0].y);
+}
+
 int number_of(const KeptPrimitive& primitive) {
     return primitive[0].x / 128 - 1;
 }
@@ -162,6 +167,8 @@ TEST_CASE("indices, reuse and chunks change nothing but the work") {
         for (std::size_t i = 0; i < a.size(); ++i) {
             REQUIRE(a[i].primitive.key == b[i].primitive.key);
             REQUIRE(a[i].primitive.front_facing == b[i].primitive.front_facing);
+            if (a[i].primitive.shape == PrimitiveShape::Triangle)
+                REQUIRE((double_area(a[i]) > 0) == a[i].primitive.front_facing);
             for (unsigned v = 0; v < 3; ++v) {
                 REQUIRE(a[i][v].x == b[i][v].x);
                 REQUIRE(a[i][v].y == b[i][v].y);
