@@ -96,6 +96,37 @@ std::uint32_t load_word(const std::byte* at, std::size_t bytes) {
     return word;
 }
 
+// The weighted mean of the texels that one texel covers, channel by channel, rounded to nearest.
+struct Mean {
+    Axes axes;
+    Fields fields;
+
+    Mean(const TextureLevel& from, const TextureLevel& to)
+        : fields(fields_of(from.format.format)) {
+        const bool flat = from.height == 1 && to.height == 1; // One dimension has no border in y.
+        const bool solid = from.depth > 1 || to.depth > 1;
+        axes = {make_axis(from.width, to.width, from.border),
+                make_axis(from.height, to.height, flat ? 0 : from.border),
+                make_axis(from.depth, to.depth, solid ? from.border : 0)};
+    }
+
+    template <class Read>
+    std::uint32_t of(const Taps& x, const Taps& y, const Taps& z, Read&& word_at) const {
+        std::uint64_t sums[4] = {};
+        for_each_tap(x, y, z, [&](auto i, auto j, auto k, std::uint64_t weight) {
+            const std::uint32_t word = word_at(i, j, k);
+            for (std::size_t c = 0; c < fields.count; ++c)
+                sums[c] += weight * (word >> fields.shift[c] & ((1u << fields.bits[c]) - 1));
+        });
+        const std::uint64_t total = axes.total();
+        std::uint32_t result = 0;
+        for (std::size_t c = 0; c < fields.count; ++c) {
+            result |= static_cast<std::uint32_t>((sums[c] + total / 2) / total) << fields.shift[c];
+        }
+        return result;
+    }
+};
+
 // The common case: four bytes a texel, two by two.
 bool halve_words_of_bytes(const TextureLevel& from,
                           const TextureLevel& to,
@@ -154,30 +185,16 @@ std::vector<std::byte> halve_image(const TextureLevel& from,
     std::vector<std::byte> result(box_bytes(format, whole_box(to)));
     if (halve_words_of_bytes(from, to, texels.data(), result.data())) return result;
 
-    const bool flat = from.height == 1 && to.height == 1;
-    const bool solid = to.depth > 1 || from.depth > 1;
-    const Axes axes{make_axis(from.width, to.width, from.border),
-                    make_axis(from.height, to.height, flat ? 0 : from.border),
-                    make_axis(from.depth, to.depth, solid ? from.border : 0)};
-    const Fields fields = fields_of(format);
-    const std::uint64_t total = axes.total();
+    const Mean mean(from, to);
+    const auto word_at = [&](std::size_t x, std::size_t y, std::size_t z) {
+        const std::size_t at = (z * whole(from.height) + y) * whole(from.width) + x;
+        return load_word(texels.data() + at * bytes, bytes);
+    };
     std::byte* out = result.data();
-    for (const Taps& z : axes.z.taps) {
-        for (const Taps& y : axes.y.taps) {
-            for (const Taps& x : axes.x.taps) {
-                std::uint64_t sums[4] = {};
-                for_each_tap(x, y, z, [&](auto i, auto j, auto k, std::uint64_t weight) {
-                    const std::size_t at =
-                        (std::size_t{k} * whole(from.height) + j) * whole(from.width) + i;
-                    const std::uint32_t word = load_word(texels.data() + at * bytes, bytes);
-                    for (std::size_t c = 0; c < fields.count; ++c)
-                        sums[c] +=
-                            weight * (word >> fields.shift[c] & ((1u << fields.bits[c]) - 1));
-                });
-                std::uint32_t word = 0;
-                for (std::size_t c = 0; c < fields.count; ++c)
-                    word |= static_cast<std::uint32_t>((sums[c] + total / 2) / total)
-                            << fields.shift[c];
+    for (const Taps& z : mean.axes.z.taps) {
+        for (const Taps& y : mean.axes.y.taps) {
+            for (const Taps& x : mean.axes.x.taps) {
+                const std::uint32_t word = mean.of(x, y, z, word_at);
                 std::memcpy(out, &word, bytes);
                 out += bytes;
             }
