@@ -2,6 +2,7 @@
 
 #include "driver/api/parameters.h"
 #include "driver/context/context.h"
+#include "driver/context/limits.h"
 #include "driver/entry_points/declarations.h"
 #include "driver/math/conversion.h"
 
@@ -113,8 +114,7 @@ void PolygonOffset(Context& context, GLfloat factor, GLfloat units) {
 
 // EXT_polygon_offset: its bias is in units of the depth range [0, 1], not of the buffer's.
 void PolygonOffsetEXT(Context& context, GLfloat factor, GLfloat bias) {
-    constexpr float UnitsInRange = (1u << 24) - 1;
-    PolygonOffset(context, factor, bias * UnitsInRange);
+    PolygonOffset(context, factor, bias * OffsetUnitsInRange);
 }
 
 // EXT_polygon_offset_clamp and EXT_provoking_vertex are not advertised: the device has neither.

@@ -23,6 +23,7 @@ constexpr float MaxPointSize = 256;
 constexpr float PointSizeGranularity = 0.125f;
 constexpr float MaxLineWidth = 64;
 constexpr float LineWidthGranularity = 0.125f;
+constexpr float OffsetUnitsInRange = (1u << 24) - 1; // EXT_polygon_offset counts depth in [0, 1]
 constexpr float MaxLodBias = 15;
 constexpr float MaxAnisotropy = 16;
 

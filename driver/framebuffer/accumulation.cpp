@@ -88,14 +88,14 @@ void Accumulation::accumulate(const Surface& source, float factor) {
 template <class Combine>
 void Accumulation::read(const Surface& source, float factor, Combine combine) {
     if (!is_accumulable(source.format)) return;
-    const auto x = static_cast<unsigned>(area_.x);
-    const unsigned width = std::min<unsigned>(area_.x + area_.width, source.width);
-    const unsigned top = std::min<unsigned>(area_.y + area_.height, source.height);
+    const auto x = static_cast<unsigned>(area_.x), bottom = static_cast<unsigned>(area_.y);
+    const unsigned width = std::min<unsigned>(x + area_.width, source.width);
+    const unsigned top = std::min<unsigned>(bottom + area_.height, source.height);
     if (width <= x) return;
     const std::array<std::int64_t, 256> colors = scaled_colors(factor);
     const bool has_alpha = source.format == Format::Rgba8;
     std::vector<std::byte> row(std::size_t{4} * (width - x));
-    for (auto y = static_cast<unsigned>(area_.y); y < top; ++y) {
+    for (unsigned y = bottom; y < top; ++y) {
         device_.read_memory(pixel_address(source, x, y), row);
         change_row(y, width - x, [&](unsigned channel, std::int16_t& pixel, unsigned i) {
             const unsigned color =
@@ -109,8 +109,8 @@ void Accumulation::give_back(const Surface& destination, float factor, unsigned 
     if (!is_accumulable(destination.format) || area_.width == 0) return;
     const double times = static_cast<double>(factor) / One;
     std::vector<std::byte> row(std::size_t{4} * area_.width);
+    const auto x = static_cast<unsigned>(area_.x);
     for (unsigned i = 0; i < area_.height; ++i) {
-        const auto x = static_cast<unsigned>(area_.x);
         const unsigned y = static_cast<unsigned>(area_.y) + i;
         const DeviceAddress address = pixel_address(destination, x, y);
         if (write_mask != 0xf) device_.read_memory(address, row);

@@ -77,6 +77,13 @@ std::span<const StateVariable> array_variables() {
         FFGPU_STATE(GL_PIXEL_UNPACK_BUFFER_BINDING, integer(name(c.client.buffers.pixel_unpack))),
         FFGPU_STATE(GL_COPY_READ_BUFFER_BINDING, integer(name(c.client.buffers.copy_read))),
         FFGPU_STATE(GL_COPY_WRITE_BUFFER_BINDING, integer(name(c.client.buffers.copy_write))),
+        // EXT_vertex_array's number of static elements: none are promised to stay as they are.
+        FFGPU_STATE(GL_VERTEX_ARRAY_COUNT_EXT, integer(0)),
+        FFGPU_STATE(GL_NORMAL_ARRAY_COUNT_EXT, integer(0)),
+        FFGPU_STATE(GL_COLOR_ARRAY_COUNT_EXT, integer(0)),
+        FFGPU_STATE(GL_INDEX_ARRAY_COUNT_EXT, integer(0)),
+        FFGPU_STATE(GL_TEXTURE_COORD_ARRAY_COUNT_EXT, integer(0)),
+        FFGPU_STATE(GL_EDGE_FLAG_ARRAY_COUNT_EXT, integer(0)),
         FFGPU_STATE(GL_ARRAY_ELEMENT_LOCK_FIRST_EXT, integer(c.client.arrays.lock_first)),
         FFGPU_STATE(GL_ARRAY_ELEMENT_LOCK_COUNT_EXT, integer(c.client.arrays.lock_count)),
         FFGPU_STATE(GL_PRIMITIVE_RESTART_NV, boolean(c.client.arrays.primitive_restart)),

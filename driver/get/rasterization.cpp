@@ -1,6 +1,7 @@
 // Rasterization and multisampling (GL 1.5, state tables 6.11 and 6.12).
 
 #include "driver/context/context.h"
+#include "driver/context/limits.h"
 #include "driver/get/state_variable.h"
 
 #include <array>
@@ -24,6 +25,8 @@ std::span<const StateVariable> rasterization_variables() {
         FFGPU_STATE(GL_POLYGON_MODE, integer(s.rasterization.polygon.mode)),
         FFGPU_STATE(GL_POLYGON_OFFSET_FACTOR, real(s.rasterization.polygon.offset_factor)),
         FFGPU_STATE(GL_POLYGON_OFFSET_UNITS, real(s.rasterization.polygon.offset_units)),
+        FFGPU_STATE(GL_POLYGON_OFFSET_BIAS_EXT,
+                    real(s.rasterization.polygon.offset_units / OffsetUnitsInRange)),
         FFGPU_STATE(GL_SAMPLE_COVERAGE_VALUE, real(s.rasterization.multisample.coverage_value)),
         FFGPU_STATE(GL_SAMPLE_COVERAGE_INVERT,
                     boolean(s.rasterization.multisample.coverage_invert)),

@@ -11,6 +11,8 @@
 #include <map>
 #include <vector>
 
+#include <catch2/catch.hpp>
+
 namespace ffgpu::gl {
 
 struct StateFixture {
@@ -43,6 +45,15 @@ struct StateFixture {
                 add(capability.name + i);
         }
         return all;
+    }
+
+    // The call leaves this error and all state as it was.
+    template <class Call>
+    void check_refused(GLenum error, Call&& call) {
+        const auto before = snapshot();
+        call();
+        CHECK(entry::GetError() == error);
+        CHECK(snapshot() == before);
     }
 
     RecordingDevice device;
