@@ -5,9 +5,9 @@
 #include <cmath>
 
 #define GLM_FORCE_PURE // No intrinsics: GLM's SIMD forms round otherwise.
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
 namespace ffgpu::gl {
 namespace {
@@ -87,13 +87,28 @@ Mat4 scaling(double x, double y, double z) {
     return rounded({x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0, 0, 0, 0, 1});
 }
 
+namespace {
+
+// Programs that never wrap a counter pass angles of 10^9 degrees. Drivers turn those into radians
+// in binary32, whose coarse steps then decide what is seen: do as they do. Below, the steps are
+// smaller than a pixel, and the exact angle is kept.
+double as_seen(double degrees) {
+    constexpr double RadiansPerDegree = 3.14159265358979323846 / 180;
+    constexpr double Coarse = 65536;
+    constexpr double Sensible = 1e30; // within binary32
+    if (!(std::abs(degrees) > Coarse && std::abs(degrees) < Sensible)) return degrees;
+    return static_cast<double>(static_cast<float>(degrees * RadiansPerDegree)) / RadiansPerDegree;
+}
+
+} // namespace
+
 Mat4 rotation(double degrees, double x, double y, double z) {
     const double length = std::sqrt(x * x + y * y + z * z);
     if (!(length > 0) || !std::isfinite(length)) return Identity4;
     x /= length;
     y /= length;
     z /= length;
-    const auto [s, c] = sin_cos_degrees(degrees);
+    const auto [s, c] = sin_cos_degrees(as_seen(degrees));
     const double d = 1 - c;
     return rounded({x * x * d + c,
                     y * x * d + z * s,
