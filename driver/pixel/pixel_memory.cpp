@@ -22,6 +22,14 @@ std::byte* buffer_memory(Context& context,
     return memory;
 }
 
+// What no machine has: refused before sizes computed from it can wrap around.
+bool is_beyond_memory(Context& context, const PixelLayout& layout) {
+    constexpr std::uint64_t Limit = std::uint64_t{1} << 40;
+    if (layout.end <= Limit) return false;
+    context.error(GL_OUT_OF_MEMORY);
+    return true;
+}
+
 } // namespace
 
 std::optional<const std::byte*>
@@ -49,6 +57,7 @@ std::optional<PixelSource> pixel_source(Context& context,
                                         GLenum type,
                                         bool three_d) {
     PixelSource source(pixels, context.client.pixel_store.unpack, size, format, type, three_d);
+    if (is_beyond_memory(context, source.layout)) return std::nullopt;
     const auto memory = source_memory(context, pixels, source.layout.end, type_bytes(type));
     if (!memory) return std::nullopt;
     source.memory = *memory;
@@ -59,6 +68,7 @@ std::optional<PixelDestination> pixel_destination(
     Context& context, void* pixels, ImageSize size, GLenum format, GLenum type, bool three_d) {
     PixelDestination destination(
         pixels, context.client.pixel_store.pack, size, format, type, three_d);
+    if (is_beyond_memory(context, destination.layout)) return std::nullopt;
     const auto memory =
         destination_memory(context, pixels, destination.layout.end, type_bytes(type));
     if (!memory) return std::nullopt;

@@ -180,6 +180,16 @@ TEST_CASE_METHOD(PixelFixture, "wrong arguments of pixel commands are the specif
     CHECK(GetError() == GL_NO_ERROR);
 }
 
+TEST_CASE_METHOD(PixelFixture, "images larger than any memory are refused, not wrapped around") {
+    const Bytes pixels(16);
+    const GLsizei huge = 2147483647;
+    DrawPixels(huge, huge, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    CHECK(GetError() == GL_OUT_OF_MEMORY);
+    Bitmap(huge, huge, 0, 0, 0, 0, pixels.data());
+    CHECK(GetError() == GL_OUT_OF_MEMORY);
+    CHECK(device.commands.empty());
+}
+
 TEST_CASE("without depth and stencil buffers their pixels are an error") {
     StateFixture fixture({.depth_bits = 0, .stencil_bits = 0});
     const float depth = 0;
