@@ -71,6 +71,7 @@ Activity CommandProcessor::wait_then(const Command& command) {
         return Activity::Busy;
     }
     const WorkDraw work = command.draw.prepared().work;
+    ++command.draw.bin->finished_draws;
     commands_.pop_front();
     work.kind == WorkKind::Clear ? begin_clear(work) : begin_copy(work);
     return Activity::Busy;

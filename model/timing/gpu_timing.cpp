@@ -183,7 +183,7 @@ public:
     // Runs until the command processor has nothing left to read.
     void run() {
         sc_core::sc_start();
-        while (!bins.empty() && &bins.front() != &bins.back() && is_retired(bins.front()))
+        while (!bins.empty() && &bins.front() != &bins.back() && bins.front().is_done())
             bins.pop_front();
     }
 
@@ -245,6 +245,8 @@ public:
     FrameTiming frame;
     Cycle frame_begin = 0;
     Cycle last_retired = 0;
+    Cycle next_progress_check = 0;
+    Cycle busy_at_last_check = ~Cycle{0};
     std::function<void(const FrameTiming&)> on_frame;
     std::function<void(const QuadRetired&)> on_retire;
 
@@ -260,29 +262,25 @@ private:
             unit->attach();
     }
 
-    bool must_wait() const { return command_processor.starves(); }
+    bool must_wait() {
+        if (clock.now() >= next_progress_check) check_progress();
+        return command_processor.starves();
+    }
+
+    // A machine in which no unit has worked for a million cycles is wired wrongly.
+    void check_progress() {
+        constexpr Cycle Interval = 1'000'000;
+        Cycle busy = 0;
+        for (Unit* unit : units())
+            busy += unit->account().cycles(Activity::Busy);
+        check(busy != busy_at_last_check || clock.now() == 0, "the timed machine is stuck");
+        busy_at_last_check = busy;
+        next_progress_check = clock.now() + Interval;
+    }
 
     void connect_memory(Unit& unit, RequestPort& requests, Channel<std::uint64_t>& responses) {
         requests.channel().connect(unit, arbiter);
         responses.connect(memory, unit);
-    }
-
-    static bool is_retired(const PreparedBin& bin) { return bin.retired_quads == bin.quads.size(); }
-
-    void retire(const QuadToken& token, Cycle now) {
-        const Cycle cycles = now - std::max(last_retired, frame_begin);
-        last_retired = now;
-        const std::uint32_t number = token.draw().work.number;
-        if (frame.draws.empty() || frame.draws.back().draw != number)
-            frame.draws.push_back({number, 0});
-        frame.draws.back().cycles += cycles;
-        if (!on_retire) return;
-        const PreparedQuad& quad = token.quad();
-        on_retire({.x = quad.x,
-                   .y = quad.y,
-                   .written = quad.after_depth,
-                   .texture_misses = token.misses,
-                   .cycles = cycles});
     }
 };
 

@@ -59,7 +59,11 @@ struct PreparedBin {
     std::vector<Segment> segments;
     std::vector<PreparedQuad> quads;
     std::vector<std::uint64_t> texel_lines; // line numbers
+    std::uint64_t finished_draws = 0;       // by the unit that read a draw last
     std::uint64_t retired_quads = 0;        // counted by the unit that ends a quad
+
+    // No token points in here any more.
+    bool is_done() const { return finished_draws == draws.size() && retired_quads == quads.size(); }
 
     std::span<const std::uint64_t> lines_of(const PreparedQuad& quad) const {
         return std::span(texel_lines).subspan(quad.texel_lines_begin, quad.texel_line_count);

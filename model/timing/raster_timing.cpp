@@ -13,7 +13,10 @@ void RasterTiming::take(const SetupToken& token) {
         draws_taken_ = 0;
     }
     in_flight_.enter(end_ - next_);
-    if (token.last) in_flight_.leave(); // The draw itself: its quads are counted now.
+    if (token.last) { // The draw itself is through: its quads are counted now.
+        in_flight_.leave();
+        ++bin_->finished_draws;
+    }
 }
 
 Activity RasterTiming::step() {

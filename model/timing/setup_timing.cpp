@@ -48,6 +48,7 @@ Activity SetupTiming::step() {
     }
     if (!ports_.setups_out.can_push()) return Activity::StalledOutput;
     result_.last = ports_.primitives_in.pop().last;
+    if (result_.last) current_ = {};
     ports_.setups_out.push(result_);
     working_ = false;
     return Activity::Busy;
