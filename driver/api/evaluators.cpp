@@ -5,13 +5,18 @@
 #include "driver/evaluators/evaluate_vertex.h"
 #include "driver/vertex/immediate_vertices.h"
 
+#include <cstdint>
+
 namespace ffgpu::gl::api {
 namespace {
+
+// The grid's lines are counted in 64 bits, so that the largest GLint ends a loop, too.
+using Line = std::int64_t;
 
 void eval_mesh_line_u(Context& context, GLint p1, GLint p2, float v) {
     const EvaluatorSettings& settings = context.state.evaluator.settings;
     context.immediate().begin(GL_LINE_STRIP);
-    for (GLint i = p1; i <= p2; ++i)
+    for (Line i = p1; i <= p2; ++i)
         evaluate_vertex_2(context, grid_parameter(settings.grid2[0], i), v);
     context.immediate().end();
 }
@@ -19,7 +24,7 @@ void eval_mesh_line_u(Context& context, GLint p1, GLint p2, float v) {
 void eval_mesh_line_v(Context& context, GLint q1, GLint q2, float u) {
     const EvaluatorSettings& settings = context.state.evaluator.settings;
     context.immediate().begin(GL_LINE_STRIP);
-    for (GLint j = q1; j <= q2; ++j)
+    for (Line j = q1; j <= q2; ++j)
         evaluate_vertex_2(context, u, grid_parameter(settings.grid2[1], j));
     context.immediate().end();
 }
@@ -72,7 +77,7 @@ void EvalMesh1(Context& context, GLenum mode, GLint i1, GLint i2) {
     if (mode != GL_POINT && mode != GL_LINE) return context.error(GL_INVALID_ENUM);
     const EvaluatorGrid& grid = context.state.evaluator.settings.grid1;
     context.immediate().begin(mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
-    for (GLint i = i1; i <= i2; ++i)
+    for (Line i = i1; i <= i2; ++i)
         evaluate_vertex_1(context, grid_parameter(grid, i));
     context.immediate().end();
 }
@@ -80,27 +85,27 @@ void EvalMesh1(Context& context, GLenum mode, GLint i1, GLint i2) {
 void EvalMesh2(Context& context, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (context.fails_inside_begin()) return;
     const auto& grid = context.state.evaluator.settings.grid2;
-    const auto u = [&](GLint i) { return grid_parameter(grid[0], i); };
-    const auto v = [&](GLint j) { return grid_parameter(grid[1], j); };
+    const auto u = [&](Line i) { return grid_parameter(grid[0], i); };
+    const auto v = [&](Line j) { return grid_parameter(grid[1], j); };
     ImmediateVertices& vertices = context.immediate();
     switch (mode) {
     case GL_POINT:
         vertices.begin(GL_POINTS);
-        for (GLint j = j1; j <= j2; ++j) {
-            for (GLint i = i1; i <= i2; ++i)
+        for (Line j = j1; j <= j2; ++j) {
+            for (Line i = i1; i <= i2; ++i)
                 evaluate_vertex_2(context, u(i), v(j));
         }
         return vertices.end();
     case GL_LINE:
-        for (GLint j = j1; j <= j2; ++j)
+        for (Line j = j1; j <= j2; ++j)
             eval_mesh_line_u(context, i1, i2, v(j));
-        for (GLint i = i1; i <= i2; ++i)
+        for (Line i = i1; i <= i2; ++i)
             eval_mesh_line_v(context, j1, j2, u(i));
         return;
     case GL_FILL:
-        for (GLint j = j1; j < j2; ++j) {
+        for (Line j = j1; j < j2; ++j) {
             vertices.begin(GL_QUAD_STRIP);
-            for (GLint i = i1; i <= i2; ++i) {
+            for (Line i = i1; i <= i2; ++i) {
                 evaluate_vertex_2(context, u(i), v(j));
                 evaluate_vertex_2(context, u(i), v(j + 1));
             }

@@ -5,6 +5,9 @@
 
 namespace ffgpu::gl::entry {
 
+// glTexImage3DEXT takes its internal format as a GLenum, glTexImage3D as a GLint: the same bits.
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+
 #define GL_COMMAND(result, name, parameters, arguments, command_class)                             \
     result name parameters noexcept {                                                              \
         return dispatch<Command::name, CommandClass::command_class, &api::name> arguments;         \

@@ -120,7 +120,7 @@ void evaluate_vertex_2(Context& context, float u, float v) {
         .emit(state.settings.auto_normal);
 }
 
-float grid_parameter(const EvaluatorGrid& grid, int i) {
+float grid_parameter(const EvaluatorGrid& grid, std::int64_t i) {
     if (i == 0) return grid.from;
     if (i == grid.segments) return grid.to; // Exactly.
     const float step = (grid.to - grid.from) / static_cast<float>(grid.segments);

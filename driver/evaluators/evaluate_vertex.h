@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <cstdint>
+
 namespace ffgpu::gl {
 
 class Context;
@@ -11,6 +13,6 @@ void evaluate_vertex_2(Context& context, float u, float v);
 
 // Parameters of the grid's line i (glMapGrid).
 struct EvaluatorGrid;
-float grid_parameter(const EvaluatorGrid& grid, int i);
+float grid_parameter(const EvaluatorGrid& grid, std::int64_t i);
 
 } // namespace ffgpu::gl

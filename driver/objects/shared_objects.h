@@ -13,7 +13,7 @@
 namespace ffgpu::gl {
 
 class BufferObject;  // driver/objects/buffer_object.h
-class DisplayList;   // driver/lists/
+struct DisplayList;  // driver/lists/
 class TextureObject; // driver/objects/texture_object.h
 struct Renderbuffer;
 struct FramebufferObject;
