@@ -20,6 +20,8 @@ DeviceMemory::DeviceMemory(std::uint64_t bytes) {
     bytes_ = {static_cast<std::byte*>(range), bytes};
 }
 
-DeviceMemory::~DeviceMemory() { munmap(bytes_.data(), bytes_.size() + SlackBytes); }
+DeviceMemory::~DeviceMemory() {
+    munmap(bytes_.data(), bytes_.size() + SlackBytes);
+}
 
 } // namespace ffgpu
