@@ -282,6 +282,22 @@ private:
         requests.channel().connect(unit, arbiter);
         responses.connect(memory, unit);
     }
+
+    void retire(const QuadToken& token, Cycle now) {
+        const Cycle cycles = now - std::max(last_retired, frame_begin);
+        last_retired = now;
+        const std::uint32_t number = token.draw().work.number;
+        if (frame.draws.empty() || frame.draws.back().draw != number)
+            frame.draws.push_back({number, 0});
+        frame.draws.back().cycles += cycles;
+        if (!on_retire) return;
+        const PreparedQuad& quad = token.quad();
+        on_retire({.x = quad.x,
+                   .y = quad.y,
+                   .written = quad.after_depth,
+                   .texture_misses = token.misses,
+                   .cycles = cycles});
+    }
 };
 
 GpuTiming::GpuTiming(const TimingConfig& config, std::uint32_t evaluation_order)
