@@ -1,6 +1,6 @@
 #include "driver/trace/reader/trace_reader.h"
 #include "model/base/input_error.h"
-#include "tests/trace/temporary_file.h"
+#include "tests/support/temporary_file.h"
 #include "tests/trace/trace_writer.h"
 
 #include <cmath>

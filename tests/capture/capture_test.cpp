@@ -1,0 +1,247 @@
+#include "model/base/input_error.h"
+#include "model/capture/capture_format.h"
+#include "model/capture/capture_reader.h"
+#include "model/capture/capture_writer.h"
+#include "tests/support/temporary_file.h"
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::capture {
+namespace {
+
+using Catch::Matchers::Contains;
+
+// A device of memory and registers that remembers the commands it got.
+class MemoryDevice : public Device {
+public:
+    std::uint64_t memory_size() const override { return memory.size(); }
+    void write_memory(DeviceAddress at, std::span<const std::byte> bytes) override {
+        std::copy(bytes.begin(), bytes.end(), memory.begin() + at);
+    }
+    void read_memory(DeviceAddress at, std::span<std::byte> bytes) override {
+        std::copy_n(memory.begin() + at, bytes.size(), bytes.begin());
+    }
+    void submit(const CommandStream& commands) override {
+        shadow.follow(commands.words);
+        words.insert(words.end(), commands.words.begin(), commands.words.end());
+    }
+    void finish() override {}
+    std::vector<const StatisticsGroup*> statistics() const override { return {}; }
+
+    std::vector<std::byte> memory = std::vector<std::byte>(1 << 20);
+    RegisterShadow shadow;
+    std::vector<std::uint32_t> words;
+};
+
+constexpr std::uint32_t FogAddress = [] {
+    Registers registers{};
+    std::uint32_t address = 0, found = 0;
+    Registers::visit(registers, [&](auto& reg) {
+        if (static_cast<const void*>(&reg) == &registers.fog) found = address;
+        ++address;
+    });
+    return found;
+}();
+
+void write(Device& device, DeviceAddress at, std::initializer_list<int> bytes) {
+    std::vector<std::byte> content;
+    for (const int byte : bytes)
+        content.push_back(static_cast<std::byte>(byte));
+    device.write_memory(at, content);
+}
+
+void set_fog(Device& device, float density) {
+    Fog fog;
+    fog.density = density;
+    CommandStream commands;
+    commands.write(FogAddress, fog);
+    commands.add(Opcode::EndFrame);
+    device.submit(commands);
+}
+
+constexpr Surface Shown{
+    .address = 4096, .format = Format::Rgba8, .width = 16, .height = 8, .stride = 64};
+
+// Something before the capture, two frames in it.
+void record(Device& target, const std::string& path) {
+    CaptureWriter writer(target);
+    write(writer, 10, {1, 2, 3});
+    write(writer, 500000, {9});
+    set_fog(writer, 0.25f);
+    writer.begin(path, 7);
+    writer.frame_shown(7, Shown);
+    write(writer, 11, {8});
+    set_fog(writer, 0.5f);
+    std::array<std::byte, 4> seen{};
+    writer.read_memory(10, seen);
+    writer.finish();
+    writer.frame_shown(8, {});
+    writer.end();
+    write(writer, 600000, {77}); // Not in the file.
+}
+
+std::string bytes_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST_CASE("A capture begins with what the device held and repeats the calls that followed") {
+    const TemporaryFile file("", ".ffc");
+    MemoryDevice original, copy;
+    record(original, file.path());
+
+    CHECK(CaptureReader::is_capture(file.path()));
+    CaptureReader reader(file.path());
+    CHECK(reader.memory_size() == original.memory.size());
+    CHECK(reader.first_frame() == 7);
+    const auto first = reader.play_frame(copy);
+    REQUIRE(first);
+    CHECK(first->frame == 7);
+    CHECK(first->picture == Shown);
+    CHECK(copy.shadow.registers().fog.density == 0.25f);
+    CHECK(std::to_integer<int>(copy.memory[11]) == 2);
+    CHECK(std::to_integer<int>(copy.memory[500000]) == 9);
+
+    const auto second = reader.play_frame(copy);
+    REQUIRE(second);
+    CHECK(second->picture.format == Format::None);
+    CHECK(copy.shadow.registers() == original.shadow.registers());
+    CHECK(!reader.play_frame(copy));
+    original.memory[600000] = std::byte{}; // Written after the end.
+    CHECK(copy.memory == original.memory);
+}
+
+TEST_CASE("A capture is played again from its beginning") {
+    const TemporaryFile file("", ".ffc");
+    MemoryDevice original, first, second;
+    record(original, file.path());
+    CaptureReader reader(file.path());
+    while (reader.play_frame(first)) {
+    }
+    reader.rewind();
+    while (reader.play_frame(second)) {
+    }
+    CHECK(first.words == second.words);
+    CHECK(first.memory == second.memory);
+}
+
+TEST_CASE("The shadow follows each register") {
+    Registers registers{};
+    registers.fog.mode = FogMode::Exp2;
+    registers.lights[7].diffuse = {1, 2, 3, 4};
+    registers.targets.depth = Shown;
+    registers.images[5].shape = {.kind = TextureKind::TwoD, .format = Format::Rgba8, .width = 64};
+    CommandStream commands;
+    write_changes(Registers{}, registers, commands);
+    RegisterShadow shadow;
+    shadow.follow(commands.words);
+    CHECK(shadow.registers() == registers);
+}
+
+// What playing the file ends with.
+std::string outcome(const std::string& bytes) {
+    const TemporaryFile file(bytes, ".ffc");
+    MemoryDevice device;
+    try {
+        CaptureReader reader(file.path());
+        while (reader.play_frame(device)) {
+        }
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST_CASE("A capture cut at any byte or with any byte flipped ends in one line") {
+    const TemporaryFile file("", ".ffc");
+    MemoryDevice original;
+    record(original, file.path());
+    const std::string bytes = bytes_of(file.path());
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        const std::string error = outcome(bytes.substr(0, size));
+        INFO(size);
+        CHECK(!error.empty());
+        CHECK(error.find('\n') == std::string::npos);
+    }
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+        std::string damaged = bytes;
+        damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
+        CHECK(outcome(damaged).find('\n') == std::string::npos);
+    }
+}
+
+TEST_CASE("A capture of another version or of other registers is refused") {
+    const TemporaryFile file("", ".ffc");
+    MemoryDevice original;
+    record(original, file.path());
+    std::string bytes = bytes_of(file.path());
+    bytes[8] = 9;
+    CHECK_THAT(outcome(bytes), Contains("capture version 9"));
+    bytes[8] = Version;
+    bytes[12] = static_cast<char>(bytes[12] + 1);
+    CHECK_THAT(outcome(bytes), Contains("other registers"));
+}
+
+TEST_CASE("Commands that a device could trip over are found") {
+    CommandCheck check(1 << 20);
+    const auto mistake = [&](const auto& command) {
+        CommandStream commands;
+        commands.add(command);
+        return check.find_mistake(commands.words);
+    };
+    CHECK(mistake(DrawCommand{}).empty());
+    CHECK_THAT(mistake(DrawCommand{.count = 4, .vertex_count = 3}), Contains("more vertices"));
+    CHECK_THAT(mistake(DrawCommand{.vertex_count = 1, .vertex_address = (1 << 20) - 4}),
+               Contains("vertices lies outside"));
+    CHECK(mistake(DrawCommand{.vertex_count = 1, .vertex_address = (1 << 20) - 16}).empty());
+    CHECK_THAT(mistake(DrawCommand{.primitive = static_cast<PrimitiveType>(10)}),
+               Contains("primitive"));
+    CHECK_THAT(mistake(CopyRectangleCommand{
+                   .source = Shown, .destination = Shown, .source_x = 10, .width = 7}),
+               Contains("larger than its surface"));
+    CHECK(mistake(CopyRectangleCommand{
+                      .source = Shown, .destination = Shown, .source_x = 9, .width = 7})
+              .empty());
+    const std::vector<std::uint32_t> unknown{CommandStream::header(static_cast<Opcode>(99), 0)};
+    CHECK_THAT(check.find_mistake(unknown), Contains("opcode 99"));
+    const std::vector<std::uint32_t> endless{CommandStream::header(Opcode::Clear, 5)};
+    CHECK_THAT(check.find_mistake(endless), Contains("does not end"));
+    const std::vector<std::uint32_t> no_register{CommandStream::header(Opcode::WriteRegister, 1),
+                                                 RegisterCount};
+    CHECK_THAT(check.find_mistake(no_register), Contains("register below"));
+
+    TextureImage image{
+        .shape = {.kind = TextureKind::TwoD, .format = Format::Rgba8, .width = 512, .height = 512}};
+    CommandStream commands;
+    std::uint32_t address = 0;
+    const Registers map{};
+    Registers::visit(map, [&](const auto& reg) {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(reg)>, TextureImage>)
+            if (commands.empty()) commands.write(address, image);
+        ++address;
+    });
+    CHECK(check.find_mistake(commands.words).empty());
+    CommandCheck small(1 << 19);
+    CHECK_THAT(small.find_mistake(commands.words), Contains("texture lies outside"));
+}
+
+TEST_CASE("Random command words never get past the check into undefined territory") {
+    std::mt19937 random(1);
+    CommandCheck check(1 << 20);
+    for (int i = 0; i < 20000; ++i) {
+        std::vector<std::uint32_t> words(1 + random() % 64);
+        for (std::uint32_t& word : words)
+            word = static_cast<std::uint32_t>(random());
+        words[0] = CommandStream::header(static_cast<Opcode>(1 + random() % 8),
+                                         static_cast<std::uint32_t>(words.size() - 1));
+        check.find_mistake(words);
+    }
+}
+
+} // namespace
+} // namespace ffgpu::capture

@@ -1,0 +1,256 @@
+// The command line as its users meet it, in this process.
+
+#include "model/base/input_error.h"
+#include "tests/support/temporary_file.h"
+#include "tests/trace/trace_writer.h"
+#include "tools/commands/command_line.h"
+#include "tools/config/config_file.h"
+#include "tools/image/compare_images.h"
+#include "tools/replay/frame_range.h"
+#include "tools/replay/replay.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+#include <unistd.h>
+
+namespace ffgpu::tools {
+namespace {
+
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+namespace fs = std::filesystem;
+
+// A folder that is gone after the test.
+struct Folder {
+    fs::path path =
+        fs::temp_directory_path() / std::string("ffgpu_tools_").append(std::to_string(::getpid()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+    std::string operator/(const std::string& name) const { return (path / name).string(); }
+};
+
+int run(const std::vector<std::string>& arguments) {
+    std::vector<const char*> pointers{"ffgpu"};
+    for (const std::string& argument : arguments)
+        pointers.push_back(argument.c_str());
+    return run_command_line(static_cast<int>(pointers.size()), pointers.data(), "test");
+}
+
+std::string content(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+// `frames` frames of 8x4 pixels, cleared to red, then green, then red ...
+std::string clears(unsigned frames) {
+    trace::TraceWriter writer;
+    using Values = std::vector<std::function<void()>>;
+    const auto integer = [&](std::int64_t value) { return [&, value] { writer.sint(value); }; };
+    const auto real = [&](float value) { return [&, value] { writer.float32(value); }; };
+    writer.enter(0, "glXCreateContext", {"dpy", "vis", "shareList", "direct"});
+    writer.end();
+    writer.leave(writer.calls++);
+    writer.result();
+    writer.pointer(0x1000);
+    writer.end();
+    writer.call(1,
+                "glXMakeCurrent",
+                {"dpy", "drawable", "ctx"},
+                Values{integer(0), integer(5), [&] { writer.pointer(0x1000); }});
+    writer.call(2,
+                "glViewport",
+                {"x", "y", "width", "height"},
+                Values{integer(0), integer(0), integer(8), integer(4)});
+    for (unsigned i = 0; i < frames; ++i) {
+        const float red = i % 2 == 0 ? 1 : 0;
+        writer.call(3,
+                    "glClearColor",
+                    {"red", "green", "blue", "alpha"},
+                    Values{real(red), real(1 - red), real(0), real(1)});
+        writer.call(4, "glClear", {"mask"}, Values{[&] { writer.bitmask(0, 0x4000); }});
+        writer.call(5, "glXSwapBuffers", {"dpy", "drawable"}, Values{integer(0), integer(5)});
+    }
+    return writer.bytes;
+}
+
+TEST_CASE("Each bad input is one clear line and exit status 2") {
+    const Folder folder;
+    const auto replay_error = [&](const std::string& bytes) -> std::string {
+        const TemporaryFile file(bytes);
+        ReplayOptions options;
+        options.input = file.path();
+        options.output = folder / "out";
+        CHECK(run({"replay", file.path(), "-o", folder / "out"}) == 2);
+        try {
+            replay(options);
+        } catch (const InputError& error) {
+            const std::string text = error.what();
+            CHECK(text.find('\n') == std::string::npos);
+            CHECK_THAT(text, Contains(file.path()));
+            return text;
+        }
+        return "no error";
+    };
+    CHECK(run({"replay", folder / "missing.trace", "-o", folder / "out"}) == 2);
+    CHECK_THAT(replay_error(""), Contains("is empty"));
+    CHECK_THAT(replay_error("Some text.\n"), Contains("not a trace"));
+    CHECK_THAT(replay_error(trace::in_snappy(trace::TraceWriter(7).bytes)), Contains("version 7"));
+    const std::string whole = clears(3);
+    CHECK_THAT(replay_error(trace::in_snappy(whole.substr(0, whole.size() - 3))),
+               Contains("glXSwapBuffers"));
+    std::string wild = whole; // glClear with a blob of 2^63 bytes.
+    wild.append("\0\0\4\1\0\x8\xff\xff\xff\xff\xff\xff\xff\xff\x7f", 15);
+    CHECK_THAT(replay_error(trace::in_snappy(wild)), Contains("blob's length"));
+
+    CHECK(run({}) == 2);
+    CHECK(run({"fly"}) == 2);
+    CHECK(run({"replay"}) == 2);
+    CHECK(run({"config", "--set", "texel_cache.wayz=8"}) == 2);
+    CHECK(run({"compare", "/nonexistent", "/nonexistent"}) == 2);
+}
+
+TEST_CASE("Frames before a damaged place are written, and so are their statistics") {
+    const Folder folder;
+    const std::string whole = clears(3);
+    const TemporaryFile file(trace::in_snappy(whole.substr(0, whole.size() - 3)));
+    CHECK(run({"replay", file.path(), "-o", folder / "out"}) == 2);
+    CHECK(fs::exists(folder / "out/frame_0000.png"));
+    CHECK(fs::exists(folder / "out/frame_0001.png"));
+    CHECK(!fs::exists(folder / "out/frame_0002.png"));
+    CHECK_THAT(content(folder / "out/stats.json"), Contains("\"frame_count\": 2"));
+}
+
+TEST_CASE("A trace becomes pictures, and a range of its frames a capture with the same ones") {
+    const Folder folder;
+    const TemporaryFile file(trace::in_snappy(clears(4)));
+    REQUIRE(run({"replay", file.path(), "-o", folder / "all"}) == 0);
+    const Image red = read_image(folder / "all/frame_0002.png");
+    CHECK(red.width == 8);
+    CHECK(red.height == 4);
+    CHECK(std::vector<std::uint8_t>(red.rgb.begin(), red.rgb.begin() + 3) ==
+          std::vector<std::uint8_t>{255, 0, 0});
+
+    REQUIRE(run({"replay",
+                 file.path(),
+                 "-o",
+                 folder / "two",
+                 "--frames",
+                 "1-2",
+                 "--capture",
+                 folder / "two.ffc"}) == 0);
+    CHECK(!fs::exists(folder / "two/frame_0000.png"));
+    CHECK(!fs::exists(folder / "two/frame_0003.png"));
+    REQUIRE(run({"replay", folder / "two.ffc", "-o", folder / "again"}) == 0);
+    CHECK(run({"compare", folder / "two", folder / "again"}) == 0);
+    CHECK(run({"compare", folder / "two", folder / "all"}) == 1); // Frames are missing.
+
+    std::string damaged = content(folder / "two.ffc");
+    damaged.resize(damaged.size() - 9);
+    const TemporaryFile cut(damaged, ".ffc");
+    CHECK(run({"replay", cut.path(), "-o", folder / "cut"}) == 2);
+}
+
+TEST_CASE("Threads, heat maps and timing change neither pictures nor the functional figures") {
+    const Folder folder;
+    const TemporaryFile file(trace::in_snappy(clears(3)));
+    REQUIRE(run({"replay", file.path(), "-o", folder / "one", "--threads", "1"}) == 0);
+    REQUIRE(run({"replay", file.path(), "-o", folder / "two", "--threads", "2"}) == 0);
+    CHECK(content(folder / "one/stats.json") == content(folder / "two/stats.json"));
+    REQUIRE(run({"replay", file.path(), "-o", folder / "timed", "--timing"}) == 0);
+    CHECK(run({"compare", folder / "one", folder / "timed"}) == 0);
+    CHECK(run({"replay", file.path(), "-o", folder / "x", "--heatmap", "cycles"}) == 2);
+}
+
+TEST_CASE("compare measures, and fails above its limit") {
+    const Folder folder;
+    Image a(4, 2), b(4, 2);
+    b.rgb[3 * 5 + 1] = 24;
+    const Difference difference = compare_images(a, b);
+    CHECK(difference.rmse == Approx(std::sqrt(24.0 * 24 / 24)));
+    CHECK(difference.within_16 == Approx(7.0 / 8));
+    CHECK(difference.worst_x == 1);
+    CHECK(difference.worst_y == 1);
+    CHECK(difference.worst_difference == 24);
+    CHECK(std::isinf(compare_images(a, a).psnr));
+
+    write_png(folder / "a.png", a);
+    write_png(folder / "b.png", b);
+    CHECK(run({"compare", folder / "a.png", folder / "a.png"}) == 0);
+    CHECK(run({"compare", folder / "a.png", folder / "b.png"}) == 1);
+    CHECK(run({"compare",
+               folder / "a.png",
+               folder / "b.png",
+               "--max-rmse",
+               "4.91",
+               "--diff",
+               folder / "d.png"}) == 0);
+    CHECK(run({"compare", folder / "a.png", folder / "b.png", "--max-rmse", "4.8"}) == 1);
+    CHECK(read_image(folder / "d.png").rgb[3 * 5 + 1] == 8 * 24);
+}
+
+TEST_CASE("The configuration reads what it prints") {
+    Configuration configuration;
+    configuration.gpu.tile_size = 32;
+    configuration.timing.texel_cache.ways = 8;
+    configuration.timing.texel_cache.layout = timing::Layout::Linear;
+    const TemporaryFile file(to_toml(configuration), ".toml");
+    Configuration read;
+    read_config_file(file.path(), read);
+    CHECK(to_toml(read) == to_toml(configuration));
+    CHECK(to_toml(read) != to_toml(Configuration{}));
+}
+
+TEST_CASE("A wrong parameter is named with what was expected") {
+    const auto error = [](const std::string& toml) -> std::string {
+        const TemporaryFile file(toml, ".toml");
+        Configuration configuration;
+        try {
+            read_config_file(file.path(), configuration);
+        } catch (const InputError& wrong) {
+            CHECK_THAT(wrong.what(), StartsWith(file.path()));
+            return wrong.what();
+        }
+        return {};
+    };
+    CHECK_THAT(error("\n[texel_cache]\nwayz = 8\n"),
+               Contains(":3: unknown parameter texel_cache.wayz") &&
+                   Contains("did you mean texel_cache.ways?"));
+    CHECK_THAT(error("[texl_cache]\n"), Contains("did you mean texel_cache?"));
+    CHECK_THAT(error("[texel_cache]\nways = 0\n"), Contains("1 to 65536") && Contains("found 0"));
+    CHECK_THAT(error("[texel_cache]\nsets = 48\n"), Contains("a power of two"));
+    CHECK_THAT(error("[texel_cache]\nsets = \"64\"\n"), Contains("expected an integer"));
+    CHECK_THAT(error("[texel_cache]\nlayout = \"square\"\n"), Contains("\"linear\", \"blocked\""));
+    CHECK_THAT(error("texel_cache = 3\n"), Contains("is a table"));
+    CHECK_THAT(error("[texel_cache\n"), Contains(":1"));
+}
+
+TEST_CASE("Frame ranges are A-B, A or A-") {
+    CHECK(parse_frame_range("3-7") == FrameRange{3, 7});
+    CHECK(parse_frame_range("3") == FrameRange{3, 3});
+    CHECK(parse_frame_range("3-").contains(1000000));
+    for (const char* wrong : {"", "x", "-3", "7-3", "3-x", "3 7", "3-7-9"})
+        CHECK_THROWS_AS(parse_frame_range(wrong), InputError);
+}
+
+TEST_CASE("The heat ramp runs from black over blue, green and red to white") {
+    using Color = std::array<std::uint8_t, 3>;
+    CHECK(heat_color(0) == Color{0, 0, 0});
+    CHECK(heat_color(1.0 / 6) == Color{0, 0, 255});
+    CHECK(heat_color(0.5) == Color{0, 255, 0});
+    CHECK(heat_color(5.0 / 6) == Color{255, 0, 0});
+    CHECK(heat_color(7) == Color{255, 255, 255});
+    CHECK_THROWS_WITH(parse_heat_maps("overdrow"), Contains("did you mean overdraw?"));
+    CHECK(parse_heat_maps("level,overdraw").size() == 2);
+}
+
+} // namespace
+} // namespace ffgpu::tools
