@@ -85,6 +85,9 @@ void GeometryUnit::run(const DrawState& state,
                        const DrawCommand& command,
                        GeometryWork* work) {
     const Registers& registers = state.regs();
+    work_ = work;
+    told_ = {};
+    told_out_ = handed_over_before_;
     if (work) describe(registers, command, *work);
     if (command.count == 0) return;
     const ElementReader elements(memory_, command, registers.vertex_format);
@@ -97,8 +100,8 @@ void GeometryUnit::run(const DrawState& state,
     if (!setup_.window.visible) return;
     stage_.start(setup_, feedback_);
     assembler_.start(command);
-    run_chunks(command, elements, work);
-    count_primitives(work);
+    run_chunks(command, elements);
+    count_primitives();
 }
 
 void GeometryUnit::set_up(const DrawState& state,
@@ -111,9 +114,7 @@ void GeometryUnit::set_up(const DrawState& state,
     pool_.start(setup_);
 }
 
-void GeometryUnit::run_chunks(const DrawCommand& command,
-                              const ElementReader& elements,
-                              GeometryWork* work) {
+void GeometryUnit::run_chunks(const DrawCommand& command, const ElementReader& elements) {
     const ChunkRule rule = chunk_rule(command.primitive);
     const std::uint32_t hub = rule.hub ? 1 : 0;
     std::uint32_t size = elements.indexed() ? IndexedChunk : PlainChunk;
@@ -126,9 +127,9 @@ void GeometryUnit::run_chunks(const DrawCommand& command,
         elements_.resize(hub + end - begin);
         if (rule.hub) elements.read(0, std::span(elements_).first(1));
         elements.read(begin, std::span(elements_).subspan(hub));
-        if (work) {
+        if (work_) {
             const std::uint32_t fresh = end - seen;
-            work->vertices.insert(work->vertices.end(), elements_.end() - fresh, elements_.end());
+            work_->vertices.insert(work_->vertices.end(), elements_.end() - fresh, elements_.end());
         }
         stats_.vertices_fetched += end - seen;
 
@@ -166,23 +167,32 @@ void GeometryUnit::shade_vertices(const std::byte* vertices) {
     stats_.vertices_shaded += numbers.size();
 }
 
-void GeometryUnit::count_primitives(GeometryWork* work) {
+void GeometryUnit::count_primitives() {
+    finish_part();
     const PrimitiveCounts& counts = stage_.counts();
-    const auto out = static_cast<std::uint32_t>(primitives_.handed_over() - handed_over_before_);
-    handed_over_before_ = primitives_.handed_over();
     stats_.primitives_in += counts.in;
     stats_.primitives_clipped += counts.clipped;
     stats_.primitives_outside += counts.outside;
     stats_.primitives_culled += counts.culled;
     stats_.primitives_degenerate += counts.degenerate;
-    stats_.primitives_out += out;
-    if (!work) return;
-    work->primitives_in = counts.in;
-    work->primitives_clipped = counts.clipped;
-    work->primitives_outside = counts.outside;
-    work->primitives_culled = counts.culled;
-    work->primitives_degenerate = counts.degenerate;
-    work->primitives_out = out;
+    stats_.primitives_out += primitives_.handed_over() - handed_over_before_;
+    handed_over_before_ = primitives_.handed_over();
+    work_ = nullptr;
+}
+
+void GeometryUnit::finish_part() {
+    if (!work_) return;
+    const PrimitiveCounts& counts = stage_.counts();
+    work_->keys_begin = work_->keys_end;
+    work_->keys_end = assembler_.keys();
+    work_->primitives_in = counts.in - told_.in;
+    work_->primitives_clipped = counts.clipped - told_.clipped;
+    work_->primitives_outside = counts.outside - told_.outside;
+    work_->primitives_culled = counts.culled - told_.culled;
+    work_->primitives_degenerate = counts.degenerate - told_.degenerate;
+    work_->primitives_out = static_cast<std::uint32_t>(primitives_.handed_over() - told_out_);
+    told_ = counts;
+    told_out_ = primitives_.handed_over();
 }
 
 } // namespace ffgpu

@@ -36,6 +36,9 @@ public:
     // Chunks of a draw come in order.
     void assemble(const ElementChunk& chunk);
 
+    // Keys given out so far in this draw.
+    std::uint32_t keys() const { return key_; }
+
 private:
     using Slots = std::span<const std::uint32_t>;
 

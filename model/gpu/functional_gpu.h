@@ -95,6 +95,7 @@ private:
     bool pixels_valid_ = false; // context_->pixels is, though geometry's registers changed
     std::shared_ptr<const PixelContext> binned_pixels_; // the last whose pages are in the sets
 
+    GeometryWork geometry_work_; // of the draw under way, with a work sink
     std::uint32_t draw_number_ = 0;
     std::uint32_t frame_ = 0;
     std::uint64_t samples_ = 0;

@@ -69,9 +69,9 @@ void FunctionalGpu::draw(const DrawCommand& command) {
     bin_serial_ = bin_serial_ || own_target;
     samples_pending_ = samples_pending_ || context_->pixels->count_samples;
 
-    GeometryWork work;
-    geometry_.draw(context_->state, command, *this, sink_ ? &work : nullptr);
-    if (sink_) bin_.commands().back().geometry = std::move(work);
+    geometry_work_ = {};
+    geometry_.draw(context_->state, command, *this, sink_ ? &geometry_work_ : nullptr);
+    if (sink_) bin_.commands().back().geometry = std::move(geometry_work_);
     if (own_target) flush();
 }
 
@@ -131,6 +131,11 @@ void FunctionalGpu::bin_primitive(const Primitive& primitive) {
         // The draw goes on in the next bin, under the same number.
         const std::uint32_t number = bin_.commands().back().number;
         const bool serial = bin_serial_;
+        if (sink_) {
+            geometry_.finish_part();
+            bin_.commands().back().geometry = geometry_work_;
+            geometry_work_.vertices.clear();
+        }
         flush();
         begin_command({.kind = WorkKind::Draw, .number = number});
         bin_serial_ = serial;

@@ -44,13 +44,17 @@ struct WorkTile {
     std::vector<WorkBatch> batches;
 };
 
-// What became of a draw before rasterization.
+// What became of a draw before rasterization. A draw that is split between bins has its work split,
+// too: each part tells of the vertices and primitives since the part before.
 struct GeometryWork {
     std::uint32_t vertex_bytes = 0;      // of one vertex in memory
     std::vector<std::uint32_t> vertices; // vertex numbers in the order of use, as indexed
     DeviceAddress vertex_address = 0;
     DeviceAddress index_address = 0;
     std::uint8_t index_bytes = 0; // of one index; 0: none
+    std::uint32_t keys_begin =
+        0;                      // PrimitiveKey::primitive of this part's primitives: a filled quad
+    std::uint32_t keys_end = 0; // or polygon is one key and several primitives
     std::uint32_t primitives_in = 0;
     std::uint32_t primitives_clipped = 0;    // cut by a plane, at least one piece left
     std::uint32_t primitives_outside = 0;    // nothing left

@@ -41,10 +41,16 @@ struct PreparedDraw {
     bool writes_color = false;
     std::uint32_t primitives_with_quads = 0;
 
-    // Primitives that reach set-up one by one. Images, and the later parts of a draw that was
-    // split between bins, have no geometry work: only what they drew.
+    // Primitives that reach set-up one by one. Images have no geometry work: only what they drew.
     std::uint32_t primitives() const {
         return std::max(work.geometry.primitives_in, primitives_with_quads);
+    }
+
+    // Keys up to which the quads belong to the first n of them.
+    std::uint32_t keys_before(std::uint32_t n) const {
+        const std::uint64_t keys = work.geometry.keys_end - work.geometry.keys_begin;
+        return work.geometry.keys_begin +
+               static_cast<std::uint32_t>(n * keys / std::max(primitives(), 1u));
     }
 };
 

@@ -18,8 +18,9 @@ void SetupTiming::begin(const PrimitiveToken& token) {
     }
     const auto& quads = token.draw.bin->quads;
     const std::uint32_t draw_end = draw.first_quad + draw.quad_count;
+    const std::uint32_t key_end = draw.keys_before(token.primitive + 1);
     const auto belongs = [&](std::uint32_t quad) {
-        return quad < draw_end && (token.last || quads[quad].primitive <= token.primitive);
+        return quad < draw_end && (token.last || quads[quad].primitive < key_end);
     };
     while (belongs(result_.end))
         ++result_.end;
