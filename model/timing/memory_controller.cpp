@@ -106,6 +106,7 @@ bool MemoryController::issue(DramChannel& channel) {
         (request.bytes + config_.bytes_per_cycle - 1) / config_.bytes_per_cycle;
     const Cycle data_end = data_begin + data_cycles;
     channel.bus_free_at = data_end;
+    channel.bursts.push_back({data_begin, data_end});
     channel.last_was_write = request.write;
     const bool closes = config_.page_policy == PagePolicy::Closed;
     bank.open_row = closes ? Bank::Closed : row_of(request.address);
@@ -121,14 +122,21 @@ bool MemoryController::issue(DramChannel& channel) {
     return true;
 }
 
+bool MemoryController::carries_data(DramChannel& channel) const {
+    while (!channel.bursts.empty() && channel.bursts.front().end <= now())
+        channel.bursts.pop_front();
+    return !channel.bursts.empty() && channel.bursts.front().begin <= now();
+}
+
+// Busy while a bus carries data; what is spent on rows, columns and turnarounds is a stall.
 Activity MemoryController::step() {
     bool moving = false, waiting = false;
     for (DramChannel& channel : channels_) {
         deliver(channel);
         accept_arrivals(channel);
         issue(channel);
-        moving |= channel.bus_free_at > now();
-        waiting |= !channel.queue.empty() || channel.arrivals->can_pop();
+        moving |= carries_data(channel);
+        waiting |= !channel.queue.empty() || !channel.bursts.empty() || channel.arrivals->can_pop();
     }
     return moving ? Activity::Busy : waiting ? Activity::StalledMemory : Activity::Idle;
 }

@@ -75,6 +75,9 @@ private:
         Cycle at = 0;
         tlm::tlm_generic_payload* payload = nullptr;
     };
+    struct Burst {
+        Cycle begin = 0, end = 0;
+    };
     struct DramChannel {
         std::unique_ptr<Channel<tlm::tlm_generic_payload*>> arrivals;
         std::deque<tlm::tlm_generic_payload*> queue;
@@ -82,6 +85,7 @@ private:
         std::vector<Bank> banks;
         Cycle bus_free_at = 0;
         bool last_was_write = false;
+        std::deque<Burst> bursts;       // on the bus, or to come
         std::deque<Response> responses; // in the order of their data
     };
 
@@ -92,6 +96,7 @@ private:
     void accept_arrivals(DramChannel& channel);
     void deliver(DramChannel& channel);
     bool issue(DramChannel& channel);
+    bool carries_data(DramChannel& channel) const;
     Bank& bank_of(DramChannel& channel, std::uint64_t address) const;
     std::uint64_t row_of(std::uint64_t address) const;
 

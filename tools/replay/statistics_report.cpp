@@ -1,5 +1,7 @@
 #include "tools/replay/statistics_report.h"
 
+#include "tools/replay/summary.h"
+
 #include <map>
 
 #include <fmt/format.h>
@@ -140,24 +142,7 @@ std::string StatisticsReport::to_json() const {
 }
 
 std::string StatisticsReport::summary() const {
-    const Json& totals = content_->totals;
-    const std::size_t frames = content_->frames.size();
-    if (frames == 0) return "no frames\n";
-    const auto total = [&](const char* group, const char* name) {
-        return totals.contains(group) ? totals[group].value(name, std::uint64_t{0}) : 0;
-    };
-    std::string text = fmt::format(
-        "{} frames, {} draws, {} primitives, {} fragments written, overdraw {:.2f}\n",
-        frames,
-        total("functional", "draws"),
-        total("functional", "primitives_in"),
-        total("functional", "fragments_written"),
-        per(total("functional", "fragments_written"), totals["pixels"].get<std::uint64_t>()));
-    if (content_->with_timing)
-        text += fmt::format("{} cycles, {:.0f} a frame\n",
-                            total("timing", "total_cycles"),
-                            per(total("timing", "total_cycles"), frames));
-    return text;
+    return summarize(content_->totals, content_->frames.size());
 }
 
 } // namespace ffgpu::tools
