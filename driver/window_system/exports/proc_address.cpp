@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+
+#include <dlfcn.h>
 
 // As gl_exports.cpp defines them. The system's headers declare some of them with the same types.
 #define GL_COMMAND(result, name, parameters, arguments, command_class)                             \
@@ -31,11 +34,28 @@ const auto Entries = std::to_array<Entry>({
 #include "driver/entry_points/commands.inc"
 });
 
+// This library, whichever it is.
+void* self() {
+    static void* const handle = [] {
+        Dl_info info{};
+        ::dladdr(reinterpret_cast<const void*>(&glBegin), &info);
+        return ::dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
+    }();
+    return handle;
+}
+
 } // namespace
 
 AnyFunction find_gl_function(std::string_view name) {
-    const auto entry = std::ranges::find(Entries, name, &Entry::name);
-    return entry == Entries.end() ? nullptr : entry->function;
+    const auto entry = std::ranges::lower_bound(Entries, name, {}, &Entry::name);
+    return entry == Entries.end() || entry->name != name ? nullptr : entry->function;
+}
+
+AnyFunction find_function(std::string_view name) {
+    if (const AnyFunction found = find_gl_function(name)) return found;
+    void* const handle = self();
+    return handle ? reinterpret_cast<AnyFunction>(::dlsym(handle, std::string(name).c_str()))
+                  : nullptr;
 }
 
 } // namespace ffgpu::gl

@@ -3,6 +3,7 @@
 #include "driver/context/offscreen.h"
 #include "driver/window_system/exports/proc_address.h"
 #include "driver/window_system/process_gpu.h"
+#include "driver/window_system/turn.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +14,7 @@
 #define FFGPU_EXPORT extern "C" __attribute__((visibility("default")))
 
 using ffgpu::gl::ProcessGpu;
+using ffgpu::gl::Turn;
 
 // An off-screen context and the program's memory that it is shown in.
 struct osmesa_context {
@@ -98,7 +100,7 @@ OSMesaContext create(GLenum format,
                      GLint accumulation_bits,
                      OSMesaContext share) {
     if (!is_known_format(format)) return nullptr;
-    const ProcessGpu::Turn turn;
+    const Turn turn;
     ProcessGpu& gpu = ProcessGpu::instance();
     const bool stencil = stencil_bits > 0;
     const int depth = stencil || depth_bits > 16 ? 24 : depth_bits > 0 ? 16 : 0;
@@ -167,14 +169,14 @@ FFGPU_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int* attribList,
 }
 
 FFGPU_EXPORT void OSMesaDestroyContext(OSMesaContext ctx) {
-    const ProcessGpu::Turn turn;
+    const Turn turn;
     if (current == ctx) current = nullptr;
     delete ctx;
 }
 
 FFGPU_EXPORT GLboolean
 OSMesaMakeCurrent(OSMesaContext ctx, void* buffer, GLenum type, GLsizei width, GLsizei height) {
-    const ProcessGpu::Turn turn;
+    const Turn turn;
     if (!ctx) {
         ffgpu::gl::make_current(nullptr, nullptr, nullptr);
         current = nullptr;
@@ -245,7 +247,7 @@ FFGPU_EXPORT void OSMesaGetIntegerv(GLint pname, GLint* value) {
 // call.
 FFGPU_EXPORT GLboolean OSMesaGetDepthBuffer(
     OSMesaContext c, GLint* width, GLint* height, GLint* bytesPerValue, void** buffer) {
-    const ProcessGpu::Turn turn;
+    const Turn turn;
     if (!c || c->context->drawable().depth().format != ffgpu::Format::Depth24Stencil8)
         return GL_FALSE;
     c->context->context().flush_vertices();

@@ -1,0 +1,85 @@
+#include "driver/window_system/binding/binding.h"
+
+#include "driver/context/current.h"
+#include "driver/window_system/exports/window_hooks.h"
+#include "driver/window_system/turn.h"
+
+namespace ffgpu::gl {
+namespace {
+
+bool draws_to_front(const RenderContext& current, const WindowSurface& surface) {
+    const FramebufferState& state = current.context.state.framebuffer;
+    if (!surface.format().double_buffer) return state.draw_buffer != GL_NONE;
+    return state.draw_buffer != GL_BACK && state.draw_buffer != GL_BACK_LEFT &&
+           state.draw_buffer != GL_NONE;
+}
+
+void show_front(Binding& binding) {
+    if (!binding.draw) return;
+    if (draws_to_front(*binding.context, *binding.draw)) binding.draw->touch_front();
+    binding.draw->show_front();
+}
+
+void set_bound(const Binding& binding, bool bound) {
+    if (binding.context) binding.context->bound = bound;
+    if (binding.draw) binding.draw->bound = bound;
+    if (binding.read) binding.read->bound = bound;
+}
+
+// A thread that ends with a context current gives it free.
+struct ThreadBinding : Binding {
+    ~ThreadBinding() {
+        if (!context) return;
+        const Turn turn;
+        make_current(nullptr, nullptr, nullptr);
+        set_bound(*this, false);
+        static_cast<Binding&>(*this) = {}; // In the turn: device memory is given back.
+    }
+};
+
+thread_local ThreadBinding binding;
+
+} // namespace
+
+const Binding& current_binding() {
+    return binding;
+}
+
+void bind(Binding next) {
+    if (next.draw) next.draw->follow_window();
+    if (next.read && next.read != next.draw) next.read->follow_window();
+    if (binding.context) flush_current();
+    set_bound(binding, false);
+    Context* const context = next.context ? &next.context->context : nullptr;
+    make_current(context,
+                 next.draw ? &next.draw->drawable() : nullptr,
+                 next.read ? &next.read->drawable() : nullptr);
+    if (context) context->on_flush = [] { show_front(binding); };
+    static_cast<Binding&>(binding) = std::move(next);
+    set_bound(binding, true);
+}
+
+void flush_current() {
+    if (!binding.context) return;
+    binding.context->context.flush_vertices();
+    show_front(binding);
+}
+
+void swap_surface(WindowSurface& surface) {
+    if (binding.context) binding.context->context.flush_vertices();
+    surface.swap();
+}
+
+void before_viewport() {
+    if (!binding.draw) return;
+    binding.context->context.flush_vertices();
+    binding.draw->follow_window_once();
+}
+
+void before_draw_buffer() {
+    if (!binding.draw || binding.context->context.vertex_phase == VertexPhase::Inside) return;
+    binding.context->context.flush_vertices();
+    if (draws_to_front(*binding.context, *binding.draw)) binding.draw->touch_front();
+}
+
+} // namespace ffgpu::gl

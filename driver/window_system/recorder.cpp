@@ -1,0 +1,44 @@
+#include "driver/window_system/recorder.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include <dlfcn.h>
+
+namespace ffgpu::gl {
+namespace {
+
+constexpr int BadInput = 2;
+
+[[noreturn]] void fail(const std::string& message) {
+    std::fprintf(stderr, "ffgpu: %s\n", message.c_str());
+    std::_Exit(BadInput);
+}
+
+Recorder* recorder = nullptr;
+
+void finish_recorder() {
+    recorder->finish();
+}
+
+} // namespace
+
+std::unique_ptr<Recorder> open_recorder() {
+    const char* const wanted = std::getenv("FFGPU_RECORD");
+    if (!wanted || !*wanted) return nullptr;
+    const std::string text = wanted;
+    const std::size_t colon = text.find(':');
+    if (colon == std::string::npos)
+        fail("FFGPU_RECORD is " + text + ": expected RECORDER.so:SETTINGS.json");
+    void* const library = ::dlopen(text.substr(0, colon).c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!library) fail(std::string("the recorder cannot be loaded: ") + ::dlerror());
+    const auto open = reinterpret_cast<OpenRecorder>(::dlsym(library, "ffgpu_open_recorder"));
+    if (!open) fail(std::string("the recorder is none: ") + ::dlerror());
+    recorder = open(text.substr(colon + 1).c_str());
+    if (!recorder) std::_Exit(BadInput);
+    std::atexit(finish_recorder);
+    return std::unique_ptr<Recorder>(recorder);
+}
+
+} // namespace ffgpu::gl

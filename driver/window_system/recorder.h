@@ -1,0 +1,36 @@
+// Recorder: what `ffgpu run` puts between the drop-in library and the GPU: it has the GPU, and
+// writes pictures, statistics and captures of the frames.
+//
+// It comes from a shared object of its own, which is loaded only where the environment variable
+// FFGPU_RECORD names it and the file with its settings ("recorder.so:settings.json"), so that
+// programs which merely draw do not load what writes pictures.
+
+#pragma once
+
+#include "model/device/device.h"
+
+#include <memory>
+
+namespace ffgpu::gl {
+
+class Recorder {
+public:
+    virtual ~Recorder() = default;
+
+    // The device to draw on.
+    virtual Device& device() = 0;
+    // A frame is done; `picture` is what the window shows.
+    virtual void frame_shown(const Surface& picture) = 0;
+    // Completes the files; called at the process's end.
+    virtual void finish() = 0;
+};
+
+// What the shared object exports under the name "ffgpu_open_recorder". Null: it could not, and has
+// said why on stderr.
+using OpenRecorder = Recorder* (*)(const char* settings_path);
+
+// The recorder that the environment asks for, or null. Where one is asked for but does not start,
+// the process ends with status 2.
+std::unique_ptr<Recorder> open_recorder();
+
+} // namespace ffgpu::gl
