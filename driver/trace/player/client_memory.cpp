@@ -36,15 +36,38 @@ void ClientMemory::keep_array(const gl::Context& context, const void* array, Blo
     arrays_[{&context, array}].swap(blob);
 }
 
-std::uint64_t ClientMemory::bytes_from(const void* pointer) const {
+Blob* ClientMemory::blob_at(const void* pointer) {
     const auto* const at = static_cast<const std::byte*>(pointer);
-    for (const auto& [key, blob] : arrays_) {
-        const std::byte* const end = blob.data() + blob.size();
+    for (auto& [key, blob] : arrays_) {
         // std::less orders pointers of different objects.
-        if (!std::less<>()(at, blob.data()) && std::less<>()(at, end))
-            return static_cast<std::uint64_t>(end - at);
+        if (!std::less<>()(at, blob.data()) && std::less<>()(at, blob.data() + blob.size()))
+            return &blob;
     }
-    return 0;
+    return nullptr;
+}
+
+std::uint64_t ClientMemory::bytes_from(const void* pointer) const {
+    const Blob* const blob = const_cast<ClientMemory*>(this)->blob_at(pointer);
+    if (!blob) return 0;
+    return blob->size() -
+           static_cast<std::uint64_t>(static_cast<const std::byte*>(pointer) - blob->data());
+}
+
+bool ClientMemory::extend(gl::VertexArray& array, std::uint64_t vertices) {
+    constexpr std::uint64_t Limit = 64 << 20; // bytes
+    Blob* const blob = array.enabled && !array.buffer ? blob_at(array.pointer) : nullptr;
+    if (!blob || vertices > Limit) return false;
+    const std::uint64_t element =
+        static_cast<std::uint64_t>(array.size) * component_bytes(array.type);
+    const std::uint64_t stride =
+        array.stride > 0 ? static_cast<std::uint64_t>(array.stride) : element;
+    const auto offset =
+        static_cast<std::uint64_t>(static_cast<const std::byte*>(array.pointer) - blob->data());
+    const std::uint64_t needed = offset + vertices * stride + element;
+    if (needed > Limit) return false;
+    if (needed > blob->size()) blob->pad(needed - blob->size());
+    array.pointer = blob->data() + offset;
+    return true;
 }
 
 std::uint64_t ClientMemory::vertices_available(const gl::VertexArray& array) const {

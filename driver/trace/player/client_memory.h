@@ -27,6 +27,10 @@ public:
     // No limit for an array that is off, or in a buffer object, which is the driver's business.
     std::uint64_t vertices_available(const gl::VertexArray& array) const;
 
+    // Gives the array zeroes behind its bytes, so that `vertices` of them can be fetched. False
+    // where it has no bytes at all, or too many more would be needed.
+    bool extend(gl::VertexArray& array, std::uint64_t vertices);
+
     // Whether an array of the object that is enabled lies in the program's memory.
     static bool uses(const gl::VertexArrayObject& object);
 
@@ -43,6 +47,8 @@ public:
 private:
     // Bytes from `pointer` to the end of the blob it points into; 0: none.
     std::uint64_t bytes_from(const void* pointer) const;
+
+    Blob* blob_at(const void* pointer);
 
     std::map<std::pair<const gl::Context*, const void*>, Blob> arrays_;
     std::map<std::uint64_t, std::weak_ptr<gl::BufferObject>> mappings_; // by traced address

@@ -67,8 +67,9 @@ void TracePlayer::set_array(const GlCommand* command, Call& call) {
     if (options_.keep_last_frame) call.blob(pointer).swap(copy);
 }
 
-// An array that is enabled but has no (or too little) memory: the program left it so because
-// nothing uses it, as a texture unit's that is off. It is disabled for the draw.
+// An array that is enabled but has too little memory is one that the program did not care for, as a
+// texture unit's that is off, or whose pointer the tracer did not tell again: what it has is used,
+// and zeroes after that. One without any memory is disabled for the draw.
 void TracePlayer::draw_checked(const GlCommand* command, Call& call, std::uint64_t vertices) {
     gl::VertexArrayObject& object = *gl::current_context()->client.arrays.object;
     if (memory_.vertices_available(object.of(Attribute::Position)) < vertices)
@@ -78,7 +79,8 @@ void TracePlayer::draw_checked(const GlCommand* command, Call& call, std::uint64
     std::array<gl::VertexArray*, Attributes> disabled{};
     std::size_t count = 0;
     for (gl::VertexArray& array : object.arrays) {
-        if (memory_.vertices_available(array) >= vertices) continue;
+        if (memory_.vertices_available(array) >= vertices || memory_.extend(array, vertices))
+            continue;
         array.enabled = false;
         disabled[count++] = &array;
     }
