@@ -1,14 +1,29 @@
 #include "driver/window_system/x11/internals.h"
 
+#include <map>
+#include <utility>
+
 #include <X11/Xlibint.h>
+#undef max
+#undef min
 
 namespace ffgpu::gl {
 namespace {
 
-void (*close_handler)(_XDisplay*) = nullptr; // There is one.
+using CloseHandler = void (*)(_XDisplay*);
 
-int handle_close(Display* display, XExtCodes*) {
-    close_handler(display);
+// By connection and by the number that it gave the extension which asks to be told.
+std::map<std::pair<_XDisplay*, int>, CloseHandler>& close_handlers() {
+    static auto* const all = new std::map<std::pair<_XDisplay*, int>, CloseHandler>;
+    return *all;
+}
+
+int handle_close(Display* display, XExtCodes* codes) {
+    const auto handler = close_handlers().find({display, codes->extension});
+    if (handler == close_handlers().end()) return 0;
+    const CloseHandler closed = handler->second;
+    close_handlers().erase(handler);
+    closed(display);
     return 0;
 }
 
@@ -29,9 +44,10 @@ void send_error(_XDisplay* dpy, const XErrorReport& report) {
 }
 
 void on_close(_XDisplay* display, void (*closed)(_XDisplay* display)) {
-    close_handler = closed;
-    if (const XExtCodes* const codes = XAddExtension(display))
-        XESetCloseDisplay(display, codes->extension, handle_close);
+    const XExtCodes* const codes = XAddExtension(display);
+    if (!codes) return;
+    close_handlers()[{display, codes->extension}] = closed;
+    XESetCloseDisplay(display, codes->extension, handle_close);
 }
 
 } // namespace ffgpu::gl
