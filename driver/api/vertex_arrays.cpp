@@ -18,6 +18,7 @@ struct Pointer {
     GLenum type;
     GLsizei stride;
     const void* pointer;
+    bool normalized = false; // integers stand for fractions
 };
 
 // The size is checked by the caller, whose commands differ in it.
@@ -27,6 +28,7 @@ void set_array(Context& context, VertexArray& array, Types types, const Pointer&
     if (to.stride < 0) return context.error(GL_INVALID_VALUE);
     array.size = to.size;
     array.bgra = false;
+    array.normalized = to.normalized;
     array.type = to.type;
     array.stride = to.stride;
     array.pointer = to.pointer;
@@ -51,13 +53,12 @@ void set_color_array(Context& context, Attribute attribute, GLint least_size, co
     if (to.size == GL_BGRA) {
         if (to.type != GL_UNSIGNED_BYTE) return context.error(GL_INVALID_VALUE);
         if (to.stride < 0) return context.error(GL_INVALID_VALUE);
-        set_array(context, array, all, {4, to.type, to.stride, to.pointer});
+        set_array(context, array, all, {4, to.type, to.stride, to.pointer, true});
         array.bgra = true;
         return;
     }
     if (to.size < least_size || to.size > 4) return context.error(GL_INVALID_VALUE);
-    array.normalized = true;
-    set_array(context, array, all, to);
+    set_array(context, array, all, {to.size, to.type, to.stride, to.pointer, true});
 }
 
 void enable_array(Context& context, GLenum token, bool enable) {
@@ -82,12 +83,10 @@ void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, co
 }
 
 void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
-    VertexArray& array = array_of(context, Attribute::Normal);
-    array.normalized = true;
     set_array(context,
-              array,
+              array_of(context, Attribute::Normal),
               {GL_BYTE, GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE},
-              {3, type, stride, pointer});
+              {3, type, stride, pointer, true});
 }
 
 void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
