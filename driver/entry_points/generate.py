@@ -3,6 +3,7 @@
 
     driver/entry_points/generate.py commands > driver/entry_points/commands.inc
     driver/entry_points/generate.py arrays   > driver/entry_points/array_lengths.inc
+    driver/entry_points/generate.py later    > driver/window_system/exports/later_commands.inc
 
 commands.inc: each command of OpenGL 1.0 to 1.5 and of the extensions below, in alphabetical order:
 
@@ -20,6 +21,10 @@ array_lengths.inc: the recorded commands with array arguments whose length the r
 elements an array:
 
     GL_ARRAYS(Name, (parameters), elements)
+later_commands.inc: the other commands of OpenGL 1.0 to 4.6 and of the ARB's and EXT extensions,
+which programs may be linked with:
+
+    GL_LATER_COMMAND(Name)
 """
 import re
 import sys
@@ -144,10 +149,23 @@ def print_array_lengths(commands):
             print(f"GL_ARRAYS({c.name[2:]}, ({c.declared()}), {length})")
 
 
+def print_later_commands(path):
+    known = {c.name for c in read_registry(path)}
+    root = ET.parse(path).getroot()
+    groups = [f for f in root.findall("feature") if f.get("api") == "gl"]
+    groups += [e for e in root.find("extensions")
+               if re.match("GL_(ARB|EXT)_", e.get("name")) and re.search(r"\bgl\b", e.get("supported"))]
+    later = {c.get("name") for g in groups for r in g.findall("require") for c in r.findall("command")}
+    for name in sorted(later - known):
+        print(f"GL_LATER_COMMAND({name[2:]})")
+
+
 def main():
     what = sys.argv[1] if len(sys.argv) > 1 else "commands"
     path = sys.argv[2] if len(sys.argv) > 2 else "/usr/share/khronos-api/gl.xml"
     print("// Made by driver/entry_points/generate.py from the Khronos registry. Not edited by hand.")
+    if what == "later":
+        return print_later_commands(path)
     {"commands": print_commands, "arrays": print_array_lengths}[what](read_registry(path))
 
 

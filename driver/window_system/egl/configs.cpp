@@ -46,6 +46,9 @@ bool matches(const EglConfig& config, EGLint attribute, EGLint wish) {
     if (attribute == EGL_MATCH_NATIVE_PIXMAP) return true;
     if (wish == EGL_DONT_CARE || is_ignored(attribute)) return true;
     const EGLint value = egl_config_attribute(config, attribute).value_or(0);
+    // OpenGL ES 1 is the default of the list, and programs of desktop OpenGL leave or write it
+    // there: every other EGL has both. Whether it is there shows in eglBindAPI.
+    if (attribute == EGL_RENDERABLE_TYPE) wish &= ~EGL_OPENGL_ES_BIT;
     if (is_bit_mask(attribute)) return (value & wish) == wish;
     return is_minimum(attribute) ? value >= wish : value == wish;
 }

@@ -126,7 +126,7 @@ FFGPU_GLX GLXContext glXCreateContextWithConfigSGIX(
 FFGPU_GLX void glXDestroyContext(Display* dpy, GLXContext context) {
     const Turn turn;
     GlxDisplay& display = GlxDisplay::of(dpy);
-    if (display.contexts.erase(context) == 0 && context)
+    if (display.contexts.erase(context) == 0 && context && glx_current().context != context)
         display.report_glx(GlxBadContext, RequestDestroyContext);
 }
 
