@@ -59,14 +59,29 @@ TracePlayer::TracePlayer(Device& device, TraceReader& trace, Options options)
     , windows_(device) {}
 
 std::optional<ShownFrame> TracePlayer::play_frame() {
+    if (options_.keep_last_frame) return play_kept_frame();
     while (Call* const call = trace_.next()) {
         play(*call);
         ++calls_played_;
-        if (options_.keep_last_frame) this_frame_.push_back(trace_.take());
-        if (const std::optional<Surface> shown = windows_.take_shown()) [[unlikely]] {
-            last_frame_ = std::exchange(this_frame_, {});
+        if (const std::optional<Surface> shown = windows_.take_shown()) [[unlikely]]
             return ShownFrame{frames_++, *shown};
-        }
+    }
+    return std::nullopt;
+}
+
+// Reads a frame to its end before it plays it: what follows the last one, where programs destroy
+// their contexts, must not happen while that frame is to be repeated.
+std::optional<ShownFrame> TracePlayer::play_kept_frame() {
+    std::vector<std::unique_ptr<Call>> frame;
+    while (const Call* const call = trace_.next()) {
+        const bool ends_frame = WindowSystem::hands_over(call->name());
+        frame.push_back(trace_.take());
+        if (!ends_frame) continue;
+        last_frame_ = std::move(frame);
+        for (const std::unique_ptr<Call>& kept : last_frame_)
+            play(*kept);
+        calls_played_ += last_frame_.size();
+        return ShownFrame{frames_++, windows_.take_shown().value_or(Surface{})};
     }
     return std::nullopt;
 }

@@ -34,7 +34,8 @@ public:
         std::function<void(const std::string& line)> warn = [](const std::string&) {};
         // Reports each GL error as a warning, with the number of its call.
         bool report_errors = false;
-        // Keeps the calls of the last frame for repeat_last_frame().
+        // Keeps the calls of the last frame for repeat_last_frame(), and leaves out what follows
+        // it.
         bool keep_last_frame = false;
     };
 
@@ -61,6 +62,7 @@ private:
         WindowSystem::Handler handler = nullptr;
     };
 
+    std::optional<ShownFrame> play_kept_frame();
     const Action& action_of(const Signature& signature);
     Action make_action(const std::string& name);
     static Special find_special(std::string_view name);
@@ -95,7 +97,7 @@ private:
     std::set<std::string> warned_;
     std::uint64_t calls_played_ = 0;
     std::uint64_t frames_ = 0;
-    std::vector<std::unique_ptr<Call>> this_frame_, last_frame_; // with keep_last_frame
+    std::vector<std::unique_ptr<Call>> last_frame_; // with keep_last_frame
 };
 
 } // namespace ffgpu::trace

@@ -33,6 +33,9 @@ public:
     // Calls that have no effect on pictures: queries, choices of visuals, waits.
     static bool is_harmless(std::string_view name);
 
+    // Calls that hand a picture over to the display.
+    static bool hands_over(std::string_view name);
+
     // Makes what is current in that thread of the traced program current here.
     void enter_thread(std::uint32_t thread);
 

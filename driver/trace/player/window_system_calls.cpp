@@ -213,6 +213,13 @@ WindowSystem::Handler WindowSystem::find(std::string_view name) {
     return found == handlers.end() ? nullptr : found->second;
 }
 
+bool WindowSystem::hands_over(std::string_view name) {
+    using W = WindowSystem;
+    const Handler handler = find(name);
+    return handler == &W::glx_swap_buffers || handler == &W::egl_swap_buffers ||
+           handler == &W::wgl_swap_buffers || handler == &W::cgl_flush_drawable;
+}
+
 bool WindowSystem::is_harmless(std::string_view name) {
     for (const std::string_view start : {"glXChoose",
                                          "glXGet",
