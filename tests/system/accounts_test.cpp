@@ -1,0 +1,272 @@
+// The accounts of stats.json on real traces, read as its users read it: every unit's cycles add up,
+// every cache's accesses and misses do, and the bytes on the bus are those of the misses.
+
+#include "tests/support/temporary_folder.h"
+#include "tests/system/trace_run.h"
+#include "tools/config/config_file.h"
+#include "tools/replay/replay.h"
+
+#include <fstream>
+#include <set>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+namespace ffgpu::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json replayed_statistics(const std::string& trace,
+                         FrameRange frames,
+                         const std::vector<std::string>& settings) {
+    const TemporaryFolder folder;
+    ReplayOptions options;
+    options.input = trace;
+    options.output = folder.path();
+    options.frames = frames;
+    options.images = false;
+    options.timing = true;
+    for (const std::string& setting : settings)
+        apply_setting(setting, options.configuration);
+    replay(options);
+    std::ifstream file(folder / "stats.json");
+    return Json::parse(file);
+}
+
+// A frame's counters of the machine in time.
+class TimedFrame {
+public:
+    explicit TimedFrame(const Json& counters)
+        : counters_(counters) {}
+
+    std::uint64_t operator[](const std::string& name) const {
+        INFO(name);
+        REQUIRE(counters_.contains(name));
+        return counters_[name].get<std::uint64_t>();
+    }
+
+    // All X for which there is a counter X + suffix.
+    std::set<std::string> names(const std::string& suffix) const {
+        std::set<std::string> names;
+        for (const auto& [name, value] : counters_.items())
+            if (name.ends_with(suffix)) names.insert(name.substr(0, name.size() - suffix.size()));
+        return names;
+    }
+
+    std::uint64_t sum(const std::string& prefix, const std::string& suffix) const {
+        std::uint64_t sum = 0;
+        for (const auto& [name, value] : counters_.items())
+            if (name.starts_with(prefix) && name.ends_with(suffix))
+                sum += value.get<std::uint64_t>();
+        return sum;
+    }
+
+private:
+    const Json& counters_;
+};
+
+const std::set<std::string> Units = {"command_processor",
+                                     "vertex_fetch",
+                                     "geometry",
+                                     "setup",
+                                     "raster",
+                                     "depth",
+                                     "texture",
+                                     "fragment",
+                                     "color",
+                                     "arbiter",
+                                     "memory"};
+
+void check_units(const TimedFrame& frame) {
+    CHECK(frame.names("_busy_cycles") == Units);
+    for (const std::string& unit : Units) {
+        INFO(unit);
+        CHECK(frame[unit + "_busy_cycles"] + frame[unit + "_idle_cycles"] +
+                  frame.sum(unit + "_stalled_", "_cycles") ==
+              frame["total_cycles"]);
+    }
+}
+
+// A cache, its lines' size in the configuration, and its client at the memory.
+struct CacheNames {
+    std::string cache, group, client;
+};
+const CacheNames Caches[] = {{"vertex_cache", "vertex", "vertex"},
+                             {"texel_cache", "texel_cache", "texture"},
+                             {"depth_cache", "depth_cache", "depth"},
+                             {"color_cache", "color_cache", "color"}};
+
+void check_cache(const TimedFrame& frame, const CacheNames& names, std::uint64_t line_bytes) {
+    INFO(names.cache);
+    const auto of = [&](const std::string& what) { return frame[names.cache + "_" + what]; };
+    CHECK(of("hits") + of("misses") == of("accesses"));
+    CHECK(of("compulsory_misses") + of("capacity_misses") + of("conflict_misses") == of("misses"));
+    CHECK(of("misses_without_fetch") <= of("misses"));
+    CHECK(of("read_bytes") == line_bytes * (of("misses") - of("misses_without_fetch")));
+    const std::string client = "memory_" + names.client;
+    CHECK(frame[client + "_read_bytes"] == of("read_bytes"));
+    CHECK(frame[client + "_written_bytes"] == of("written_bytes"));
+}
+
+void check_accounts(const Json& statistics) {
+    CHECK(TimedFrame(statistics["frames"][0]["timing"]).names("_misses_without_fetch").size() ==
+          std::size(Caches));
+    for (const Json& frame : statistics["frames"]) {
+        INFO("frame " << frame["frame"]);
+        const TimedFrame timing(frame["timing"]);
+        check_units(timing);
+        for (const CacheNames& cache : Caches)
+            check_cache(timing, cache, statistics["configuration"][cache.group]["line_bytes"]);
+        const TimedFrame functional(frame["functional"]);
+        CHECK(functional["fragments_covered"] ==
+              functional.sum("fragments_killed_", "") + functional["fragments_written"]);
+    }
+}
+
+void check_totals(const Json& statistics) {
+    CHECK(statistics["frame_count"] == statistics["frames"].size());
+    for (const char* const part : {"functional", "timing"}) {
+        for (const auto& [name, total] : statistics["totals"][part].items()) {
+            std::uint64_t sum = 0;
+            for (const Json& frame : statistics["frames"])
+                sum += frame[part][name].get<std::uint64_t>();
+            INFO(name);
+            CHECK(total == sum);
+        }
+    }
+}
+
+TEST_CASE("The accounts of each frame of a real trace add up") {
+    const Json statistics = replayed_statistics(own_trace("corridor"), {}, {});
+    REQUIRE(statistics["frames"].size() == 8);
+    check_accounts(statistics);
+    check_totals(statistics);
+    const TimedFrame totals(statistics["totals"]["timing"]);
+    for (const char* const cache : {"vertex_cache", "texel_cache", "depth_cache", "color_cache"})
+        CHECK(totals[std::string(cache) + "_misses"] > 0);
+}
+
+TEST_CASE("The accounts of a real program's trace add up") {
+    for (const std::string& name : workload_traces()) {
+        if (name != "openarena_dm" && name != "chromium" && name != "polyhedra") continue;
+        INFO(name);
+        const Json statistics = replayed_statistics(workload_trace(name), {0, 1}, {});
+        check_accounts(statistics);
+        check_totals(statistics);
+    }
+}
+
+// The smallest machine that can be configured, and others of extreme shapes.
+const std::vector<std::string> Tiny = {"vertex.cache_sets=1",
+                                       "vertex.cache_ways=1",
+                                       "vertex.line_bytes=16",
+                                       "vertex.fetch_queue=1",
+                                       "vertex.reuse_entries=0",
+                                       "setup.queue=1",
+                                       "raster.queue=1",
+                                       "texel_cache.sets=1",
+                                       "texel_cache.ways=1",
+                                       "texel_cache.line_bytes=16",
+                                       "texel_cache.fragment_fifo=1",
+                                       "texel_cache.outstanding_lines=1",
+                                       "texel_cache.lookups_per_cycle=1",
+                                       "depth_cache.sets=1",
+                                       "depth_cache.ways=1",
+                                       "depth_cache.line_bytes=16",
+                                       "depth_cache.fragment_fifo=1",
+                                       "depth_cache.outstanding_lines=1",
+                                       "color_cache.sets=1",
+                                       "color_cache.ways=1",
+                                       "color_cache.line_bytes=16",
+                                       "color_cache.fragment_fifo=1",
+                                       "color_cache.outstanding_lines=1",
+                                       "fragment.queue=1",
+                                       "memory.channels=1",
+                                       "memory.banks=1",
+                                       "memory.queue=1",
+                                       "memory.bytes_per_cycle=1",
+                                       "memory.page_policy=\"closed\""};
+const std::vector<std::string> Huge = {"vertex.cache_sets=1024",
+                                       "vertex.cache_ways=16",
+                                       "vertex.line_bytes=512",
+                                       "vertex.fetch_queue=4096",
+                                       "vertex.reuse_entries=4096",
+                                       "setup.queue=4096",
+                                       "raster.queue=4096",
+                                       "raster.quads_per_cycle=16",
+                                       "texel_cache.sets=4096",
+                                       "texel_cache.ways=16",
+                                       "texel_cache.line_bytes=512",
+                                       "texel_cache.fragment_fifo=65536",
+                                       "texel_cache.outstanding_lines=65536",
+                                       "texel_cache.lookups_per_cycle=64",
+                                       "texel_cache.bilinear_quads_per_cycle=16",
+                                       "depth_cache.sets=4096",
+                                       "depth_cache.line_bytes=512",
+                                       "depth_cache.fragment_fifo=65536",
+                                       "depth_cache.lookups_per_cycle=64",
+                                       "color_cache.sets=4096",
+                                       "color_cache.line_bytes=512",
+                                       "color_cache.fragment_fifo=65536",
+                                       "color_cache.lookups_per_cycle=64",
+                                       "fragment.queue=4096",
+                                       "memory.channels=16",
+                                       "memory.banks=64",
+                                       "memory.queue=1024",
+                                       "memory.bytes_per_cycle=256"};
+const std::vector<std::string> FullyAssociative = {"texel_cache.sets=1",
+                                                   "texel_cache.ways=64",
+                                                   "texel_cache.layout=\"linear\"",
+                                                   "depth_cache.sets=1",
+                                                   "depth_cache.ways=64",
+                                                   "depth_cache.layout=\"linear\"",
+                                                   "color_cache.sets=1",
+                                                   "color_cache.ways=64",
+                                                   "color_cache.layout=\"linear\"",
+                                                   "raster.traversal=\"scanline\""};
+const std::vector<std::string> TileBased = {"raster.architecture=\"tile_based\"",
+                                            "raster.bin_size=16",
+                                            "texel_cache.layout=\"blocked_6d\""};
+
+Run run_with(const std::vector<std::string>& settings, std::uint64_t last_frame) {
+    Configuration configuration;
+    for (const std::string& setting : settings)
+        apply_setting(setting, configuration);
+    return run_trace(own_trace("light_maps"),
+                     {.timing = configuration.timing, .last_frame = last_frame});
+}
+
+TEST_CASE("Caches and queues of any size leave the pixels alone, and their accounts add up") {
+    const Run plain = run_trace(own_trace("light_maps"), {.last_frame = 1});
+    std::set<std::uint64_t> cycles;
+    for (const auto& settings : {Tiny, Huge, FullyAssociative, TileBased}) {
+        INFO(settings.front());
+        const Run run = run_with(settings, 1);
+        CHECK(run.pictures == plain.pictures);
+        CHECK(run.functional.at("fragments_written") == plain.functional.at("fragments_written"));
+        cycles.insert(run.cycles.back());
+        const Json statistics = replayed_statistics(own_trace("light_maps"), {0, 1}, settings);
+        check_accounts(statistics);
+        if (settings == FullyAssociative)
+            CHECK(TimedFrame(statistics["totals"]["timing"])["texel_cache_conflict_misses"] == 0);
+    }
+    CHECK(cycles.size() == 4); // The machines were four.
+}
+
+TEST_CASE("A bigger machine is no slower") {
+    const auto sum = [](const Run& run) {
+        std::uint64_t cycles = 0;
+        for (const std::uint64_t frame : run.cycles)
+            cycles += frame;
+        return cycles;
+    };
+    const std::uint64_t tiny = sum(run_with(Tiny, 1));
+    const std::uint64_t usual = sum(run_with({}, 1));
+    const std::uint64_t huge = sum(run_with(Huge, 1));
+    CHECK(tiny > usual);
+    CHECK(usual > huge);
+}
+
+} // namespace
+} // namespace ffgpu::tools

@@ -1,0 +1,136 @@
+// The command line's results again and again: in other processes, and many frames in one.
+
+#include "model/gpu/functional_gpu.h"
+#include "model/timing/gpu_timing.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/system/trace_run.h"
+#include "tools/replay/frame_source.h"
+#include "tools/replay/heat_maps.h"
+#include "tools/replay/work_fan_out.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+#include <unistd.h>
+
+namespace ffgpu::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::map<std::string, std::string> files_of(const std::string& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        std::ifstream file(entry.path(), std::ios::binary);
+        std::ostringstream bytes;
+        bytes << file.rdbuf();
+        files[entry.path().filename().string()] = bytes.str();
+    }
+    return files;
+}
+
+// Frames 0 and 1 with all that replay can write. `environment`: as before a command in a shell.
+std::map<std::string, std::string>
+replay_in_process(const std::string& environment, const std::string& trace, unsigned threads) {
+    const TemporaryFolder folder;
+    const std::string command =
+        environment + " '" FFGPU_BINARY "' replay '" + trace + "' -o '" + folder.path() +
+        "' --frames 0-1 --timing --heatmap overdraw,level,texture_misses,cycles --threads " +
+        std::to_string(threads) + " 2>/dev/null";
+    REQUIRE(std::system(command.c_str()) == 0);
+    return files_of(folder.path());
+}
+
+TEST_CASE("Another process, other addresses, other garbage in memory: the same files") {
+    for (const std::string& name : own_traces()) {
+        const std::string trace = own_trace(name);
+        const auto first = replay_in_process("", trace, 1);
+        REQUIRE(first.size() == 2 * 5 + 1);
+        CHECK(first.contains("stats.json"));
+        // The kernel places each process elsewhere; a longer environment moves the stack, and the
+        // C library fills what malloc returns and free takes back with other bytes.
+        const std::string padding = "FFGPU_TEST_PADDING=" + std::string(4321, 'x');
+        for (const auto& environment :
+             {padding, std::string("MALLOC_PERTURB_=85"), std::string("MALLOC_PERTURB_=202")}) {
+            for (const unsigned threads : {1u, 2u}) {
+                const auto again = replay_in_process(environment, trace, threads);
+                REQUIRE(again.size() == first.size());
+                for (const auto& [file, bytes] : first) {
+                    INFO(name << ", " << file << ", " << threads << " threads, "
+                              << environment.substr(0, 24));
+                    CHECK((again.contains(file) && again.at(file) == bytes));
+                }
+            }
+        }
+    }
+}
+
+std::uint64_t resident_bytes() {
+    std::ifstream file("/proc/self/statm");
+    std::uint64_t all = 0, resident = 0;
+    REQUIRE(file >> all >> resident);
+    return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+constexpr std::uint64_t Margin = 4 << 20;         // What an allocator may keep.
+constexpr std::uint64_t MinimumFragments = 10000; // of a frame of ours
+
+std::uint64_t fragments_written(const Device& gpu) {
+    for (const StatisticsGroup* const group : gpu.statistics())
+        for (const Counter& counter : group->counters())
+            if (counter.name() == "fragments_written") return counter.value();
+    return 0;
+}
+
+TEST_CASE("The resident size does not grow with the number of frames") {
+    for (const std::string& name : own_traces()) {
+        INFO(name);
+        FunctionalGpu gpu({.threads = 2});
+        timing::GpuTiming timing{timing::TimingConfig{}};
+        HeatMapRecorder heat;
+        WorkFanOut sinks;
+        sinks.add(timing);
+        sinks.add(heat);
+        const auto source = open_frame_source(
+            own_trace(name), gpu, {.warn = [](const std::string&) {}, .keep_last = true});
+        while (source->next()) {
+        }
+        gpu.set_work_sink(&sinks);
+        const auto repeat = [&](unsigned frames) {
+            for (unsigned i = 0; i < frames; ++i) {
+                REQUIRE(source->repeat_last());
+                gpu.finish();
+                heat.clear();
+            }
+            return resident_bytes();
+        };
+        const std::uint64_t before = repeat(5);
+        const std::uint64_t written = fragments_written(gpu);
+        CHECK(repeat(20) <= before + Margin);
+        CHECK(fragments_written(gpu) - written >= 20 * MinimumFragments); // They were drawn.
+        // Functional alone is quick, so that less a frame shows.
+        gpu.set_work_sink(nullptr);
+        const std::uint64_t alone = repeat(20);
+        CHECK(repeat(300) <= alone + Margin);
+    }
+}
+
+TEST_CASE("A machine that is gone leaves no memory behind") {
+    const auto run = [] {
+        return run_trace(own_trace("chrome"),
+                         {.threads = 2, .timing = timing::TimingConfig{}, .last_frame = 1})
+            .pictures;
+    };
+    const auto pictures = run();
+    run();
+    const std::uint64_t before = resident_bytes();
+    for (unsigned i = 0; i < 10; ++i)
+        CHECK(run() == pictures);
+    CHECK(resident_bytes() <= before + Margin);
+}
+
+} // namespace
+} // namespace ffgpu::tools
