@@ -28,6 +28,7 @@ std::unique_ptr<Recorder> open_recorder() {
     const char* const wanted = std::getenv("FFGPU_RECORD");
     if (!wanted || !*wanted) return nullptr;
     const std::string text = wanted;
+    ::unsetenv("FFGPU_RECORD"); // The program's own children would write the same files.
     const std::size_t colon = text.find(':');
     if (colon == std::string::npos)
         fail("FFGPU_RECORD is " + text + ": expected RECORDER.so:SETTINGS.json");

@@ -28,6 +28,7 @@ int run_command_line(int count, const char* const* arguments, const char* versio
                        "Exit status: 0 done, 1 a comparison failed, 2 bad input or usage.");
     Run run;
     add_replay_command(application, run);
+    add_run_command(application, run);
     add_compare_command(application, run);
     add_config_command(application, run);
     try {

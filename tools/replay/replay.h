@@ -2,25 +2,15 @@
 
 #pragma once
 
-#include "tools/config/configuration.h"
-#include "tools/replay/frame_range.h"
-#include "tools/replay/heat_maps.h"
+#include "tools/record/recording.h"
 
 #include <functional>
-#include <set>
 #include <string>
 
 namespace ffgpu::tools {
 
-struct ReplayOptions {
+struct ReplayOptions : RecordingOptions {
     std::string input;
-    std::string output; // a folder; empty: nothing is written
-    std::string capture;
-    FrameRange frames;
-    Configuration configuration;
-    std::set<HeatMap> heat_maps;
-    bool timing = false;
-    bool images = true;
     bool report_errors = false;
     unsigned benchmark = 0; // times that the last frame is repeated; 0: no benchmark
     std::function<void(const std::string& line)> warn = [](const std::string&) {};

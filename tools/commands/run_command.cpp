@@ -1,0 +1,132 @@
+#include "tools/commands/run_command.h"
+
+#include "model/base/input_error.h"
+#include "tools/commands/commands.h"
+#include "tools/record/recording_arguments.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace ffgpu::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int CannotRun = 127; // the shell's status for it
+
+volatile std::sig_atomic_t child = 0;
+
+void pass_on(int signal) {
+    if (child > 0) ::kill(child, signal);
+}
+
+// The terminal sends Ctrl-C to the program as well: it decides when it ends, and we wait.
+void watch_signals() {
+    std::signal(SIGINT, SIG_IGN);
+    std::signal(SIGTERM, pass_on);
+    std::signal(SIGHUP, pass_on);
+}
+
+[[noreturn]] void become(const std::vector<std::string>& command,
+                         const std::vector<Environment>& environment) {
+    for (const Environment& variable : environment)
+        ::setenv(variable.name.c_str(), variable.value.c_str(), 1);
+    std::vector<char*> arguments;
+    for (const std::string& argument : command)
+        arguments.push_back(const_cast<char*>(argument.c_str()));
+    arguments.push_back(nullptr);
+    ::execvp(arguments[0], arguments.data());
+    std::fprintf(stderr, "ffgpu: %s: cannot be run: %s\n", arguments[0], std::strerror(errno));
+    std::_Exit(CannotRun);
+}
+
+// A file that lives as long as the program runs.
+class SettingsFile {
+public:
+    explicit SettingsFile(const std::string& text) {
+        std::string pattern = (fs::temp_directory_path() / "ffgpu_run_XXXXXX").string();
+        const int file = ::mkstemp(pattern.data());
+        path_ = pattern;
+        const bool written = file >= 0 && ::write(file, text.data(), text.size()) ==
+                                              static_cast<ssize_t>(text.size());
+        if (file >= 0) ::close(file);
+        if (!written) throw InputError(path_ + ": cannot be written");
+    }
+    ~SettingsFile() { ::unlink(path_.c_str()); }
+    SettingsFile(const SettingsFile&) = delete;
+    SettingsFile& operator=(const SettingsFile&) = delete;
+
+    const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+};
+
+struct Arguments {
+    RecordingArguments recording;
+    std::vector<std::string> command;
+};
+
+std::string with_folder_first(const fs::path& folder, const char* paths) {
+    return folder.string() + (paths && *paths ? std::string(":") + paths : "");
+}
+
+int run_run(const Arguments& arguments) {
+    const fs::path folder = find_drop_in_folder();
+    std::vector<Environment> environment{
+        {"LD_LIBRARY_PATH", with_folder_first(folder, std::getenv("LD_LIBRARY_PATH"))}};
+    if (!arguments.recording.any()) return run_program(arguments.command, environment);
+    RecordingOptions checked;
+    resolve(arguments.recording, checked); // What is wrong is said before the program starts.
+    const SettingsFile settings(to_json(arguments.recording));
+    const fs::path recorder = folder / "ffgpu_recorder.so";
+    environment.push_back({"FFGPU_RECORD", recorder.string() + ":" + settings.path()});
+    return run_program(arguments.command, environment);
+}
+
+} // namespace
+
+fs::path find_drop_in_folder() {
+    const fs::path above = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
+    for (const char* place : {FFGPU_INSTALLED_LIBRARIES, FFGPU_BUILT_LIBRARIES})
+        if (fs::exists(above / place / "libGL.so.1")) return above / place;
+    throw InputError("run: libGL.so.1 of ffgpu is neither in " +
+                     (above / FFGPU_INSTALLED_LIBRARIES).string() + " nor in " +
+                     (above / FFGPU_BUILT_LIBRARIES).string());
+}
+
+int run_program(const std::vector<std::string>& command,
+                const std::vector<Environment>& environment) {
+    const pid_t program = ::fork();
+    if (program < 0)
+        throw InputError("run: no process can be made: " + std::string(std::strerror(errno)));
+    if (program == 0) become(command, environment);
+    child = program;
+    watch_signals();
+    int status = 0;
+    while (::waitpid(program, &status, 0) < 0 && errno == EINTR) {
+    }
+    child = 0;
+    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+void add_run_command(CLI::App& application, Run& run) {
+    const auto arguments = std::make_shared<Arguments>();
+    CLI::App* const verb =
+        application.add_subcommand("run", "Runs an OpenGL program, in its window, on ffgpu");
+    add_recording_options(*verb, arguments->recording);
+    verb->add_option("program", arguments->command, "The program and its arguments, after --")
+        ->required();
+    verb->footer("With --frames A-B the program ends after frame B. Exit status: the program's.\n"
+                 "Example: ffgpu run -o out --frames 0-99 -- glxgears");
+    verb->callback([arguments, &run] { run = [arguments] { return run_run(*arguments); }; });
+}
+
+} // namespace ffgpu::tools

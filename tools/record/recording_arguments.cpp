@@ -1,0 +1,98 @@
+#include "tools/record/recording_arguments.h"
+
+#include "model/base/input_error.h"
+#include "tools/config/config_file.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+namespace ffgpu::tools {
+namespace {
+
+// The names of the file's members, each with the argument.
+template <class Arguments, class Visitor>
+void visit_members(Arguments& arguments, Visitor&& member) {
+    member("output", arguments.output);
+    member("frames", arguments.frames);
+    member("heat_maps", arguments.heat_maps);
+    member("capture", arguments.capture);
+    member("config", arguments.config);
+    member("settings", arguments.settings);
+    member("timing", arguments.timing);
+    member("no_images", arguments.no_images);
+}
+
+void make_absolute(std::string& path) {
+    if (!path.empty()) path = std::filesystem::absolute(path).string();
+}
+
+} // namespace
+
+bool RecordingArguments::any() const {
+    return !output.empty() || !capture.empty() || !config.empty() || !settings.empty() ||
+           !frames.empty() || !heat_maps.empty() || threads || timing || no_images;
+}
+
+void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {
+    verb.add_option("-o,--output", arguments.output, "Folder for frame_0000.png ..., stats.json")
+        ->type_name("DIR");
+    verb.add_option("--frames", arguments.frames, "Write and measure only these frames")
+        ->type_name("A-B");
+    verb.add_option("--config", arguments.config, "Parameters; ffgpu config prints them")
+        ->type_name("F.toml");
+    verb.add_option("--set", arguments.settings, "Change a parameter: texel_cache.ways=8")
+        ->type_name("NAME=VALUE");
+    verb.add_option("--threads", arguments.threads, "Threads that draw (gpu.threads)")
+        ->type_name("N");
+    verb.add_flag("--timing", arguments.timing, "Run the timing model: cycles, caches, memory");
+    verb.add_option("--heatmap", arguments.heat_maps, "overdraw,level,texture_misses,cycles")
+        ->type_name("MAP[,MAP]");
+    verb.add_option("--capture", arguments.capture, "Write the frames as a device capture")
+        ->type_name("FILE.ffc");
+    verb.add_flag("--no-images", arguments.no_images, "Write no frame_*.png");
+}
+
+void resolve(const RecordingArguments& arguments, RecordingOptions& options) {
+    if (!arguments.config.empty()) read_config_file(arguments.config, options.configuration);
+    for (const std::string& setting : arguments.settings)
+        apply_setting(setting, options.configuration);
+    if (arguments.threads)
+        apply_setting("gpu.threads=" + std::to_string(*arguments.threads), options.configuration);
+    if (!arguments.frames.empty()) options.frames = parse_frame_range(arguments.frames);
+    if (!arguments.heat_maps.empty()) options.heat_maps = parse_heat_maps(arguments.heat_maps);
+    options.output = arguments.output;
+    options.capture = arguments.capture;
+    options.timing = arguments.timing;
+    options.images = !arguments.no_images;
+}
+
+std::string to_json(RecordingArguments arguments) {
+    make_absolute(arguments.output);
+    make_absolute(arguments.capture);
+    make_absolute(arguments.config);
+    if (arguments.threads)
+        arguments.settings.push_back("gpu.threads=" + std::to_string(*arguments.threads));
+    nlohmann::ordered_json file;
+    visit_members(arguments, [&](const char* name, const auto& value) { file[name] = value; });
+    return file.dump(2) + '\n';
+}
+
+RecordingArguments read_recording_arguments(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) throw InputError(path + ": cannot be read");
+    RecordingArguments arguments;
+    try {
+        const auto members = nlohmann::json::parse(file);
+        visit_members(arguments, [&](const char* name, auto& value) {
+            if (members.contains(name)) members.at(name).get_to(value);
+        });
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(path + ": is no file of recording options: " + error.what());
+    }
+    return arguments;
+}
+
+} // namespace ffgpu::tools

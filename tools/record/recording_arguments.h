@@ -1,0 +1,39 @@
+// The options that `replay` and `run` have in common, as the command line gives them; and as a file
+// (JSON), in which `run` hands them to the program that it starts.
+
+#pragma once
+
+#include "tools/record/recording.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace ffgpu::tools {
+
+struct RecordingArguments {
+    std::string output, frames, heat_maps, capture, config;
+    std::vector<std::string> settings;
+    std::optional<std::uint32_t> threads;
+    bool timing = false, no_images = false;
+
+    // Something is to be recorded, or the machine is another than the default.
+    bool any() const;
+};
+
+void add_recording_options(CLI::App& verb, RecordingArguments& arguments);
+
+// Throws InputError where an argument is wrong.
+void resolve(const RecordingArguments& arguments, RecordingOptions& options);
+
+// Paths become absolute: the program may work in another folder.
+std::string to_json(RecordingArguments arguments);
+// Throws InputError.
+RecordingArguments read_recording_arguments(const std::string& path);
+
+} // namespace ffgpu::tools

@@ -1,0 +1,118 @@
+// The shared object that the drop-in library loads under `ffgpu run`: a Recording behind
+// driver/window_system/recorder.h.
+
+#include "driver/window_system/recorder.h"
+
+#include "model/base/input_error.h"
+#include "tools/record/recording_arguments.h"
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include <unistd.h>
+
+namespace ffgpu::tools {
+namespace {
+
+constexpr int BadInput = 2;
+constexpr unsigned PatienceSeconds = 2;
+
+volatile std::sig_atomic_t interrupted = 0; // the signal that came
+
+// Ctrl-C: the frame that is being drawn is the last. A program that draws none for a while, or to
+// which Ctrl-C comes again, ends at once; the pictures so far are written.
+void interrupt(int signal) {
+    if (interrupted) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+    interrupted = signal;
+    ::alarm(PatienceSeconds);
+}
+
+// Not where the program has a use of its own for the signal.
+void catch_signal(int signal) {
+    struct sigaction now {};
+    if (::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL)
+        std::signal(signal, interrupt);
+}
+
+class LiveRecorder final : public gl::Recorder {
+public:
+    explicit LiveRecorder(const std::string& settings_path)
+        : options_(resolved(settings_path))
+        , recording_(options_) {
+        recording_.before_frame(0);
+        catch_signal(SIGINT);
+        catch_signal(SIGTERM);
+    }
+
+    Device& device() override { return recording_.device(); }
+
+    void frame_shown(const Surface& picture) override {
+        if (finished_) return;
+        guarded([&] {
+            recording_.after_frame({.number = number_, .picture = picture, .api_calls = 0});
+            if (interrupted) end_by_signal(interrupted);
+            if (number_ == options_.frames.last) end();
+            recording_.before_frame(++number_);
+        });
+    }
+
+    void finish() override {
+        if (finished_) return;
+        finished_ = true;
+        guarded([&] { recording_.finish(); });
+        std::fputs(recording_.summary().c_str(), stderr);
+    }
+
+private:
+    static RecordingOptions resolved(const std::string& path) {
+        RecordingOptions options;
+        resolve(read_recording_arguments(path), options);
+        return options;
+    }
+
+    // No exception may pass through the program's frames.
+    template <class Call>
+    static void guarded(Call&& call) {
+        try {
+            call();
+        } catch (const std::exception& error) {
+            std::fprintf(stderr, "ffgpu: %s\n", error.what());
+            std::_Exit(BadInput);
+        }
+    }
+
+    // The last frame of the range is done: nothing more is wanted of the program.
+    [[noreturn]] void end() {
+        finish();
+        std::_Exit(EXIT_SUCCESS);
+    }
+
+    void end_by_signal(int signal) {
+        finish();
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+
+    const RecordingOptions options_;
+    Recording recording_;
+    std::uint64_t number_ = 0;
+    bool finished_ = false;
+};
+
+} // namespace
+} // namespace ffgpu::tools
+
+extern "C" __attribute__((visibility("default"))) ffgpu::gl::Recorder*
+ffgpu_open_recorder(const char* settings_path) {
+    try {
+        return new ffgpu::tools::LiveRecorder(settings_path);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "ffgpu: %s\n", error.what());
+        return nullptr;
+    }
+}
