@@ -1,6 +1,7 @@
 #include "driver/raster_position/host_vertex.h"
 
 #include "driver/math/matrix.h"
+#include "model/arith/power.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +70,7 @@ float strength(const Light& light, const EyeVertex& vertex, const Vec3& to_light
     if (light.spot_cutoff_cosine < -0.5f) return result;
     const float cosine = -dot(to_light, light.spot_direction);
     if (cosine < light.spot_cutoff_cosine) return 0;
-    return result * std::pow(cosine, light.spot_exponent);
+    return result * power(cosine, light.spot_exponent);
 }
 
 Material tracked_material(const Registers& registers, const Vec4& color) {
@@ -166,8 +167,7 @@ LitColors light_vertex(const Registers& registers,
         const Vec3 half = normalize(
             {to_light[0] + to_viewer[0], to_light[1] + to_viewer[1], to_light[2] + to_viewer[2]});
         const float highlight = std::max(0.0f, dot(vertex.normal, half));
-        const float shine =
-            material.shininess == 0 ? 1.0f : std::pow(highlight, material.shininess);
+        const float shine = power(highlight, material.shininess);
         add_product(model.separate_specular ? specular : primary,
                     light.specular,
                     material.specular,

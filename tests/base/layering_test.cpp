@@ -43,7 +43,8 @@ const std::map<std::string, Layers> Allowed = {
       "model/fragment"}},
     {"model/capture", Contract},
     {"model/timing", {"model/base", "model/device", "model/packets", "model/arith"}},
-    {"driver", Contract},
+    // The raster position is a vertex that the driver computes with the device's arithmetic.
+    {"driver", {"model/base", "model/device", "model/arith"}},
     {"driver/trace", {"model/base", "model/device", "driver"}},
     {"driver/window_system",
      {"model/base", "model/device", "model/packets", "model/gpu", "model/capture", "driver"}},
