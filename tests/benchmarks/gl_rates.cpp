@@ -1,6 +1,6 @@
 // Fill and vertex rates of an OpenGL implementation, through an off-screen context.
 //
-//     gl_rates LIBOSMESA [SECONDS]
+//     gl_rates LIBOSMESA [SECONDS [CASE]]
 //
 // LIBOSMESA is a library with OSMesa's calls and OpenGL: ffgpu's, or Mesa's. The program is the
 // same for both, so that the rates can be compared. One line a case: name, unit, million a second.
@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include <GL/gl.h>
@@ -244,7 +245,7 @@ double million_per_second(const Case& test, double seconds) {
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::fprintf(stderr, "usage: gl_rates LIBOSMESA [SECONDS]\n");
+        std::fprintf(stderr, "usage: gl_rates LIBOSMESA [SECONDS [CASE]]\n");
         return 2;
     }
     const double seconds = argc > 2 ? std::atof(argv[2]) : 0.3;
@@ -339,6 +340,8 @@ int main(int argc, char** argv) {
          [] { glCallList_(1); }},
     }};
     for (const Case& test : cases) {
+        if (argc > 3 && std::string_view(test.name).find(argv[3]) == std::string_view::npos)
+            continue;
         std::printf("%s\t%s\t%.3f\n", test.name, test.unit, million_per_second(test, seconds));
         std::fflush(stdout);
     }
