@@ -105,7 +105,8 @@ void Recording::finish() {
     if (options_.output.empty()) return;
     const auto path = (std::filesystem::path(options_.output) / "stats.json").string();
     std::ofstream file(path, std::ios::binary);
-    if (!(file << report_.to_json()).flush()) throw InputError(path + ": cannot be written");
+    report_.write(file);
+    if (!file.flush()) throw InputError(path + ": cannot be written");
 }
 
 } // namespace ffgpu::tools

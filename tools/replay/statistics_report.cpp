@@ -1,8 +1,10 @@
 #include "tools/replay/statistics_report.h"
 
 #include "tools/replay/summary.h"
+#include "tools/replay/text_spool.h"
 
 #include <map>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -74,6 +76,15 @@ Json describe(const Configuration& configuration, bool with_timing) {
     return json;
 }
 
+// As an element of a member of the whole.
+std::string indented(const Json& json) {
+    std::istringstream lines(json.dump(1));
+    std::string text;
+    for (std::string line; std::getline(lines, line);)
+        text.append(text.empty() ? "  " : "\n  ").append(line);
+    return text;
+}
+
 double per(std::uint64_t amount, std::uint64_t of) {
     return of == 0 ? 0 : static_cast<double>(amount) / static_cast<double>(of);
 }
@@ -83,7 +94,8 @@ double per(std::uint64_t amount, std::uint64_t of) {
 struct StatisticsReport::Content {
     bool with_timing = false;
     Json configuration;
-    Json frames = Json::array();
+    TextSpool frames; // each as the array in the file holds it, with commas between
+    std::size_t frame_count = 0;
     Json totals = Json::object();
     Snapshot functional, timing;
 };
@@ -128,21 +140,23 @@ void StatisticsReport::end_frame(const Frame& frame,
             draws.push_back({{"draw", draw.draw}, {"cycles", draw.cycles}});
         json["draws"] = std::move(draws);
     }
-    content_->frames.push_back(std::move(json));
+    content_->frames.append((content_->frame_count++ == 0 ? "\n" : ",\n") + indented(json));
 }
 
-std::string StatisticsReport::to_json() const {
+void StatisticsReport::write(std::ostream& out) const {
     Json json = Json::object();
     json["schema_version"] = SchemaVersion;
     json["configuration"] = content_->configuration;
-    json["frame_count"] = content_->frames.size();
+    json["frame_count"] = content_->frame_count;
     json["totals"] = content_->totals;
-    json["frames"] = content_->frames;
-    return json.dump(1) + "\n";
+    const std::string head = json.dump(1);
+    out << std::string_view(head).substr(0, head.size() - 2) << ",\n \"frames\": [";
+    content_->frames.copy_to(out);
+    out << (content_->frame_count == 0 ? "]\n}\n" : "\n ]\n}\n");
 }
 
 std::string StatisticsReport::summary() const {
-    return summarize(content_->totals, content_->frames.size());
+    return summarize(content_->totals, content_->frame_count);
 }
 
 } // namespace ffgpu::tools

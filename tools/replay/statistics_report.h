@@ -1,5 +1,6 @@
 // StatisticsReport: stats.json. Equal for equal input and configuration, byte for byte: it holds no
-// time, no thread count, no path. docs/stats.md is its schema.
+// time, no thread count, no path. docs/stats.md is its schema. What frames leave waits in a file:
+// memory does not grow with their number.
 
 #pragma once
 
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -33,7 +35,7 @@ public:
                    const std::optional<timing::FrameTiming>& cycles);
 
     // The whole file so far.
-    std::string to_json() const;
+    void write(std::ostream& out) const;
 
     // A few lines for people.
     std::string summary() const;
