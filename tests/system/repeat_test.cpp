@@ -6,6 +6,7 @@
 #include "tests/system/trace_run.h"
 #include "tools/replay/frame_source.h"
 #include "tools/replay/heat_maps.h"
+#include "tools/replay/statistics_report.h"
 #include "tools/replay/work_fan_out.h"
 
 #include <cstdlib>
@@ -14,6 +15,7 @@
 #include <sstream>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 namespace ffgpu::tools {
@@ -75,8 +77,7 @@ std::uint64_t resident_bytes() {
     return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-constexpr std::uint64_t Margin = 4 << 20;         // What an allocator may keep.
-constexpr std::uint64_t MinimumFragments = 10000; // of a frame of ours
+constexpr std::uint64_t Margin = 4 << 20; // What an allocator may keep.
 
 std::uint64_t fragments_written(const Device& gpu) {
     for (const StatisticsGroup* const group : gpu.statistics())
@@ -85,37 +86,83 @@ std::uint64_t fragments_written(const Device& gpu) {
     return 0;
 }
 
+// Draws a trace's last frame again and again.
+class Repeater {
+public:
+    explicit Repeater(const std::string& trace)
+        : source_(open_frame_source(
+              trace, gpu_, {.warn = [](const std::string&) {}, .keep_last = true})) {
+        while (source_->next()) {
+        }
+    }
+
+    // Returns the resident size afterwards.
+    std::uint64_t repeat(unsigned frames) {
+        const std::uint64_t written = fragments_written(gpu_);
+        for (unsigned i = 0; i < frames; ++i) {
+            REQUIRE(source_->repeat_last());
+            gpu_.finish();
+            heat_.clear();
+        }
+        REQUIRE(fragments_written(gpu_) - written >= frames * MinimumFragments);
+        return resident_bytes();
+    }
+
+    // From now on all that can listen does.
+    void listen() {
+        sinks_.add(timing_);
+        sinks_.add(heat_);
+        gpu_.set_work_sink(&sinks_);
+    }
+
+private:
+    static constexpr std::uint64_t MinimumFragments = 10000; // of a frame of our traces
+
+    FunctionalGpu gpu_{{.threads = 2}};
+    timing::GpuTiming timing_{timing::TimingConfig{}};
+    HeatMapRecorder heat_;
+    WorkFanOut sinks_;
+    std::unique_ptr<FrameSource> source_;
+};
+
 TEST_CASE("The resident size does not grow with the number of frames") {
     for (const std::string& name : own_traces()) {
         INFO(name);
-        FunctionalGpu gpu({.threads = 2});
-        timing::GpuTiming timing{timing::TimingConfig{}};
-        HeatMapRecorder heat;
-        WorkFanOut sinks;
-        sinks.add(timing);
-        sinks.add(heat);
-        const auto source = open_frame_source(
-            own_trace(name), gpu, {.warn = [](const std::string&) {}, .keep_last = true});
-        while (source->next()) {
-        }
-        gpu.set_work_sink(&sinks);
-        const auto repeat = [&](unsigned frames) {
-            for (unsigned i = 0; i < frames; ++i) {
-                REQUIRE(source->repeat_last());
-                gpu.finish();
-                heat.clear();
-            }
-            return resident_bytes();
-        };
-        const std::uint64_t before = repeat(5);
-        const std::uint64_t written = fragments_written(gpu);
-        CHECK(repeat(20) <= before + Margin);
-        CHECK(fragments_written(gpu) - written >= 20 * MinimumFragments); // They were drawn.
-        // Functional alone is quick, so that less a frame shows.
-        gpu.set_work_sink(nullptr);
-        const std::uint64_t alone = repeat(100);
-        CHECK(repeat(500) <= alone + Margin);
+        Repeater repeater(own_trace(name));
+        const std::uint64_t before = repeater.repeat(100);
+        CHECK(repeater.repeat(500) <= before + Margin);
     }
+}
+
+TEST_CASE("Nor does it with the timing model and heat maps listening") {
+    Repeater repeater(own_trace("chrome"));
+    repeater.listen();
+    const std::uint64_t before = repeater.repeat(10);
+    CHECK(repeater.repeat(40) <= before + Margin);
+}
+
+TEST_CASE("The statistics of many frames wait in a file, and are whole") {
+    StatisticsReport report({}, true);
+    timing::FrameTiming cycles{.cycles = 5000, .draws = {}};
+    for (std::uint32_t draw = 0; draw < 5000; ++draw)
+        cycles.draws.push_back({draw, 1});
+    const auto add = [&](std::uint64_t number) {
+        report.begin_frame({}, {});
+        report.end_frame({.number = number, .picture = {}, .api_calls = 1}, {}, {}, cycles);
+    };
+    add(0);
+    const std::uint64_t before = resident_bytes();
+    for (std::uint64_t number = 1; number < 50; ++number)
+        add(number);
+    CHECK(resident_bytes() <= before + Margin);
+    std::stringstream text;
+    report.write(text);
+    const auto json = nlohmann::ordered_json::parse(text.str());
+    CHECK(json.dump(1) + "\n" == text.str());
+    REQUIRE(json["frames"].size() == 50);
+    CHECK(json["frame_count"] == 50);
+    CHECK(json["frames"][49]["draws"].size() == 5000);
+    CHECK(json["totals"]["timing"]["total_cycles"] == 50 * 5000);
 }
 
 TEST_CASE("A machine that is gone leaves no memory behind") {
