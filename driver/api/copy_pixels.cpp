@@ -121,8 +121,8 @@ void CopyPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heigh
                            zoom_y};
     const CopiedPixels copied(context, surface, inside);
     if (*kind == PixelKind::Color) draw_image(context, copied.colors(), place);
-    if (*kind == PixelKind::Depth || *kind == PixelKind::DepthStencil)
-        draw_image(context, copied.depths(), place);
+    if (*kind == PixelKind::Depth) draw_image(context, copied.depths(), place);
+    if (*kind == PixelKind::DepthStencil) draw_depths_untested(context, copied.depths(), place);
     if (*kind == PixelKind::Stencil || *kind == PixelKind::DepthStencil)
         draw_image(context, copied.stencils(), place);
 }

@@ -126,6 +126,12 @@ bool parameter_of(const Attached& attached, GLenum name, GLint& value) {
     }
 }
 
+// GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING to _STENCIL_SIZE: what any image has.
+bool is_component_size(GLenum name) {
+    return name >= GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING &&
+           name <= GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE;
+}
+
 } // namespace
 
 void GetFramebufferAttachmentParameteriv(
@@ -148,8 +154,12 @@ void GetFramebufferAttachmentParameteriv(
     } else {
         return context.error(GL_INVALID_OPERATION);
     }
+    if (!attached) return context.error(GL_INVALID_ENUM);
     GLint value = 0;
-    if (!attached || !parameter_of(*attached, pname, value)) return context.error(GL_INVALID_ENUM);
+    if (!parameter_of(*attached, pname, value)) {
+        const bool nothing = attached->type == GL_NONE && is_component_size(pname);
+        return context.error(nothing ? GL_INVALID_OPERATION : GL_INVALID_ENUM);
+    }
     *params = value;
 }
 

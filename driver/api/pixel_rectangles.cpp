@@ -60,10 +60,11 @@ void DrawPixels(Context& context,
     constexpr InternalFormat Depth{BaseFormat::Depth, Format::Depth24Stencil8};
     if (kind == PixelKind::Color || kind == PixelKind::Index)
         draw_image(context, image_of(*source, transfer, Color), place);
-    if (kind == PixelKind::Depth || kind == PixelKind::DepthStencil)
-        draw_image(context, image_of(*source, transfer, Depth), place);
+    if (kind == PixelKind::Depth) draw_image(context, image_of(*source, transfer, Depth), place);
     if (kind == PixelKind::Stencil || kind == PixelKind::DepthStencil)
         draw_image(context, stencil_image(*source, transfer), place);
+    if (kind == PixelKind::DepthStencil)
+        draw_depths_untested(context, image_of(*source, transfer, Depth), place);
 }
 
 } // namespace ffgpu::gl::api

@@ -51,16 +51,20 @@ void get_query_object(Context& context, GLuint id, GLenum pname, Integer* params
 
 } // namespace
 
+// GL 1.5 refuses new and deleted names while any query is active; later versions only what would
+// take the active one's, and programs rely on it.
 void GenQueries(Context& context, GLsizei n, GLuint* ids) {
     if (n < 0) return context.error(GL_INVALID_VALUE);
-    if (context.queries.active != 0) return context.error(GL_INVALID_OPERATION);
     context.queries.names.generate(std::span(ids, static_cast<std::size_t>(n)));
 }
 
 void DeleteQueries(Context& context, GLsizei n, const GLuint* ids) {
     if (n < 0) return context.error(GL_INVALID_VALUE);
-    if (context.queries.active != 0) return context.error(GL_INVALID_OPERATION);
-    for (const GLuint id : std::span(ids, static_cast<std::size_t>(n)))
+    const std::span names(ids, static_cast<std::size_t>(n));
+    const GLuint active = context.queries.active;
+    if (active != 0 && std::find(names.begin(), names.end(), active) != names.end())
+        return context.error(GL_INVALID_OPERATION);
+    for (const GLuint id : names)
         context.queries.names.remove(id);
 }
 

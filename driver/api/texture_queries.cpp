@@ -141,9 +141,10 @@ void GetTexImage(
     if (!image.defined()) return;
 
     const ImageSize size{image.width, image.height, image.depth};
-    const auto destination =
+    auto destination =
         pixel_destination(context, pixels, size, format, type, target->dimensions == 3);
     if (!destination || !destination->memory) return;
+    destination->sums_luminance = false;
     const auto texels = read_texels(device_memory(context), texture, name, whole_box(image));
     pack_texels(*destination, image.format, texels.data());
 }

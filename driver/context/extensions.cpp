@@ -8,8 +8,8 @@ const char* extension_string() {
     static const std::string All = [] {
         std::string all;
         for (const std::string_view name : Extensions) {
-            if (!all.empty()) all += ' ';
             all += name;
+            all += ' ';
         }
         return all;
     }();

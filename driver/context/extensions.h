@@ -8,7 +8,7 @@
 
 namespace ffgpu::gl {
 
-constexpr std::array<std::string_view, 87> Extensions{
+constexpr std::array<std::string_view, 88> Extensions{
     "GL_APPLE_vertex_array_object",
     "GL_ARB_copy_buffer",
     "GL_ARB_depth_texture",
@@ -91,6 +91,7 @@ constexpr std::array<std::string_view, 87> Extensions{
     "GL_NV_texgen_reflection",
     "GL_NV_texture_env_combine4",
     "GL_NV_texture_rectangle",
+    "GL_OES_read_format",
     "GL_S3_s3tc",
     "GL_SGIS_generate_mipmap",
     "GL_SGIS_texture_border_clamp",
@@ -98,7 +99,7 @@ constexpr std::array<std::string_view, 87> Extensions{
     "GL_SGIS_texture_lod",
 };
 
-// All names, with a space between two, as glGetString returns them.
+// All names, as glGetString returns them. A space follows each: old programs look for "NAME ".
 const char* extension_string();
 
 } // namespace ffgpu::gl

@@ -26,6 +26,8 @@ std::span<const StateVariable> pixel_variables() {
         FFGPU_STATE(GL_UNPACK_SKIP_ROWS, integer(c.client.pixel_store.unpack.skip_rows)),
         FFGPU_STATE(GL_UNPACK_SKIP_IMAGES, integer(c.client.pixel_store.unpack.skip_images)),
         FFGPU_STATE(GL_UNPACK_ALIGNMENT, integer(c.client.pixel_store.unpack.alignment)),
+        FFGPU_STATE(GL_IMPLEMENTATION_COLOR_READ_FORMAT, integer(GL_RGBA)), // OES_read_format
+        FFGPU_STATE(GL_IMPLEMENTATION_COLOR_READ_TYPE, integer(GL_UNSIGNED_BYTE)),
         FFGPU_STATE(GL_MAP_COLOR, boolean(s.pixel.map_color)),
         FFGPU_STATE(GL_MAP_STENCIL, boolean(s.pixel.map_stencil)),
         FFGPU_STATE(GL_INDEX_SHIFT, integer(s.pixel.index_shift)),

@@ -4,6 +4,8 @@
 #include "driver/objects/device_block.h"
 #include "driver/objects/shared_objects.h"
 
+#include <tuple>
+
 namespace ffgpu::gl {
 
 void draw_image(Context& context, const HostImage& image, const ImagePlace& place) {
@@ -30,6 +32,22 @@ void draw_image(Context& context, const HostImage& image, const ImagePlace& plac
                                   .secondary_color = raster.secondary_color,
                                   .tex_coords = raster.tex_coords});
     context.submit(commands);
+}
+
+void draw_depths_untested(Context& context, const HostImage& image, const ImagePlace& place) {
+    FragmentState& fragment = context.state.fragment;
+    auto& color_mask = context.state.framebuffer.color_mask;
+    const auto kept =
+        std::tuple(fragment.alpha_test.enable, fragment.stencil.enable, fragment.depth, color_mask);
+    fragment.alpha_test.enable = fragment.stencil.enable = fragment.depth.bounds_test = false;
+    fragment.depth.enable = true;
+    fragment.depth.func = GL_ALWAYS;
+    color_mask = {};
+    context.dirty.mark(Dirty::Fragment);
+    draw_image(context, image, place);
+    std::tie(fragment.alpha_test.enable, fragment.stencil.enable, fragment.depth, color_mask) =
+        kept;
+    context.dirty.mark(Dirty::Fragment);
 }
 
 } // namespace ffgpu::gl

@@ -29,4 +29,8 @@ struct ImagePlace {
 // recorded.
 void draw_image(Context& context, const HostImage& image, const ImagePlace& place);
 
+// A Depth24Stencil8 image's depths as GL_DEPTH_STENCIL writes them: under the depth mask and the
+// scissor, past all tests and past the depth test's enable (ARB_framebuffer_object, 4.3.1).
+void draw_depths_untested(Context& context, const HostImage& image, const ImagePlace& place);
+
 } // namespace ffgpu::gl

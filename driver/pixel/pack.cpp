@@ -9,11 +9,12 @@ namespace ffgpu::gl {
 
 namespace {
 
-std::array<float, 4> components_of(const ComponentOrder& order, const PixelColor& color) {
+std::array<float, 4>
+components_of(const ComponentOrder& order, const PixelColor& color, bool sums_luminance) {
     std::array<float, 4> components{};
     for (std::size_t i = 0; i < order.count; ++i)
         components[i] = clamp_unit(color[order.channel[i]]);
-    if (order.luminance) {
+    if (order.luminance && sums_luminance) {
         components[0] = clamp_unit(color[0]) + clamp_unit(color[1]) + clamp_unit(color[2]);
     }
     return components;
@@ -25,7 +26,8 @@ void pack_packed_colors(const PixelDestination& destination,
     const PackedType packed = packed_type(destination.type);
     const ComponentOrder order = component_order(destination.format);
     for (std::size_t x = 0; x < destination.width(); ++x) {
-        const std::array<float, 4> components = components_of(order, colors[x]);
+        const std::array<float, 4> components =
+            components_of(order, colors[x], destination.sums_luminance);
         std::uint32_t word = 0;
         for (std::size_t i = 0; i < packed.count; ++i) {
             const auto [shift, bits] = packed.fields[i];
@@ -68,7 +70,8 @@ void pack_colors(const PixelDestination& destination, std::byte* row, const Pixe
     with_element_type(destination.type, [&](auto element) {
         using Element = decltype(element);
         for (std::size_t x = 0; x < destination.width(); ++x) {
-            const std::array<float, 4> components = components_of(order, colors[x]);
+            const std::array<float, 4> components =
+                components_of(order, colors[x], destination.sums_luminance);
             for (std::size_t i = 0; i < order.count; ++i) {
                 const auto real = static_cast<double>(components[i]);
                 store_element(row, element_from_real<Element>(real), destination.swap_bytes);

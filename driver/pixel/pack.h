@@ -19,6 +19,7 @@ struct PixelDestination {
     GLenum type = GL_UNSIGNED_BYTE;
     bool swap_bytes = false;
     bool lsb_first = false;
+    bool sums_luminance = true; // of red, green and blue (GL 1.5, 4.3.2); false: it is red (6.1.4)
 
     PixelDestination(void* pixels,
                      const PixelStore& store,
@@ -33,7 +34,7 @@ struct PixelDestination {
     std::size_t width() const { return static_cast<std::size_t>(size.width); }
 };
 
-// One row, size.width pixels. Luminance is the sum of red, green and blue (GL 1.5, 4.3.2).
+// One row, size.width pixels.
 void pack_colors(const PixelDestination& destination, std::byte* row, const PixelColor* colors);
 void pack_depths(const PixelDestination& destination, std::byte* row, const double* depths);
 void pack_indices(const PixelDestination& destination, std::byte* row, const std::int32_t* indices);

@@ -96,17 +96,18 @@ unsigned pixel_bytes(GLenum format, GLenum type) {
 
 GLenum format_type_error(GLenum format, GLenum type) {
     const ComponentOrder order = component_order(format);
-    if (order.count == 0 || type_bytes(type) == 0) return GL_INVALID_ENUM;
+    if (type_bytes(type) == 0) return GL_INVALID_ENUM;
+    // GL 1.5, table 3.8: three fields are RGB, four are RGBA or BGRA (with EXT_abgr, ABGR),
+    // whatever else the format is.
+    if (const unsigned fields = packed_type(type).count; fields != 0) {
+        const bool fits = fields == 3 ? format == GL_RGB : order.count == 4;
+        return fits ? GL_NO_ERROR : GL_INVALID_OPERATION;
+    }
+    const bool both = order.kind == PixelKind::DepthStencil;
+    if (type == GL_UNSIGNED_INT_24_8) return both ? GL_NO_ERROR : GL_INVALID_OPERATION;
+    if (order.count == 0 || both) return GL_INVALID_ENUM;
     const bool is_index = order.kind == PixelKind::Index || order.kind == PixelKind::Stencil;
-    if (type == GL_BITMAP) return is_index ? GL_NO_ERROR : GL_INVALID_ENUM;
-    if (order.kind == PixelKind::DepthStencil)
-        return type == GL_UNSIGNED_INT_24_8 ? GL_NO_ERROR : GL_INVALID_ENUM;
-    if (type == GL_UNSIGNED_INT_24_8) return GL_INVALID_OPERATION;
-    const unsigned fields = packed_type(type).count;
-    if (fields == 0) return GL_NO_ERROR;
-    // GL 1.5, table 3.8: three fields are RGB, four are RGBA or BGRA (with EXT_abgr, ABGR).
-    const bool fits = fields == 3 ? format == GL_RGB : order.count == 4;
-    return fits ? GL_NO_ERROR : GL_INVALID_OPERATION;
+    return type == GL_BITMAP && !is_index ? GL_INVALID_ENUM : GL_NO_ERROR;
 }
 
 } // namespace ffgpu::gl

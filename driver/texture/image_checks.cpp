@@ -44,11 +44,9 @@ GLenum definition_error(const ImageDefinition& definition) {
     if (target.dimensions == 3 && size.depth < 2 * border) return GL_INVALID_VALUE;
     if (target.target == TextureTarget::Cube && size.width != size.height) return GL_INVALID_VALUE;
 
+    // Depth cube maps came with EXT_gpu_shader4 and GL 3.0; packed depth-stencil uses them earlier.
     const BaseFormat base = texture_format(internal_format).base;
-    if (is_depth(base) && target.target != TextureTarget::OneD &&
-        target.target != TextureTarget::TwoD && target.target != TextureTarget::Rectangle) {
-        return GL_INVALID_OPERATION;
-    }
+    if (is_depth(base) && target.target == TextureTarget::ThreeD) return GL_INVALID_OPERATION;
     if (is_s3tc(internal_format)) { // Blocks are two-dimensional and have no border.
         if (target.target == TextureTarget::OneD || target.target == TextureTarget::Rectangle)
             return GL_INVALID_ENUM;
@@ -69,7 +67,7 @@ GLenum pixels_error(GLenum format, GLenum type, InternalFormat internal) {
     if (const GLenum error = format_type_error(format, type)) return error;
     switch (component_order(format).kind) {
     case PixelKind::Stencil:
-        return GL_INVALID_ENUM;
+        return is_depth(internal.base) ? GL_INVALID_OPERATION : GL_INVALID_ENUM;
     case PixelKind::Depth:
     case PixelKind::DepthStencil:
         return is_depth(internal.base) ? GL_NO_ERROR : GL_INVALID_OPERATION;

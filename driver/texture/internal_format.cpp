@@ -100,17 +100,10 @@ InternalFormat renderbuffer_format(GLenum internal_format) {
         break;
     }
     const InternalFormat format = texture_format(internal_format);
-    if (is_s3tc(internal_format) || internal_format <= 4) return {};
-    switch (format.base) {
-    case Rgb:
-    case Depth:
-    case DepthStencil:
-        return format;
-    case Rgba:
-        return {Rgba, Format::Rgba8};
-    default:
-        return {};
-    }
+    const bool compressed =
+        queried_format(internal_format) != internal_format || is_s3tc(internal_format);
+    if (compressed || internal_format <= 4) return {};
+    return format.base == Rgba ? InternalFormat{Rgba, Format::Rgba8} : format;
 }
 
 ComponentBits component_bits(InternalFormat format) {

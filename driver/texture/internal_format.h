@@ -38,7 +38,9 @@ struct InternalFormat {
 // are stored in 8 bits a channel; generic compressed formats are stored uncompressed.
 InternalFormat texture_format(GLenum internal_format);
 
-// The same of a renderbuffer: Rgba8, Rgbx8, Rgb565, Depth16 or Depth24Stencil8.
+// The same of a renderbuffer: Rgba8, Rgbx8, Rgb565, Depth16, Depth24Stencil8, or a format that no
+// framebuffer supports (ARB_framebuffer_object takes ALPHA, LUMINANCE and the like). Not
+// compressed.
 InternalFormat renderbuffer_format(GLenum internal_format);
 
 ComponentBits component_bits(InternalFormat format);

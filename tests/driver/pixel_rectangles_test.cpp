@@ -2,6 +2,7 @@
 
 #include "tests/driver/state_fixture.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include <catch2/catch.hpp>
@@ -81,7 +82,28 @@ TEST_CASE_METHOD(PixelFixture, "depth and stencil are drawn in formats of their 
     device.forget();
     const std::uint32_t both = 0x800000'2a;
     DrawPixels(1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, &both);
-    CHECK(device.commands.size() == 2);
+    CHECK(std::count_if(device.commands.begin(), device.commands.end(), [](const auto& command) {
+              return command.opcode == Opcode::DrawImage;
+          }) == 2);
+}
+
+TEST_CASE_METHOD(PixelFixture, "depth and stencil together are written past all tests") {
+    Enable(GL_ALPHA_TEST);
+    AlphaFunc(GL_NEVER, 0);
+    Enable(GL_STENCIL_TEST);
+    const std::uint32_t both = 0x800000'2a;
+    DrawPixels(1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, &both);
+    CHECK(last_image().format == Format::Depth24Stencil8);
+    const Registers& registers = device.registers;
+    CHECK(registers.depth.test_enable);
+    CHECK(registers.depth.compare == Compare::Always);
+    CHECK(registers.depth.write_enable);
+    CHECK(registers.blend.write_mask == 0);
+    CHECK_FALSE(registers.stencil.enable);
+    drawn();
+    CHECK_FALSE(registers.depth.test_enable);
+    CHECK(registers.blend.write_mask == 0xf);
+    CHECK(registers.stencil.enable);
 }
 
 TEST_CASE_METHOD(PixelFixture, "a bitmap is drawn with its origin and moves the raster position") {
@@ -165,6 +187,8 @@ TEST_CASE_METHOD(PixelFixture, "wrong arguments of pixel commands are the specif
     CHECK(draw(-1, GL_RGBA, GL_UNSIGNED_BYTE) == GL_INVALID_VALUE);
     CHECK(draw(1, GL_TEXTURE, GL_UNSIGNED_BYTE) == GL_INVALID_ENUM);
     CHECK(draw(1, GL_RGBA, GL_UNSIGNED_SHORT_5_6_5) == GL_INVALID_OPERATION);
+    CHECK(draw(1, GL_TEXTURE, GL_UNSIGNED_SHORT_5_6_5) == GL_INVALID_OPERATION);
+    CHECK(draw(1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT) == GL_INVALID_ENUM);
     CopyPixels(0, 0, 1, 1, GL_RGBA);
     CHECK(GetError() == GL_INVALID_ENUM);
     ReadPixels(0, 0, 1, 1, GL_COLOR_INDEX, GL_UNSIGNED_BYTE, nullptr);

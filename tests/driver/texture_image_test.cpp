@@ -92,6 +92,12 @@ TEST_CASE_METHOD(TextureFixture, "each base format keeps its channels and gives 
     }
 }
 
+TEST_CASE_METHOD(TextureFixture, "the luminance of an image is its red, not a sum") {
+    const Bytes rgba{10, 20, 30, 40};
+    define_2d(GL_RGBA, 1, 1, rgba.data());
+    CHECK(get_2d(GL_LUMINANCE_ALPHA, 2) == Bytes{10, 40});
+}
+
 TEST_CASE_METHOD(TextureFixture, "a part is written where it belongs, in both places") {
     for (const bool resident : {false, true}) {
         define_2d(GL_RGBA, 4, 4, Bytes(64, 0).data());
@@ -166,6 +172,12 @@ TEST_CASE_METHOD(TextureFixture, "the wrong arguments of an image are the specif
     CHECK(GetError() == GL_INVALID_VALUE);
     TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, nullptr);
     CHECK(GetError() == GL_INVALID_ENUM);
+    const auto define_depth = [](GLenum target, GLenum format) {
+        TexImage2D(target, 0, GL_DEPTH_COMPONENT, 4, 4, 0, format, GL_UNSIGNED_BYTE, nullptr);
+        return GetError();
+    };
+    CHECK(define_depth(GL_TEXTURE_CUBE_MAP_NEGATIVE_Z, GL_DEPTH_COMPONENT) == GL_NO_ERROR);
+    CHECK(define_depth(GL_TEXTURE_2D, GL_STENCIL_INDEX) == GL_INVALID_OPERATION);
     TexSubImage2D(GL_TEXTURE_2D, 3, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     CHECK(GetError() == GL_INVALID_OPERATION);
 }
