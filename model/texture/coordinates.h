@@ -5,6 +5,7 @@
 #include "model/packets/fragment_batch.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 namespace ffgpu {
@@ -27,10 +28,11 @@ inline TexCoord project(const TexCoordPlanes& planes, unsigned lane) {
             divide_by_q(planes.r[lane], q)};
 }
 
-// Where anisotropic probe i of n, counted from 1, stands on the pixel's longer side: at
-// i / (n + 1) - 1/2 of it (EXT_texture_filter_anisotropic).
+// Where anisotropic probe i of n, counted from 1, stands on the pixel's longer side: in the middle
+// of the i-th of n equal parts. (The i / (n + 1) - 1/2 that EXT_texture_filter_anisotropic gives as
+// an example leaves the ends of the side out, which shows as moire.)
 constexpr float probe_position(unsigned i, unsigned n) {
-    return static_cast<float>(i) / static_cast<float>(n + 1) - 0.5f;
+    return (static_cast<float>(i) - 0.5f) / static_cast<float>(n) - 0.5f;
 }
 
 // In the middle the coordinate itself, whatever the step; NaN (of infinite steps) becomes 0.
@@ -61,6 +63,13 @@ constexpr TexCoord project_to_face(unsigned face, const TexCoord& d) {
     const float magnitude = major < 0 ? -major : major;
     return {
         divide_by_q(sc, magnitude) * 0.5f + 0.5f, divide_by_q(tc, magnitude) * 0.5f + 0.5f, d.r};
+}
+
+// The lane whose face a quad's derivatives are taken on: the first of the live ones. A lane that is
+// only a neighbour may look past the cube's edge, where the step to the next lane is another.
+// `live` has a bit for each lane; without any it is lane 0.
+constexpr unsigned face_lane(unsigned live) {
+    return live == 0 ? 0 : static_cast<unsigned>(std::countr_zero(live));
 }
 
 } // namespace ffgpu

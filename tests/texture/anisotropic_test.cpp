@@ -36,10 +36,12 @@ Sampler anisotropic(unsigned most) {
     return sampler;
 }
 
-TEST_CASE("probes stand at i / (n + 1) - 1/2 of the longer side") {
+TEST_CASE("probes stand in the middles of n equal parts of the longer side") {
     CHECK(probe_position(1, 1) == 0);
-    CHECK(probe_position(1, 3) == -0.25f);
-    CHECK(probe_position(3, 3) == 0.25f);
+    CHECK(probe_position(1, 2) == -0.25f);
+    CHECK(probe_position(2, 2) == 0.25f);
+    CHECK(probe_position(1, 4) == -0.375f);
+    CHECK(probe_position(2, 4) == -0.125f);
     for (unsigned i = 1; i <= 16; ++i)
         CHECK(std::abs(probe_position(i, 16) + probe_position(17 - i, 16)) < 1e-6f);
     CHECK(move_to_probe(3, INFINITY, 0) == 3);
@@ -50,16 +52,16 @@ TEST_CASE("the mean of the probes shows the stretched side's texels, one probe d
     const TextureMemory memory = stripes();
     CHECK(color_of(sample_stretched(memory.compile(anisotropic(1)), 8, nullptr), 0)[0] == 0);
     // Seven probes a texel apart, the first at -3: 3 of them on a bright column or, at the odd
-    // lane's place too, which stands 8 texels on.
+    // lane's place too, which stands 7 texels on.
     const unsigned mean =
-        color_of(sample_stretched(memory.compile(anisotropic(7)), 8, nullptr), 0)[0];
+        color_of(sample_stretched(memory.compile(anisotropic(7)), 7, nullptr), 0)[0];
     CHECK(mean == (4 * 200 + 3) / 7);
 }
 
 TEST_CASE("every probe is an access, in order along the longer side") {
     const TextureMemory memory = stripes();
     TexelFootprints footprints;
-    sample_stretched(memory.compile(anisotropic(7)), 8, &footprints);
+    sample_stretched(memory.compile(anisotropic(7)), 7, &footprints);
     REQUIRE(footprints.accesses.size() == 4 * 7);
     for (unsigned i = 0; i < 7; ++i) {
         CHECK(footprints.accesses[i].lane == 0);
