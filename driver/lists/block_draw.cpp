@@ -70,6 +70,8 @@ void replay(Context& context, const VertexBlock& block) {
 } // namespace
 
 void execute_block(Context& context, VertexBlock& block) {
+    if (block.is_array_draw && context.fails_inside_begin()) return;
+    if (block.primitives.empty()) return;
     if (context.vertex_phase == VertexPhase::Inside) return replay(context, block);
     context.flush_vertices();
 

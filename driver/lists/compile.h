@@ -136,6 +136,12 @@ void record_command(Context& context, Arguments... arguments) {
 template <Command Id, CommandClass Class, auto Function, class... Arguments>
 void compile(Context& context, Arguments... arguments) {
     if constexpr (Class == CommandClass::Vertex || is_array_draw(Id)) {
+        ListVertices& vertices = context.lists().vertices();
+        if constexpr (is_array_draw(Id)) {
+            if (!vertices.begin_array_draw()) return;
+        } else {
+            vertices.begin_call();
+        }
         const ListVerticesInPlace redirected(context);
         Function(context, arguments...);
     } else if constexpr (ImageOf<Id>::Known) {

@@ -14,7 +14,8 @@
 
 namespace ffgpu::gl {
 
-// The primitives of one or more glBegin/glEnd pairs with no other command between them.
+// The primitives of one or more glBegin/glEnd pairs with no other command between them, or of one
+// array draw.
 struct VertexBlock {
     VertexFormat format;
     std::vector<float> words;
@@ -29,6 +30,10 @@ struct VertexBlock {
     // value that is current when the list is executed.
     std::array<std::uint32_t, Attributes> inherited{};
     bool inherits = false;
+
+    // Made by array draws, which are errors between glBegin and glEnd; glBegin itself is one there,
+    // too, but the vertices behind it are not. They set no attribute for what follows.
+    bool is_array_draw = false;
 
     DeviceBlock memory; // the words, once the block was drawn
 

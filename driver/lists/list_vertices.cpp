@@ -11,6 +11,7 @@ namespace ffgpu::gl {
 void ListVertices::start(DisplayList& list) {
     list_ = &list;
     raw_ = false;
+    array_draws_ = false;
     close();
     reset_run();
     primitives_.clear();
@@ -64,6 +65,16 @@ void ListVertices::set_color_index(float value) {
     record.value(value).commit();
 }
 
+bool ListVertices::begin_array_draw() {
+    // Not merged with the array draw before: an array that is no longer enabled leaves its place to
+    // the current value.
+    const bool refused = inside_primitive();
+    settle();
+    array_draws_ = true;
+    if (refused) settle(); // An empty block of array draws: all it does is to err.
+    return !refused;
+}
+
 void ListVertices::settle() {
     if (inside_) spill();
     seal_block(format_, pending_values());
@@ -79,7 +90,7 @@ ListVertices::Values ListVertices::pending_values() const {
 // The vertices of whole primitives become a block, after which the attributes of `set` have the
 // values `last`.
 void ListVertices::seal_block(const VertexFormat& set, const Values& last) {
-    if (primitives_.empty()) {
+    if (primitives_.empty() && !array_draws_) {
         record_attributes(set, last);
     } else {
         auto block = std::make_unique<VertexBlock>();
@@ -87,10 +98,11 @@ void ListVertices::seal_block(const VertexFormat& set, const Values& last) {
         block->words.assign(words().begin(), words().end());
         block->primitives = std::exchange(primitives_, {});
         block->inherited = inherited_;
+        block->is_array_draw = std::exchange(array_draws_, false);
         block->inherits = std::any_of(
             inherited_.begin(), inherited_.end(), [](std::uint32_t n) { return n != 0; });
         for (std::size_t a = 1; a < Attributes; ++a) {
-            if (set.elements[a].components == 0) continue;
+            if (block->is_array_draw || set.elements[a].components == 0) continue;
             block->sets |= 1u << a;
             block->last[a] = last[a];
             known_[a] = last[a];

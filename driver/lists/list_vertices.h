@@ -21,6 +21,14 @@ public:
     void restart() override;
     void set_color_index(float value) override;
 
+    // Before an array draw is taken apart. False, and an error is in the list: it is in the midst
+    // of a primitive.
+    bool begin_array_draw();
+    // Before a command of vertices.
+    void begin_call() {
+        if (array_draws_) settle();
+    }
+
     // Before another command is recorded, and at the list's end: all vertices so far are in the
     // list.
     void settle();
@@ -44,8 +52,9 @@ private:
 
     DisplayList* list_ = nullptr;
     GLenum mode_ = GL_POINTS;
-    std::uint32_t first_ = 0; // vertex of the primitive at hand
-    bool raw_ = false;        // between a recorded glBegin and its glEnd
+    std::uint32_t first_ = 0;  // vertex of the primitive at hand
+    bool raw_ = false;         // between a recorded glBegin and its glEnd
+    bool array_draws_ = false; // The vertices at hand are theirs.
     std::vector<RunPrimitive> primitives_;
     std::array<std::uint32_t, Attributes> inherited_{};
     std::array<std::optional<Vec4>, Attributes> known_;

@@ -31,13 +31,23 @@ void feed(VertexAssembler& to, const VertexFormat& format, const float* vertex) 
     }
 }
 
-// As a glBegin, `count` array elements with the indices index_at(0) ..., and a glEnd.
+bool is_compiling(Context& context) {
+    return &context.vertices() != &context.immediate();
+}
+
+// As a glBegin, `count` array elements with the indices index_at(0) ..., and a glEnd. But the
+// current attributes stay as they are, as they do after the draws that need no feeding: GL 1.5,
+// 2.8 leaves them undefined, and programs that draw one thing without normals rely on the normal
+// not being the last of another thing's array. (List blocks of array draws set none, either.)
 template <class IndexAt>
 void feed_primitive(Context& context,
                     const ArrayGather& arrays,
                     GLenum mode,
                     std::uint32_t count,
                     IndexAt&& index_at) {
+    const bool compiling = is_compiling(context);
+    if (!compiling) context.flush_vertices();
+    const CurrentState before = context.state.current;
     std::array<float, 4 * Attributes> vertex{};
     context.vertices().begin(mode);
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -46,10 +56,9 @@ void feed_primitive(Context& context,
         feed(context.vertices(), arrays.format(), vertex.data());
     }
     context.vertices().end();
-}
-
-bool is_compiling(Context& context) {
-    return &context.vertices() != &context.immediate();
+    if (compiling) return;
+    context.flush_vertices();
+    context.state.current = before;
 }
 
 bool can_draw(Context& context, const ArrayGather& arrays, GLenum mode, GLsizei count) {

@@ -259,6 +259,31 @@ TEST_CASE_METHOD(DrawFixture, "vertex arrays are read when a list is compiled") 
     CHECK(names(all[0]) == std::vector<float>{0, 1, 2});
 }
 
+TEST_CASE_METHOD(DrawFixture, "an array draw in a list leaves the current attributes alone") {
+    const GLfloat positions[] = {0, 0, 1, 0, 2, 0};
+    const GLfloat colors[] = {1, 0, 0, 1, 0, 0, 1, 0, 0};
+    entry::VertexPointer(2, GL_FLOAT, 0, positions);
+    entry::ColorPointer(3, GL_FLOAT, 0, colors);
+    entry::EnableClientState(GL_VERTEX_ARRAY);
+    entry::EnableClientState(GL_COLOR_ARRAY);
+    entry::NewList(1, GL_COMPILE);
+    entry::DrawArrays(GL_TRIANGLES, 0, 3);
+    entry::EndList();
+    entry::Color3f(0.25f, 0, 0);
+    entry::CallList(1);
+    CHECK(draws().size() == 1);
+    CHECK(current_red() == 0.25f);
+
+    // But what the list itself set before is current.
+    entry::NewList(2, GL_COMPILE);
+    entry::Color3f(0.5f, 0, 0);
+    entry::DrawArrays(GL_TRIANGLES, 0, 3);
+    entry::EndList();
+    entry::CallList(2);
+    CHECK(draws().size() == 1);
+    CHECK(current_red() == 0.5f);
+}
+
 TEST_CASE_METHOD(DrawFixture, "names of glCallLists have any of its types and the base added") {
     for (GLuint name = 300; name < 303; ++name) {
         entry::NewList(name, GL_COMPILE);
@@ -342,4 +367,45 @@ TEST_CASE_METHOD(DrawFixture, "errors of recorded commands come when the list is
     CHECK(error() == GL_NO_ERROR);
     entry::CallList(1);
     CHECK(error() == GL_INVALID_VALUE);
+}
+
+TEST_CASE_METHOD(DrawFixture, "an array draw of a list errs between glBegin and glEnd") {
+    const GLfloat positions[] = {0, 0, 1, 0, 2, 0};
+    entry::VertexPointer(2, GL_FLOAT, 0, positions);
+    entry::EnableClientState(GL_VERTEX_ARRAY);
+    entry::NewList(1, GL_COMPILE);
+    entry::DrawArrays(GL_TRIANGLES, 0, 3);
+    entry::EndList();
+    entry::DisableClientState(GL_VERTEX_ARRAY);
+    entry::NewList(2, GL_COMPILE); // Draws nothing.
+    entry::DrawArrays(GL_TRIANGLES, 0, 3);
+    entry::EndList();
+    for (const GLuint list : {1u, 2u}) {
+        entry::Begin(GL_TRIANGLES);
+        entry::CallList(list);
+        for (int i = 0; i < 3; ++i)
+            entry::Vertex3f(static_cast<float>(10 + i), 0, 0);
+        entry::End();
+        CHECK(error() == GL_INVALID_OPERATION);
+        const auto all = draws();
+        REQUIRE(all.size() == 1);
+        CHECK(names(all[0]) == std::vector<float>{10, 11, 12});
+    }
+}
+
+TEST_CASE_METHOD(DrawFixture, "an array draw within a list's glBegin errs when it is executed") {
+    entry::NewList(1, GL_COMPILE);
+    entry::Begin(GL_TRIANGLES);
+    entry::Vertex3f(0, 0, 0);
+    entry::DrawArrays(GL_TRIANGLES, 0, 3);
+    entry::Vertex3f(1, 0, 0);
+    entry::Vertex3f(2, 0, 0);
+    entry::End();
+    entry::EndList();
+    CHECK(error() == GL_NO_ERROR);
+    entry::CallList(1);
+    CHECK(error() == GL_INVALID_OPERATION);
+    const auto all = draws();
+    REQUIRE(all.size() == 1);
+    CHECK(names(all[0]) == std::vector<float>{0, 1, 2});
 }
