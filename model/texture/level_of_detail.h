@@ -47,7 +47,7 @@ level_of_detail(const TextureUnit& unit, const PixelFootprint& footprint, unsign
 // Fills level, next_level, weight and linear.
 QuadSampling choose_levels(const TextureUnit& unit, std::int32_t lambda);
 
-// Everything for the quad with these coordinates (of cube maps on the face of lane 0).
+// Everything for the quad with these coordinates (of cube maps on one face).
 // `one_face`: anisotropy is possible, the four fragments do not lie on several faces.
 QuadSampling
 sample_quad(const TextureUnit& unit, const std::array<TexCoord, 4>& lanes, bool one_face);

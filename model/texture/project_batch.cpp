@@ -63,14 +63,17 @@ void put(CoordinatePlanes& planes, unsigned lane, const TexCoord& coord) {
 }
 
 // Divergent by nature (a face per fragment), and rare: scalar.
-void project_to_faces(unsigned lanes, ProjectedBatch& out) {
-    for (unsigned first = 0; first < lanes; first += 4) {
+void project_to_faces(unsigned quads, const FragmentMask& live, ProjectedBatch& out) {
+    const auto direction_of = [&](unsigned lane) {
+        return TexCoord{out.sample.s[lane], out.sample.t[lane], out.sample.r[lane]};
+    };
+    for (unsigned first = 0; first < 4 * quads; first += 4) {
         bool one_face = true;
+        const unsigned quad_face = cube_face(direction_of(first + face_lane(live.quad(first / 4))));
         for (unsigned lane = first; lane < first + 4; ++lane) {
-            const TexCoord direction{out.sample.s[lane], out.sample.t[lane], out.sample.r[lane]};
+            const TexCoord direction = direction_of(lane);
             const unsigned face = cube_face(direction);
             out.face[lane] = static_cast<std::int32_t>(face);
-            const auto quad_face = static_cast<unsigned>(out.face[first]);
             one_face &= face == quad_face;
             put(out.sample, lane, project_to_face(face, direction));
             put(out.level_of_detail, lane, project_to_face(quad_face, direction));
@@ -84,13 +87,14 @@ void project_to_faces(unsigned lanes, ProjectedBatch& out) {
 void project_batch(const TextureUnit& unit,
                    const TexCoordPlanes& coordinates,
                    unsigned quad_count,
+                   const FragmentMask& live,
                    ProjectedBatch& out) {
     const bool cube = unit.kind == TextureKind::Cube;
     project_plane(coordinates.s, coordinates.q, quad_count, out.sample.s);
     if (unit.dimensions > 1) project_plane(coordinates.t, coordinates.q, quad_count, out.sample.t);
     if (unit.dimensions > 2 || cube || unit.compares())
         project_plane(coordinates.r, coordinates.q, quad_count, out.sample.r);
-    if (cube) project_to_faces(4 * grouped_quads(quad_count), out);
+    if (cube) project_to_faces(grouped_quads(quad_count), live, out);
 }
 
 } // namespace ffgpu

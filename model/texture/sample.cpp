@@ -157,7 +157,7 @@ void sample(const TextureUnit& unit,
 
     ProjectedBatch projected;
     SamplingBatch sampling;
-    project_batch(unit, coordinates, quad_count, projected);
+    project_batch(unit, coordinates, quad_count, live, projected);
     choose_levels_batch(unit, projected, quad_count, sampling);
 
     const FilterInputs inputs{

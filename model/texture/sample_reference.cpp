@@ -142,10 +142,14 @@ struct Quad {
     QuadSampling sampling;
 };
 
-Quad make_quad(const TextureUnit& unit, const TexCoordPlanes& planes, unsigned first_lane) {
+Quad make_quad(const TextureUnit& unit,
+               const TexCoordPlanes& planes,
+               unsigned first_lane,
+               unsigned live) {
     Quad quad;
     std::array<TexCoord, 4> coords;
     bool one_face = true;
+    const unsigned quad_face = cube_face(project(planes, first_lane + face_lane(live)));
     for (unsigned i = 0; i < 4; ++i) {
         coords[i] = project(planes, first_lane + i);
         Fragment& fragment = quad.fragments[i];
@@ -154,8 +158,8 @@ Quad make_quad(const TextureUnit& unit, const TexCoordPlanes& planes, unsigned f
         if (unit.kind != TextureKind::Cube) continue;
         fragment.face = cube_face(coords[i]);
         fragment.coord = project_to_face(fragment.face, coords[i]);
-        coords[i] = project_to_face(quad.fragments[0].face, coords[i]);
-        one_face &= fragment.face == quad.fragments[0].face;
+        coords[i] = project_to_face(quad_face, coords[i]);
+        one_face &= fragment.face == quad_face;
     }
     quad.sampling = sample_quad(unit, coords, one_face);
     return quad;
@@ -180,7 +184,7 @@ void sample_reference(const TextureUnit& unit,
     for (unsigned lane = 0; lane < 4 * quad_count && !unit.valid; ++lane)
         store(out, lane, {0, 0, 0, 255});
     for (unsigned q = 0; q < quad_count && unit.valid; ++q) {
-        const Quad quad = make_quad(unit, coordinates, 4 * q);
+        const Quad quad = make_quad(unit, coordinates, 4 * q, live.quad(q));
         for (unsigned i = 0; i < 4; ++i) {
             const unsigned lane = 4 * q + i;
             const bool told = live.test(lane);

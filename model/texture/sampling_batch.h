@@ -26,8 +26,8 @@ struct CoordinatePlanes {
 };
 
 // Coordinates after the division by q, those of them that the unit needs; of cube maps, on the
-// fragment's face. `level_of_detail` has them on the face of the quad's first fragment; only cube
-// maps fill it.
+// fragment's face. `level_of_detail` has them on the face of the quad's first live fragment; only
+// cube maps fill it.
 struct ProjectedBatch {
     CoordinatePlanes sample;
     CoordinatePlanes level_of_detail;
@@ -58,6 +58,7 @@ struct SamplingBatch {
 void project_batch(const TextureUnit& unit,
                    const TexCoordPlanes& coordinates,
                    unsigned quad_count,
+                   const FragmentMask& live,
                    ProjectedBatch& out);
 
 void choose_levels_batch(const TextureUnit& unit,

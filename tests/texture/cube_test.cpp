@@ -106,5 +106,29 @@ TEST_CASE("quads across a face's edge keep the level of detail of the quads besi
     CHECK(coarsest - finest <= 1);
 }
 
+// A face drawn texel for pixel from an odd place on: of its first quad just lane 3 is inside of the
+// primitive, and lane 0 looks past the corner at another face, where steps are longer.
+TEST_CASE("lanes that are not live do not choose the face of a quad's derivatives") {
+    const TextureMemory memory = numbered_faces(64, 7);
+    Sampler sampler = linear_sampler(Wrap::ClampToEdge);
+    sampler.mip_filter = MipFilter::Nearest;
+    const TextureUnit unit = memory.compile(sampler);
+    const auto planes = make_planes(1, [&](unsigned lane) {
+        const float x = static_cast<float>(lane % 2) - 0.5f; // Texels from the corner of face +z.
+        const float y = static_cast<float>(lane / 2) - 0.5f;
+        return Coordinates{1 - x / 32, 1 - y / 32, 1};
+    });
+    const auto level_with = [&](const FragmentMask& live) {
+        ColorPlanes out;
+        TexelFootprints footprints;
+        sample(unit, *planes, 1, live, out, &footprints);
+        return unsigned{footprints.accesses.back().level};
+    };
+    FragmentMask last;
+    last.set(3);
+    CHECK(level_with(last) == 0);
+    CHECK(level_with(all_live(1)) == 1);
+}
+
 } // namespace
 } // namespace ffgpu::test
