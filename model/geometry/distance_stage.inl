@@ -8,7 +8,7 @@ inline Floats fog_coordinate(FogCoordinateSource source, const VertexBatch& batc
     case FogCoordinateSource::EyeZ:
         return absolute(load(batch.view[2].at(lane)));
     case FogCoordinateSource::EyeZSigned:
-        return negate(load(batch.view[2].at(lane)));
+        return load(batch.view[2].at(lane));
     case FogCoordinateSource::EyeRadial: {
         const Floats3 view = load3(batch.view, lane);
         return square_root(dot(view, view));
@@ -22,10 +22,11 @@ inline Floats point_size(const VertexSetup& setup, const VertexBatch& batch, uns
     const PrimitiveSetup& registers = setup.registers->primitive;
     Floats size = splat(registers.point_size);
     if (setup.attenuates_points) {
-        const Floats3 view = load3(batch.view, lane);
-        const Floats square = dot(view, view);
-        const Floats linear = splat(registers.point_attenuation[1]) * square_root(square);
-        const Floats quadratic = splat(registers.point_attenuation[2]) * square;
+        // The distance is |z_eye|: GL asks for it to the eye itself, but its implementations and
+        // the programs made for them know this one, as for fog.
+        const Floats distance = absolute(load(batch.view[2].at(lane)));
+        const Floats linear = splat(registers.point_attenuation[1]) * distance;
+        const Floats quadratic = splat(registers.point_attenuation[2]) * (distance * distance);
         const Floats divisor = (splat(registers.point_attenuation[0]) + linear) + quadratic;
         size = size * square_root(splat(1.0f) / divisor);
     }

@@ -114,7 +114,7 @@ TEST_CASE("flat shading leaves the other interpolants alone") {
     scene.words[2] = 0.25f;
     const auto kept = scene.draw(PrimitiveType::Triangles);
     REQUIRE(kept.size() == 1);
-    CHECK(kept[0][0].attributes[4] == -0.25f);
+    CHECK(kept[0][0].attributes[4] == 0.25f);
     CHECK(kept[0][1].attributes[4] == 0);
 }
 

@@ -129,7 +129,8 @@ float fog_of(FogCoordinateSource source, std::initializer_list<float> position) 
 TEST_CASE("the fog coordinate comes from its source, after the division by w") {
     CHECK(fog_of(FogCoordinateSource::EyeZ, {0, 0, -0.5f, 1}) == 0.5f);
     CHECK(fog_of(FogCoordinateSource::EyeZ, {0, 0, -0.5f, 2}) == 0.25f);
-    CHECK(fog_of(FogCoordinateSource::EyeZSigned, {0, 0, 0.5f, 1}) == -0.5f);
+    CHECK(fog_of(FogCoordinateSource::EyeZSigned, {0, 0, 0.5f, 1}) == 0.5f);
+    CHECK(fog_of(FogCoordinateSource::EyeZSigned, {0, 0, -0.5f, 1}) == -0.5f);
     CHECK(fog_of(FogCoordinateSource::EyeRadial, {0.5f, 0.25f, 0.5f, 1}) == 0.75f);
     CHECK(fog_of(FogCoordinateSource::Attribute, {0, 0, -0.5f, 1}) == 5);
 }
@@ -138,7 +139,7 @@ TEST_CASE("point sizes are attenuated with distance and clamped") {
     Scene scene;
     scene.registers.primitive.point_size = 8;
     scene.vertex({0, 0, 0, 1});
-    scene.vertex({0, 0, -1, 1});
+    scene.vertex({0.5f, 0.5f, -1, 1}); // The distance is that to the eye's plane.
     CHECK(scene.draw(PrimitiveType::Points).at(0)[0].point_size == 8);
     scene.registers.primitive.point_attenuation = {1, 1, 2};
     CHECK(scene.draw(PrimitiveType::Points).at(0)[0].point_size == 8);

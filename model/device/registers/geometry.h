@@ -191,7 +191,7 @@ struct Viewport {
 
 enum class FogCoordinateSource : std::uint8_t {
     EyeZ,       // |z_eye|
-    EyeZSigned, // -z_eye
+    EyeZSigned, // z_eye, which is negative before the eye (NV_fog_distance)
     EyeRadial,  // distance to the eye
     Attribute,  // the FogCoordinate attribute
 };
