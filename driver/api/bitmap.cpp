@@ -6,6 +6,7 @@
 #include "driver/pixel/draw_buffers.h"
 #include "driver/pixel/draw_image.h"
 #include "driver/pixel/pixel_memory.h"
+#include "model/device/limits.h"
 
 #include <cmath>
 
@@ -28,6 +29,13 @@ HostImage bitmap_image(const PixelSource& source) {
         }
     }
     return image;
+}
+
+// The pixel that a position lies in. Positions are rounded to 1/256 pixel, as those of vertices
+// are: one that the transformation made a hair less than a whole number is that number.
+float pixel_of(float position) {
+    constexpr float Steps = 1 << SubPixelBits;
+    return std::floor(std::floor(position * Steps + 0.5f) / Steps);
 }
 
 } // namespace
@@ -53,7 +61,7 @@ void Bitmap(Context& context,
             draw_image(
                 context,
                 bitmap_image(*source),
-                {std::floor(raster.position[0] - xorig), std::floor(raster.position[1] - yorig)});
+                {pixel_of(raster.position[0] - xorig), pixel_of(raster.position[1] - yorig)});
         }
     }
     raster.position[0] += xmove;

@@ -4,7 +4,24 @@
 #include "driver/entry_points/declarations.h"
 #include "driver/vertex/array_draws.h"
 
+#include <algorithm>
+#include <span>
+
 namespace ffgpu::gl::api {
+namespace {
+
+// One bad count refuses all draws: a command that errs has no effect (GL 1.5, 2.5).
+bool can_draw_all(Context& context, const GLsizei* count, GLsizei draws) {
+    const auto is_bad = [](GLsizei n) { return n < 0; };
+    if (draws >= 0) {
+        const std::span counts(count, static_cast<std::size_t>(draws));
+        if (std::none_of(counts.begin(), counts.end(), is_bad)) return true;
+    }
+    context.error(GL_INVALID_VALUE);
+    return false;
+}
+
+} // namespace
 
 void ArrayElement(Context& context, GLint i) {
     array_element(context, i);
@@ -16,7 +33,7 @@ void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
 
 void MultiDrawArrays(
     Context& context, GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) {
-    if (drawcount < 0) return context.error(GL_INVALID_VALUE);
+    if (!can_draw_all(context, count, drawcount)) return;
     for (GLsizei i = 0; i < drawcount; ++i)
         draw_arrays(context, mode, first[i], count[i]);
 }
@@ -76,7 +93,7 @@ void MultiDrawElements(Context& context,
                        GLenum type,
                        const void* const* indices,
                        GLsizei drawcount) {
-    if (drawcount < 0) return context.error(GL_INVALID_VALUE);
+    if (!can_draw_all(context, count, drawcount)) return;
     for (GLsizei i = 0; i < drawcount; ++i)
         draw_elements(context, mode, count[i], type, indices[i]);
 }
@@ -88,7 +105,7 @@ void MultiDrawElementsBaseVertex(Context& context,
                                  const void* const* indices,
                                  GLsizei drawcount,
                                  const GLint* basevertex) {
-    if (drawcount < 0) return context.error(GL_INVALID_VALUE);
+    if (!can_draw_all(context, count, drawcount)) return;
     for (GLsizei i = 0; i < drawcount; ++i)
         draw_elements(context, mode, count[i], type, indices[i], basevertex[i]);
 }

@@ -1,4 +1,4 @@
-// glEnable, glDisable, glIsEnabled. The client arrays' are with the arrays.
+// glEnable, glDisable, glIsEnabled. The client arrays' commands are with the arrays.
 
 #include "driver/context/context.h"
 #include "driver/entry_points/declarations.h"
@@ -11,6 +11,8 @@ namespace {
 
 void set_capability(Context& context, GLenum cap, bool enable) {
     const Capability* const capability = find_capability(cap);
+    if (!capability && find_client_array(context.client.arrays, cap)) // EXT_vertex_array
+        return enable ? EnableClientState(context, cap) : DisableClientState(context, cap);
     if (!capability) return context.error(GL_INVALID_ENUM);
     bool& flag = capability_flag(*capability, context.state, cap);
     if (flag == enable) return;

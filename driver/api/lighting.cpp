@@ -105,14 +105,11 @@ Vec4 light_values(const LightSource& light, GLenum name) {
     }
 }
 
-// `is_scalar`: the form without v, which takes the parameters of one value only.
 template <class Number>
-void set_light(
-    Context& context, GLenum number, GLenum name, const Number* params, bool is_scalar = false) {
+void set_light(Context& context, GLenum number, GLenum name, const Number* params) {
     LightSource* const light = find_light(context, number);
     const Parameter* const parameter = find_parameter(LightParameters, name);
     if (!light || !parameter) return context.error(GL_INVALID_ENUM);
-    if (is_scalar && parameter->count > 1) return context.error(GL_INVALID_ENUM);
     const Vec4 values = read_values(*parameter, params);
     if (!is_legal(name, values[0])) return context.error(GL_INVALID_VALUE);
     set_light(*light, name, values, context.state.transform.matrices.model_view.top());
@@ -128,10 +125,9 @@ void get_light(Context& context, GLenum number, GLenum name, Number* params) {
 }
 
 template <class Number>
-void set_light_model(Context& context, GLenum name, const Number* params, bool is_scalar = false) {
+void set_light_model(Context& context, GLenum name, const Number* params) {
     const Parameter* const parameter = find_parameter(LightModelParameters, name);
     if (!parameter) return context.error(GL_INVALID_ENUM);
-    if (is_scalar && parameter->count > 1) return context.error(GL_INVALID_ENUM);
     const Vec4 values = read_values(*parameter, params);
     LightModel& model = context.state.lighting.model;
     switch (name) {
@@ -158,11 +154,11 @@ void set_light_model(Context& context, GLenum name, const Number* params, bool i
 } // namespace
 
 void Lightf(Context& context, GLenum light, GLenum pname, GLfloat param) {
-    set_light(context, light, pname, &param, true);
+    set_light(context, light, pname, Scalar(param).values);
 }
 
 void Lighti(Context& context, GLenum light, GLenum pname, GLint param) {
-    set_light(context, light, pname, &param, true);
+    set_light(context, light, pname, Scalar(param).values);
 }
 
 void Lightfv(Context& context, GLenum light, GLenum pname, const GLfloat* params) {
@@ -182,11 +178,11 @@ void GetLightiv(Context& context, GLenum light, GLenum pname, GLint* params) {
 }
 
 void LightModelf(Context& context, GLenum pname, GLfloat param) {
-    set_light_model(context, pname, &param, true);
+    set_light_model(context, pname, Scalar(param).values);
 }
 
 void LightModeli(Context& context, GLenum pname, GLint param) {
-    set_light_model(context, pname, &param, true);
+    set_light_model(context, pname, Scalar(param).values);
 }
 
 void LightModelfv(Context& context, GLenum pname, const GLfloat* params) {

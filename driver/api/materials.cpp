@@ -53,11 +53,9 @@ void set_material(MaterialFace& material, std::uint8_t tracked, GLenum name, con
 }
 
 template <class Number>
-void set_materials(
-    Context& context, GLenum face, GLenum name, const Number* params, bool is_scalar = false) {
+void set_materials(Context& context, GLenum face, GLenum name, const Number* params) {
     const Parameter* const parameter = find_parameter(MaterialParameters, name);
     if (!is_face(face) || !parameter) return context.error(GL_INVALID_ENUM);
-    if (is_scalar && parameter->count > 1) return context.error(GL_INVALID_ENUM);
     const Vec4 values = read_values(*parameter, params);
     if (name == GL_SHININESS && !(values[0] >= 0 && values[0] <= 128))
         return context.error(GL_INVALID_VALUE);
@@ -106,11 +104,11 @@ void get_material(Context& context, GLenum face, GLenum name, Number* params) {
 } // namespace
 
 void Materialf(Context& context, GLenum face, GLenum pname, GLfloat param) {
-    set_materials(context, face, pname, &param, true);
+    set_materials(context, face, pname, Scalar(param).values);
 }
 
 void Materiali(Context& context, GLenum face, GLenum pname, GLint param) {
-    set_materials(context, face, pname, &param, true);
+    set_materials(context, face, pname, Scalar(param).values);
 }
 
 void Materialfv(Context& context, GLenum face, GLenum pname, const GLfloat* params) {

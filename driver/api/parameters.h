@@ -18,6 +18,15 @@ struct Parameter {
     bool is_color = false; // Integers stand for [-1, 1].
 };
 
+// The parameter of a form without v. Drivers take it for the first component of a colour or
+// position, too, whose others are then 0, and programs rely on it.
+template <class Number>
+struct Scalar {
+    explicit Scalar(Number value)
+        : values{value, 0, 0, 0} {}
+    Number values[4];
+};
+
 // Null: there is no such parameter (GL_INVALID_ENUM).
 inline const Parameter* find_parameter(std::span<const Parameter> all, GLenum name) {
     for (const Parameter& parameter : all) {

@@ -37,11 +37,10 @@ bool is_mode_of(GLenum coord, GLenum mode) {
 }
 
 template <class Value>
-void set_texgen(Context& context, GLenum coord, GLenum name, const Value* params, bool is_vector) {
+void set_texgen(Context& context, GLenum coord, GLenum name, const Value* params) {
     TexGen* const gen = find_coordinate(context, coord);
     const Parameter* const parameter = find_parameter(Parameters, name);
-    if (!gen || !parameter || (parameter->count > 1 && !is_vector))
-        return context.error(GL_INVALID_ENUM);
+    if (!gen || !parameter) return context.error(GL_INVALID_ENUM);
     const Vec4 values = read_values(*parameter, params);
     if (name == GL_TEXTURE_GEN_MODE) {
         const GLenum mode = to_enum(values[0]);
@@ -56,14 +55,13 @@ void set_texgen(Context& context, GLenum coord, GLenum name, const Value* params
     context.dirty.mark(Dirty::TexGen);
 }
 
-void set_doubles(
-    Context& context, GLenum coord, GLenum name, const GLdouble* params, bool is_vector) {
+void set_doubles(Context& context, GLenum coord, GLenum name, const GLdouble* params) {
     const Parameter* const parameter = find_parameter(Parameters, name);
     std::array<GLfloat, 4> values{};
-    const std::size_t count = parameter && is_vector ? parameter->count : 1;
+    const std::size_t count = parameter ? parameter->count : 0;
     for (std::size_t i = 0; i < count; ++i)
         values[i] = static_cast<GLfloat>(params[i]);
-    set_texgen(context, coord, name, values.data(), is_vector);
+    set_texgen(context, coord, name, values.data());
 }
 
 // Null: an enumerant is wrong, the error is recorded.
@@ -83,27 +81,27 @@ const Parameter* get_texgen(Context& context, GLenum coord, GLenum name, Vec4& v
 } // namespace
 
 void TexGenf(Context& context, GLenum coord, GLenum pname, GLfloat param) {
-    set_texgen(context, coord, pname, &param, false);
+    set_texgen(context, coord, pname, Scalar(param).values);
 }
 
 void TexGeni(Context& context, GLenum coord, GLenum pname, GLint param) {
-    set_texgen(context, coord, pname, &param, false);
+    set_texgen(context, coord, pname, Scalar(param).values);
 }
 
 void TexGend(Context& context, GLenum coord, GLenum pname, GLdouble param) {
-    set_doubles(context, coord, pname, &param, false);
+    set_doubles(context, coord, pname, Scalar(param).values);
 }
 
 void TexGenfv(Context& context, GLenum coord, GLenum pname, const GLfloat* params) {
-    set_texgen(context, coord, pname, params, true);
+    set_texgen(context, coord, pname, params);
 }
 
 void TexGeniv(Context& context, GLenum coord, GLenum pname, const GLint* params) {
-    set_texgen(context, coord, pname, params, true);
+    set_texgen(context, coord, pname, params);
 }
 
 void TexGendv(Context& context, GLenum coord, GLenum pname, const GLdouble* params) {
-    set_doubles(context, coord, pname, params, true);
+    set_doubles(context, coord, pname, params);
 }
 
 void GetTexGenfv(Context& context, GLenum coord, GLenum pname, GLfloat* params) {

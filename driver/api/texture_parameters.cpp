@@ -132,12 +132,11 @@ GLenum set_value(TextureParameters& gl, TextureTarget target, GLenum name, const
 }
 
 template <class Value>
-void set_parameter(
-    Context& context, GLenum target, GLenum name, const Value* params, bool is_vector) {
+void set_parameter(Context& context, GLenum target, GLenum name, const Value* params) {
     const auto wanted = find_texture_target(target);
     if (!wanted) return context.error(GL_INVALID_ENUM);
     const Parameter* const parameter = find_parameter(Parameters, name);
-    if (!parameter || (parameter->count > 1 && !is_vector)) return context.error(GL_INVALID_ENUM);
+    if (!parameter) return context.error(GL_INVALID_ENUM);
     TextureObject& texture =
         *context.state.texture.active().bound[static_cast<std::size_t>(*wanted)];
     TextureParameters changed = texture.parameters;
@@ -205,19 +204,19 @@ void get_parameter(Context& context, GLenum target, GLenum name, Value* params) 
 } // namespace
 
 void TexParameterf(Context& context, GLenum target, GLenum pname, GLfloat param) {
-    set_parameter(context, target, pname, &param, false);
+    set_parameter(context, target, pname, Scalar(param).values);
 }
 
 void TexParameteri(Context& context, GLenum target, GLenum pname, GLint param) {
-    set_parameter(context, target, pname, &param, false);
+    set_parameter(context, target, pname, Scalar(param).values);
 }
 
 void TexParameterfv(Context& context, GLenum target, GLenum pname, const GLfloat* params) {
-    set_parameter(context, target, pname, params, true);
+    set_parameter(context, target, pname, params);
 }
 
 void TexParameteriv(Context& context, GLenum target, GLenum pname, const GLint* params) {
-    set_parameter(context, target, pname, params, true);
+    set_parameter(context, target, pname, params);
 }
 
 void GetTexParameterfv(Context& context, GLenum target, GLenum pname, GLfloat* params) {

@@ -345,3 +345,21 @@ TEST_CASE_METHOD(DrawFixture, "array commands report their errors") {
     CHECK(error() == GL_INVALID_OPERATION);
     CHECK(draws().empty());
 }
+
+TEST_CASE_METHOD(DrawFixture, "one negative count refuses all draws of glMultiDrawArrays") {
+    const GLfloat positions[] = {0, 0, 1, 0, 2, 0};
+    entry::VertexPointer(2, GL_FLOAT, 0, positions);
+    entry::Enable(GL_VERTEX_ARRAY); // EXT_vertex_array
+    CHECK(entry::IsEnabled(GL_VERTEX_ARRAY) == GL_TRUE);
+    const GLint first[] = {0, 0};
+    GLsizei count[] = {3, -1};
+    entry::MultiDrawArrays(GL_TRIANGLES, first, count, 2);
+    CHECK(error() == GL_INVALID_VALUE);
+    CHECK(draws().empty());
+    count[1] = 3;
+    entry::MultiDrawArrays(GL_TRIANGLES, first, count, 2);
+    CHECK(error() == GL_NO_ERROR);
+    CHECK(draws().size() == 2);
+    entry::Disable(GL_VERTEX_ARRAY);
+    CHECK(entry::IsEnabled(GL_VERTEX_ARRAY) == GL_FALSE);
+}

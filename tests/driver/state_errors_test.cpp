@@ -40,18 +40,18 @@ TEST_CASE("Each invalid argument is refused with its error and no other effect")
         REFUSED(GL_INVALID_ENUM, ClipPlane(GL_CLIP_PLANE0 + 6, doubles)),
         REFUSED(GL_INVALID_ENUM, Lightfv(GL_LIGHT0 + 8, GL_AMBIENT, four)),
         REFUSED(GL_INVALID_ENUM, Lightfv(GL_LIGHT0, GL_SHININESS, four)),
-        REFUSED(GL_INVALID_ENUM, Lightf(GL_LIGHT0, GL_AMBIENT, 1)),
+        REFUSED(GL_INVALID_ENUM, Lightf(GL_LIGHT0, GL_SHININESS, 1)),
         REFUSED(GL_INVALID_VALUE, Lightf(GL_LIGHT0, GL_SPOT_EXPONENT, 128.5f)),
         REFUSED(GL_INVALID_VALUE, Lightf(GL_LIGHT0, GL_SPOT_EXPONENT, -1)),
         REFUSED(GL_INVALID_VALUE, Lightf(GL_LIGHT0, GL_SPOT_CUTOFF, 91)),
         REFUSED(GL_INVALID_VALUE, Lightf(GL_LIGHT0, GL_SPOT_CUTOFF, -1)),
         REFUSED(GL_INVALID_VALUE, Lightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, -1)),
-        REFUSED(GL_INVALID_ENUM, LightModelf(GL_LIGHT_MODEL_AMBIENT, 1)),
+        REFUSED(GL_INVALID_ENUM, LightModelf(GL_AMBIENT, 1)),
         REFUSED(GL_INVALID_ENUM, LightModeli(GL_AMBIENT, 1)),
         REFUSED(GL_INVALID_ENUM, LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SMOOTH)),
         REFUSED(GL_INVALID_ENUM, Materialfv(GL_LEFT, GL_AMBIENT, four)),
         REFUSED(GL_INVALID_ENUM, Materialfv(GL_FRONT, GL_POSITION, four)),
-        REFUSED(GL_INVALID_ENUM, Materialf(GL_FRONT, GL_AMBIENT, 1)),
+        REFUSED(GL_INVALID_ENUM, Materialf(GL_FRONT, GL_POSITION, 1)),
         REFUSED(GL_INVALID_VALUE, Materialf(GL_FRONT, GL_SHININESS, 129)),
         REFUSED(GL_INVALID_VALUE, Materialf(GL_FRONT, GL_SHININESS, -1)),
         REFUSED(GL_INVALID_ENUM, ColorMaterial(GL_LEFT, GL_AMBIENT)),
@@ -100,7 +100,7 @@ TEST_CASE("Each invalid argument is refused with its error and no other effect")
         REFUSED(GL_INVALID_ENUM, Hint(GL_FOG, GL_NICEST)),
         REFUSED(GL_INVALID_ENUM, Hint(GL_FOG_HINT, GL_LINEAR)),
         REFUSED(GL_INVALID_ENUM, Enable(GL_AMBIENT)),
-        REFUSED(GL_INVALID_ENUM, Disable(GL_VERTEX_ARRAY)),
+        REFUSED(GL_INVALID_ENUM, Disable(GL_VERTEX_ARRAY_POINTER)),
         REFUSED(GL_STACK_UNDERFLOW, PopAttrib()),
         REFUSED(GL_STACK_UNDERFLOW, PopClientAttrib()),
         REFUSED(GL_INVALID_ENUM, GetMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, Vec4().data())),
@@ -153,6 +153,17 @@ TEST_CASE("The first error stays until it is read") {
     PointSize(-1);
     MatrixMode(0);
     CHECK(GetError() == GL_INVALID_VALUE);
+    CHECK(GetError() == GL_NO_ERROR);
+}
+
+TEST_CASE_METHOD(StateFixture, "a scalar is the first component of a colour, the others are 0") {
+    GLfloat color[4] = {};
+    Materialf(GL_FRONT, GL_AMBIENT, 0.5f);
+    GetMaterialfv(GL_FRONT, GL_AMBIENT, color);
+    CHECK(std::vector<GLfloat>(color, color + 4) == std::vector<GLfloat>{0.5f, 0, 0, 0});
+    LightModelf(GL_LIGHT_MODEL_AMBIENT, 0.25f);
+    GetFloatv(GL_LIGHT_MODEL_AMBIENT, color);
+    CHECK(std::vector<GLfloat>(color, color + 4) == std::vector<GLfloat>{0.25f, 0, 0, 0});
     CHECK(GetError() == GL_NO_ERROR);
 }
 

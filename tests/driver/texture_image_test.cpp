@@ -277,8 +277,6 @@ TEST_CASE_METHOD(TextureFixture, "parameters that a target does not take are ref
     CHECK(GetError() == GL_INVALID_VALUE);
     TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 0.5f);
     CHECK(GetError() == GL_INVALID_VALUE);
-    TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, 1);
-    CHECK(GetError() == GL_INVALID_ENUM);
     TexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, 3);
     CHECK(GetError() == GL_INVALID_VALUE);
     TexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_ALPHA, GL_SRC_COLOR);
