@@ -12,6 +12,7 @@
 
 #include <X11/Xlib.h>
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -34,7 +35,9 @@ private:
         if (process_ == 0) {
             const std::string number = std::to_string(ends[1]);
             const int nowhere = ::open("/dev/null", O_WRONLY);
+            ::dup2(nowhere, STDOUT_FILENO);
             ::dup2(nowhere, STDERR_FILENO);
+            ::prctl(PR_SET_PDEATHSIG, SIGTERM); // Even if the test crashes.
             ::execlp("Xvfb",
                      "Xvfb",
                      "-displayfd",

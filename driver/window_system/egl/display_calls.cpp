@@ -114,6 +114,5 @@ FFGPU_EGL EGLBoolean eglReleaseThread() {
 }
 
 FFGPU_EGL __eglMustCastToProperFunctionPointerType eglGetProcAddress(const char* name) {
-    const std::string_view text = name;
-    return text.starts_with("gl") || text.starts_with("egl") ? find_function(text) : nullptr;
+    return find_function(name);
 }

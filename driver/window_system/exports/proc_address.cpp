@@ -52,7 +52,7 @@ AnyFunction find_gl_function(std::string_view name) {
 }
 
 AnyFunction find_function(std::string_view name) {
-    if (const AnyFunction found = find_gl_function(name)) return found;
+    if (!name.starts_with("glX") && !name.starts_with("egl")) return find_gl_function(name);
     void* const handle = self();
     return handle ? reinterpret_cast<AnyFunction>(::dlsym(handle, std::string(name).c_str()))
                   : nullptr;

@@ -3,6 +3,7 @@
 #include "driver/window_system/glx/current.h"
 #include "driver/window_system/glx/protocol.h"
 #include "driver/window_system/turn.h"
+#include "driver/window_system/x11/internals.h"
 #include "model/device/limits.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 using Kind = GlxDrawable::Kind;
 
 GLXDrawable add(GlxDisplay& display, Display* dpy, const GlxConfig& config, GlxDrawable made) {
-    const XID id = XAllocID(dpy);
+    const XID id = allocate_id(dpy);
     made.surface->id = id;
     made.surface->config_id = config.id;
     display.drawables[id] = std::move(made);

@@ -61,7 +61,7 @@ FFGPU_GLX const char* glXQueryServerString(Display*, int, int name) {
 
 FFGPU_GLX __GLXextFuncPtr glXGetProcAddressARB(const GLubyte* procname) {
     const std::string_view name = reinterpret_cast<const char*>(procname);
-    return name.starts_with("gl") ? find_function(name) : nullptr;
+    return find_function(name);
 }
 
 FFGPU_GLX __GLXextFuncPtr glXGetProcAddress(const GLubyte* procname) {

@@ -43,6 +43,14 @@ void send_error(_XDisplay* dpy, const XErrorReport& report) {
     UnlockDisplay(dpy);
 }
 
+unsigned long allocate_id(_XDisplay* dpy) {
+    LockDisplay(dpy);
+    const XID id = XAllocID(dpy);
+    UnlockDisplay(dpy);
+    SyncHandle(); // Xlib gets the next one ready.
+    return id;
+}
+
 void on_close(_XDisplay* display, void (*closed)(_XDisplay* display)) {
     const XExtCodes* const codes = XAddExtension(display);
     if (!codes) return;

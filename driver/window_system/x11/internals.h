@@ -1,4 +1,4 @@
-// The two things that take Xlib's inner header, kept apart because of its macros.
+// What takes Xlib's inner header, kept apart because of its macros.
 
 #pragma once
 
@@ -15,6 +15,9 @@ struct XErrorReport {
 
 // Sends an X error to the program's handler as if the server had.
 void send_error(_XDisplay* display, const XErrorReport& report);
+
+// A new identity on the connection.
+unsigned long allocate_id(_XDisplay* display);
 
 // Has `closed` called when the program closes the connection.
 void on_close(_XDisplay* display, void (*closed)(_XDisplay* display));
