@@ -56,7 +56,8 @@ const std::map<std::string, Layers> Allowed = {
       "model/capture",
       "model/timing",
       "driver",
-      "driver/trace"}},
+      "driver/trace",
+      "driver/window_system"}},
 };
 
 // The longest layer that the path lies in.
