@@ -3,14 +3,26 @@
 #include "model/gpu/functional_gpu.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
 #include <thread>
 
 namespace ffgpu::gl {
 namespace {
 
+constexpr unsigned MaxThreads = 64;
+
+// FFGPU_THREADS, or one a processor of the host. No picture depends on it.
+unsigned thread_count() {
+    unsigned threads = std::thread::hardware_concurrency();
+    if (const char* const text = std::getenv("FFGPU_THREADS"))
+        std::from_chars(text, text + std::strlen(text), threads);
+    return std::clamp(threads, 1u, MaxThreads);
+}
+
 std::unique_ptr<Device> make_gpu() {
-    const unsigned processors = std::clamp(std::thread::hardware_concurrency(), 1u, 64u);
-    return std::make_unique<FunctionalGpu>(FunctionalGpu::Config{.threads = processors});
+    return std::make_unique<FunctionalGpu>(FunctionalGpu::Config{.threads = thread_count()});
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <vector>
@@ -26,6 +27,7 @@ struct osmesa_context {
     GLsizei width = 0, height = 0;
     GLint row_length = 0;
     bool y_up = true;
+    std::vector<std::uint8_t> rows;   // of the picture, as the device has them
     std::vector<std::uint32_t> depth; // what OSMesaGetDepthBuffer handed out
 };
 
@@ -61,6 +63,10 @@ bool is_known_format(GLenum format) {
 }
 
 void store_row(const osmesa_context& to, const std::uint8_t* rgba, std::byte* out) {
+    if (to.format == OSMESA_RGBA) { // as the device has it
+        std::memcpy(out, rgba, 4 * static_cast<std::size_t>(to.width));
+        return;
+    }
     const ChannelOrder order = channel_order(to.format);
     for (GLsizei x = 0; x < to.width; ++x, rgba += 4, out += order.bytes) {
         if (to.format == OSMESA_RGB_565) {
@@ -82,7 +88,8 @@ void present(osmesa_context& to) {
     const ffgpu::Surface& surface = to.context->drawable().front();
     if (!to.buffer || surface.format == ffgpu::Format::None) return;
     ffgpu::Device& device = ProcessGpu::instance().device();
-    std::vector<std::uint8_t> rgba(std::size_t{surface.stride} * surface.height);
+    std::vector<std::uint8_t>& rgba = to.rows;
+    rgba.resize(std::size_t{surface.stride} * static_cast<std::size_t>(to.height));
     device.read_memory(surface.address, std::as_writable_bytes(std::span(rgba)));
     const auto pixels = static_cast<std::size_t>(to.row_length > 0 ? to.row_length : to.width);
     const std::size_t out_stride =
