@@ -51,8 +51,8 @@ void get_query_object(Context& context, GLuint id, GLenum pname, Integer* params
 
 } // namespace
 
-// GL 1.5 refuses new and deleted names while any query is active; later versions only what would
-// take the active one's, and programs rely on it.
+// GL 1.5 refuses new and deleted names while any query is active; later versions do not, and
+// programs rely on it: a deleted query that is active ends, without a result.
 void GenQueries(Context& context, GLsizei n, GLuint* ids) {
     if (n < 0) return context.error(GL_INVALID_VALUE);
     context.queries.names.generate(std::span(ids, static_cast<std::size_t>(n)));
@@ -60,12 +60,13 @@ void GenQueries(Context& context, GLsizei n, GLuint* ids) {
 
 void DeleteQueries(Context& context, GLsizei n, const GLuint* ids) {
     if (n < 0) return context.error(GL_INVALID_VALUE);
-    const std::span names(ids, static_cast<std::size_t>(n));
-    const GLuint active = context.queries.active;
-    if (active != 0 && std::find(names.begin(), names.end(), active) != names.end())
-        return context.error(GL_INVALID_OPERATION);
-    for (const GLuint id : names)
+    for (const GLuint id : std::span(ids, static_cast<std::size_t>(n))) {
+        if (id != 0 && id == context.queries.active) {
+            context.queries.active = 0;
+            context.dirty.mark(Dirty::Fragment);
+        }
         context.queries.names.remove(id);
+    }
 }
 
 GLboolean IsQuery(Context& context, GLuint id) {

@@ -71,8 +71,11 @@ Targets lower_window_targets(const Drawable& drawable, GLenum draw_buffer) {
         break;
     case GL_FRONT:
     case GL_FRONT_LEFT:
-    case GL_LEFT:
         registers.color = drawable.front();
+        break;
+    case GL_LEFT: // Both buffers are drawn to; what is read is the front.
+        registers.color = drawable.front();
+        if (drawable.format().double_buffer) registers.second_color = drawable.back();
         break;
     case GL_FRONT_AND_BACK:
         registers.color = drawable.back();

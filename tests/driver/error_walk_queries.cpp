@@ -58,11 +58,8 @@ constexpr RefusedCall Calls[] = {
     REFUSED(GL_INVALID_OPERATION, GetQueryObjectuiv, 99, GL_QUERY_RESULT, names),
 };
 
-GLuint active_name[] = {1};
-
 constexpr RefusedCall ActiveQuery[] = {
     REFUSED(GL_INVALID_OPERATION, BeginQuery, GL_SAMPLES_PASSED, 2),
-    REFUSED(GL_INVALID_OPERATION, DeleteQueries, 1, active_name),
     REFUSED(GL_INVALID_OPERATION, GetQueryObjectiv, 1, GL_QUERY_RESULT, ints),
     REFUSED(GL_INVALID_OPERATION, GetQueryObjectuiv, 1, GL_QUERY_RESULT, names),
 };

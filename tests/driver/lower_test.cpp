@@ -341,6 +341,9 @@ TEST_CASE("The draw buffer chooses the colour targets") {
     CHECK(both.color == drawable.back());
     CHECK(both.second_color == drawable.front());
     CHECK(both.depth == drawable.depth());
+    const Targets left = lower_window_targets(drawable, GL_LEFT);
+    CHECK(left.color == drawable.front());
+    CHECK(left.second_color == drawable.back());
 }
 
 TEST_CASE("A draw sends only the registers that changed") {

@@ -109,8 +109,6 @@ TEST_CASE("Query commands out of order are refused") {
     CHECK(GetError() == GL_INVALID_OPERATION);
     GetQueryObjectuiv(id, GL_QUERY_RESULT, &result);
     CHECK(GetError() == GL_INVALID_OPERATION);
-    DeleteQueries(1, &id);
-    CHECK(GetError() == GL_INVALID_OPERATION);
     DeleteQueries(1, &other); // Not the active one.
     GLuint fresh = 0;
     GenQueries(1, &fresh);
@@ -121,6 +119,20 @@ TEST_CASE("Query commands out of order are refused") {
     GenQueries(-1, &result);
     CHECK(GetError() == GL_INVALID_VALUE);
     CHECK(result == 5);
+}
+
+TEST_CASE("An active query that is deleted has ended") {
+    StateFixture f;
+    const GLuint id = make_query(), other = make_query();
+    BeginQuery(GL_SAMPLES_PASSED, id);
+    DeleteQueries(1, &id);
+    CHECK(GetError() == GL_NO_ERROR);
+    CHECK(!f.drawn().fragment.count_samples);
+    EndQuery(GL_SAMPLES_PASSED);
+    CHECK(GetError() == GL_INVALID_OPERATION);
+    BeginQuery(GL_SAMPLES_PASSED, other);
+    CHECK(GetError() == GL_NO_ERROR);
+    EndQuery(GL_SAMPLES_PASSED);
 }
 
 } // namespace ffgpu::gl
