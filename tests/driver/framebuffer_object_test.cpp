@@ -146,7 +146,9 @@ TEST_CASE_METHOD(FramebufferFixture,
     CHECK(GetError() == GL_INVALID_OPERATION);
     RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 4, 4); // None is bound.
     CHECK(GetError() == GL_INVALID_OPERATION);
-    RenderbufferStorage(GL_RENDERBUFFER, GL_LUMINANCE, 4, 4);
+    RenderbufferStorage(GL_RENDERBUFFER, GL_COLOR_INDEX, 4, 4);
+    CHECK(GetError() == GL_INVALID_ENUM);
+    RenderbufferStorage(GL_RENDERBUFFER, GL_COMPRESSED_RGB, 4, 4);
     CHECK(GetError() == GL_INVALID_ENUM);
     BlitFramebuffer(0, 0, 1, 1, 0, 0, 1, 1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     CHECK(GetError() == GL_INVALID_FRAMEBUFFER_OPERATION);
