@@ -37,7 +37,7 @@ Result egl_call(Result failed, Call&& call) noexcept {
     EGLint& error = egl_thread().error;
     error = EGL_SUCCESS;
     try {
-        return call();
+        return static_cast<Result>(call()); // EGL_TRUE is an int, EGLBoolean unsigned.
     } catch (const EglError& thrown) {
         error = thrown.code;
     } catch (const std::bad_alloc&) {

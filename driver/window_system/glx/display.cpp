@@ -4,7 +4,6 @@
 #include "driver/window_system/x11/internals.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace ffgpu::gl {
 namespace {
@@ -31,8 +30,8 @@ std::vector<XVisualInfo> true_color_visuals(Display* display, int screen) {
     if (found) XFree(found);
     // The default visual first: windows of it share the root's colour map.
     const VisualID usual = XVisualIDFromVisual(DefaultVisual(display, screen));
-    std::ranges::stable_partition(visuals,
-                                  [&](const XVisualInfo& v) { return v.visualid == usual; });
+    const auto is_usual = [&](const XVisualInfo& visual) { return visual.visualid == usual; };
+    std::stable_partition(visuals.begin(), visuals.end(), is_usual);
     return visuals;
 }
 
