@@ -120,7 +120,7 @@ GLenum framebuffer_status(const FramebufferObject& framebuffer) {
         return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
     if (!any) return GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
 
-    const auto is_missing = [&](GLenum buffer) {
+    const auto is_missing = [&colors = colors](GLenum buffer) {
         return buffer != GL_NONE && !colors[buffer - GL_COLOR_ATTACHMENT0];
     };
     if (is_missing(draw_buffer)) return GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER;

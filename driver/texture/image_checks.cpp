@@ -58,7 +58,9 @@ GLenum definition_error(const ImageDefinition& definition) {
 bool is_too_large(const ImageDefinition& definition) {
     const auto& [target, level, internal_format, size, border] = definition;
     const GLsizei limit = static_cast<GLsizei>(max_texture_size(target.target) >> level);
-    const auto exceeds = [&](GLsizei extent) { return extent - 2 * border > limit; };
+    const auto exceeds = [limit, borders = 2 * border](GLsizei extent) {
+        return extent - borders > limit;
+    };
     return exceeds(size.width) || (target.dimensions >= 2 && exceeds(size.height)) ||
            (target.dimensions == 3 && exceeds(size.depth));
 }
