@@ -23,7 +23,7 @@ build() { # NAME CC CXX LEVEL
     say "Building $1"
     cmake -S . -B "$Out/determinism-$1" -G Ninja "${launcher[@]}" -DBUILD_TESTING=OFF \
         -DCMAKE_C_COMPILER="$2" -DCMAKE_CXX_COMPILER="$3" \
-        -DCMAKE_C_FLAGS_RELEASE="$4" -DCMAKE_CXX_FLAGS_RELEASE="$4" >/dev/null
+        -DCMAKE_C_FLAGS_RELEASE="$4 -DNDEBUG" -DCMAKE_CXX_FLAGS_RELEASE="$4 -DNDEBUG" >/dev/null
     cmake --build "$Out/determinism-$1" -j "$Jobs" --target ffgpu >"$Out/determinism-$1.log" ||
         { tail -20 "$Out/determinism-$1.log" >&2; return 1; }
 }
