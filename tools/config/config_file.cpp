@@ -83,7 +83,9 @@ void set_group(Group& group,
                std::string_view group_name,
                const toml::table& table,
                const std::string& source) {
-    for (const auto& [key, node] : table) {
+    for (const auto& entry : table) {
+        const toml::key& key = entry.first; // No bindings: clang 14's lambdas cannot name them.
+        const toml::node& node = entry.second;
         bool found = false;
         std::vector<std::string> names;
         const std::string path = fmt::format("{}.{}", group_name, key.str());
@@ -102,7 +104,9 @@ void set_group(Group& group,
 }
 
 void apply(const toml::table& tables, const std::string& source, Configuration& configuration) {
-    for (const auto& [key, node] : tables) {
+    for (const auto& entry : tables) {
+        const toml::key& key = entry.first; // No bindings: clang 14's lambdas cannot name them.
+        const toml::node& node = entry.second;
         bool found = false;
         std::vector<std::string> names;
         Configuration::visit(configuration, [&](std::string_view name, auto& group) {
