@@ -200,7 +200,7 @@ const std::vector<std::string> Tiny = {"vertex.cache_sets=1",
                                        "memory.banks=1",
                                        "memory.queue=1",
                                        "memory.bytes_per_cycle=1",
-                                       "memory.page_policy=\"closed\""};
+                                       "memory.page_policy=closed"};
 const std::vector<std::string> Huge = {"vertex.cache_sets=1024",
                                        "vertex.cache_ways=16",
                                        "vertex.line_bytes=512",
@@ -231,17 +231,16 @@ const std::vector<std::string> Huge = {"vertex.cache_sets=1024",
                                        "memory.bytes_per_cycle=256"};
 const std::vector<std::string> FullyAssociative = {"texel_cache.sets=1",
                                                    "texel_cache.ways=64",
-                                                   "texel_cache.layout=\"linear\"",
+                                                   "texel_cache.layout=linear",
                                                    "depth_cache.sets=1",
                                                    "depth_cache.ways=64",
-                                                   "depth_cache.layout=\"linear\"",
+                                                   "depth_cache.layout=linear",
                                                    "color_cache.sets=1",
                                                    "color_cache.ways=64",
-                                                   "color_cache.layout=\"linear\"",
-                                                   "raster.traversal=\"scanline\""};
-const std::vector<std::string> TileBased = {"raster.architecture=\"tile_based\"",
-                                            "raster.bin_size=16",
-                                            "texel_cache.layout=\"blocked_6d\""};
+                                                   "color_cache.layout=linear",
+                                                   "raster.traversal=scanline"};
+const std::vector<std::string> TileBased = {
+    "raster.architecture=tile_based", "raster.bin_size=16", "texel_cache.layout=blocked_6d"};
 
 TEST_CASE("Caches and queues of any size leave the pixels alone, and their accounts add up") {
     const std::string trace = own_trace("light_maps");

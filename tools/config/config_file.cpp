@@ -4,6 +4,7 @@
 #include "tools/config/nearest_name.h"
 
 #include <bit>
+#include <cctype>
 #include <fstream>
 #include <sstream>
 #include <type_traits>
@@ -135,6 +136,16 @@ toml::table parse(const std::string& text, const std::string& source) {
     }
 }
 
+// raster.traversal=scanline -> raster.traversal="scanline": a shell takes TOML's quotes away.
+std::string quote_choice(const std::string& setting) {
+    const std::size_t value = setting.find_first_not_of(" =", setting.find('='));
+    if (value == std::string::npos || !std::islower(static_cast<unsigned char>(setting[value])))
+        return setting;
+    const std::string_view word = std::string_view(setting).substr(value);
+    if (word == "true" || word == "false") return setting;
+    return fmt::format("{}\"{}\"", setting.substr(0, value), word);
+}
+
 template <class Field>
 std::string written(const Field& field, const ParameterInfo& info) {
     if constexpr (std::is_same_v<Field, bool>) {
@@ -156,7 +167,7 @@ void read_config_file(const std::string& path, Configuration& configuration) {
 }
 
 void apply_setting(const std::string& setting, Configuration& configuration) {
-    apply(parse(setting, "--set"), "--set", configuration);
+    apply(parse(quote_choice(setting), "--set"), "--set", configuration);
 }
 
 std::string to_toml(const Configuration& configuration) {

@@ -12,7 +12,7 @@ namespace ffgpu::tools {
 // the nearest one that does), a wrong type, or a value out of range.
 void read_config_file(const std::string& path, Configuration& configuration);
 
-// The same for one assignment, "texel_cache.ways = 8".
+// The same for one assignment, "texel_cache.ways = 8"; a choice needs no quotes there.
 void apply_setting(const std::string& setting, Configuration& configuration);
 
 // All parameters with unit, range and meaning in comments. What read_config_file() reads.
