@@ -17,8 +17,8 @@ bool is_operation(GLenum op) {
 void give_back(Context& context, Accumulation& buffer, float factor) {
     const Targets& targets = context.draw_target().targets;
     const unsigned mask = context.registers.wanted.blend.write_mask;
-    buffer.give_back(targets.color, factor, mask);
-    buffer.give_back(targets.second_color, factor, mask);
+    for (const Surface& target : targets.color)
+        buffer.give_back(target, factor, mask);
 }
 
 } // namespace

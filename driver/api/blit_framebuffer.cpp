@@ -80,10 +80,9 @@ void BlitFramebuffer(Context& context,
                     .linear = filter == GL_LINEAR,
                     .clip = rectangle_of(context.registers.wanted.scissor)};
     if (blit.empty()) return;
-    if ((mask & GL_COLOR_BUFFER_BIT) != 0) {
-        blit_color(context, read.color, targets.color, blit);
-        blit_color(context, read.color, targets.second_color, blit);
-    }
+    if ((mask & GL_COLOR_BUFFER_BIT) != 0)
+        for (const Surface& target : targets.color)
+            blit_color(context, read.color, target, blit);
     if (any_depth)
         blit_depth_stencil(context.device(), read.depth, targets.depth, blit, {depth, stencil});
 }

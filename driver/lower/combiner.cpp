@@ -98,23 +98,6 @@ CombineOp lower_function(GLenum function, bool four_arguments) {
     }
 }
 
-unsigned argument_count(CombineOp op) {
-    switch (op) {
-    case CombineOp::Replace:
-        return 1;
-    case CombineOp::Interpolate:
-    case CombineOp::ModulateAdd:
-    case CombineOp::ModulateSignedAdd:
-    case CombineOp::ModulateSubtract:
-        return 3;
-    case CombineOp::AddProducts:
-    case CombineOp::AddProductsSigned:
-        return 4;
-    default:
-        return 2;
-    }
-}
-
 CombineSource lower_source(GLenum source, unsigned unit) {
     switch (source) {
     case GL_TEXTURE:

@@ -20,11 +20,22 @@ unsigned depth_bits(Format format) {
     }
 }
 
+// Of a token that selects buffers of a window.
+bool has_front(GLenum buffer) {
+    return buffer == GL_FRONT || buffer == GL_FRONT_LEFT || buffer == GL_LEFT ||
+           buffer == GL_FRONT_AND_BACK;
+}
+
+bool has_back(GLenum buffer) {
+    return buffer == GL_BACK || buffer == GL_BACK_LEFT || buffer == GL_LEFT ||
+           buffer == GL_FRONT_AND_BACK;
+}
+
 DrawTarget window_target(Context& context) {
     const Drawable* const drawable = context.draw_drawable();
     if (!drawable) return {.status = GL_FRAMEBUFFER_UNDEFINED};
     const PixelFormat& format = drawable->format();
-    const Targets targets = lower_window_targets(*drawable, context.state.framebuffer.draw_buffer);
+    const Targets targets = lower_window_targets(*drawable, context.state.framebuffer.draw_buffers);
     return {.targets = targets,
             .width = drawable->width(),
             .height = drawable->height(),
@@ -37,12 +48,11 @@ DrawTarget object_target(Context& context, const FramebufferObject& object) {
     if (found.status != GL_FRAMEBUFFER_COMPLETE) return found;
     found.targets = framebuffer_targets(context, object);
     found.width = found.height = MaxSurfaceSize;
-    for (const Surface* surface :
-         {&found.targets.color, &found.targets.second_color, &found.targets.depth}) {
-        if (surface->format == Format::None) continue;
-        found.width = std::min<unsigned>(found.width, surface->width);
-        found.height = std::min<unsigned>(found.height, surface->height);
-    }
+    Targets::for_each(found.targets, [&found](const Surface& surface) {
+        if (surface.format == Format::None) return;
+        found.width = std::min<unsigned>(found.width, surface.width);
+        found.height = std::min<unsigned>(found.height, surface.height);
+    });
     found.depth.depth_bits = has_depth(object) ? depth_bits(found.targets.depth.format) : 0;
     found.depth.stencil_bits = has_stencil(object) ? 8 : 0;
     return found;
@@ -60,30 +70,20 @@ Surface find_read_surface(Context& context) {
     if (state.read_object)
         return color_surface(context, *state.read_object, state.read_object->read_buffer);
     const Drawable* const drawable = context.read_drawable();
-    return drawable ? lower_window_targets(*drawable, state.read_buffer).color : Surface{};
+    if (!drawable || state.read_buffer == GL_NONE) return {};
+    return has_front(state.read_buffer) ? drawable->front() : drawable->back();
 }
 
-Targets lower_window_targets(const Drawable& drawable, GLenum draw_buffer) {
+Targets lower_window_targets(const Drawable& drawable, const DrawBufferList& buffers) {
+    const bool front = std::any_of(buffers.begin(), buffers.end(), has_front);
+    const bool back = std::any_of(buffers.begin(), buffers.end(), has_back);
     Targets registers;
     registers.depth = drawable.depth();
-    switch (draw_buffer) {
-    case GL_NONE:
-        break;
-    case GL_FRONT:
-    case GL_FRONT_LEFT:
-        registers.color = drawable.front();
-        break;
-    case GL_LEFT: // Both buffers are drawn to; what is read is the front.
-        registers.color = drawable.front();
-        if (drawable.format().double_buffer) registers.second_color = drawable.back();
-        break;
-    case GL_FRONT_AND_BACK:
-        registers.color = drawable.back();
-        if (drawable.format().double_buffer) registers.second_color = drawable.front();
-        break;
-    default:
-        registers.color = drawable.back();
-    }
+    unsigned count = 0;
+    if (back) registers.color[count++] = drawable.back();
+    // A drawable of one buffer is drawn to once, whatever it is called.
+    if (front && (!back || drawable.format().double_buffer))
+        registers.color[count] = drawable.front();
     return registers;
 }
 

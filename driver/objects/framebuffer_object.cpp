@@ -4,6 +4,8 @@
 #include "driver/objects/shared_objects.h"
 #include "driver/texture/residency.h"
 
+#include <algorithm>
+
 namespace ffgpu::gl {
 
 namespace {
@@ -106,7 +108,7 @@ void FramebufferObject::detach(const Renderbuffer& removed) {
 }
 
 GLenum framebuffer_status(const FramebufferObject& framebuffer) {
-    const auto& [name, colors, depth, stencil, draw_buffer, read_buffer] = framebuffer;
+    const auto& [name, colors, depth, stencil, draw_buffers, read_buffer] = framebuffer;
     bool any = depth || stencil;
     for (const Attachment& color : colors) {
         if (!color) continue;
@@ -123,7 +125,8 @@ GLenum framebuffer_status(const FramebufferObject& framebuffer) {
     const auto is_missing = [&colors = colors](GLenum buffer) {
         return buffer != GL_NONE && !colors[buffer - GL_COLOR_ATTACHMENT0];
     };
-    if (is_missing(draw_buffer)) return GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER;
+    if (std::any_of(draw_buffers.begin(), draw_buffers.end(), is_missing))
+        return GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER;
     if (is_missing(read_buffer)) return GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER;
 
     for (const Attachment& color : colors) {
@@ -146,7 +149,8 @@ Surface depth_surface(Context& context, const FramebufferObject& framebuffer) {
 
 Targets framebuffer_targets(Context& context, const FramebufferObject& framebuffer) {
     Targets targets;
-    targets.color = color_surface(context, framebuffer, framebuffer.draw_buffer);
+    for (unsigned i = 0; i < ColorTargets; ++i)
+        targets.color[i] = color_surface(context, framebuffer, framebuffer.draw_buffers[i]);
     targets.depth = depth_surface(context, framebuffer);
     return targets;
 }

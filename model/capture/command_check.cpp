@@ -1,53 +1,14 @@
 #include "model/capture/command_check.h"
 
-#include <array>
+#include "model/device/enumerators.h"
 
 namespace ffgpu::capture {
 namespace {
 
-// Enumerators that do not fill the bits of their fields. Of the others any bits are a value.
-template <class Field>
-constexpr unsigned value_count = ~0u;
-template <>
-constexpr unsigned value_count<PrimitiveType> = static_cast<unsigned>(PrimitiveType::Polygon) + 1;
-template <>
-constexpr unsigned value_count<IndexType> = static_cast<unsigned>(IndexType::U32) + 1;
-template <>
-constexpr unsigned value_count<Format> = static_cast<unsigned>(Format::Count);
-template <>
-constexpr unsigned value_count<TextureKind> = static_cast<unsigned>(TextureKind::Rectangle) + 1;
-template <>
-constexpr unsigned value_count<NormalMode> = static_cast<unsigned>(NormalMode::Normalize) + 1;
-template <>
-constexpr unsigned value_count<TexGenMode> = static_cast<unsigned>(TexGenMode::ReflectionMap) + 1;
-template <>
-constexpr unsigned value_count<PolygonMode> = static_cast<unsigned>(PolygonMode::Fill) + 1;
-template <>
-constexpr unsigned value_count<MipFilter> = static_cast<unsigned>(MipFilter::Linear) + 1;
-template <>
-constexpr unsigned value_count<DepthMode> = static_cast<unsigned>(DepthMode::Alpha) + 1;
-template <>
-constexpr unsigned value_count<CombineOp> = static_cast<unsigned>(CombineOp::AddProductsSigned) + 1;
-template <>
-constexpr unsigned value_count<CombineSource> = static_cast<unsigned>(CombineSource::One) + 1;
-template <>
-constexpr unsigned
-    value_count<BlendFactor> = static_cast<unsigned>(BlendFactor::SourceAlphaSaturate) + 1;
-template <>
-constexpr unsigned value_count<BlendEquation> = static_cast<unsigned>(BlendEquation::Max) + 1;
-
 template <class Packed>
 std::string check_values(const Packed& packed) {
-    std::string mistake;
-    Packed copy = packed;
-    visit_placed<Packed>(copy, [&](const char* name, auto& field, unsigned, unsigned, unsigned) {
-        using Field = std::remove_cvref_t<decltype(field)>;
-        if constexpr (std::is_enum_v<Field>) {
-            if (static_cast<unsigned>(field) >= value_count<Field> && mistake.empty())
-                mistake = std::string("field ") + name + " holds no value of its kind";
-        }
-    });
-    return mistake;
+    const char* const field = find_bad_enumerator(packed);
+    return field ? std::string("field ") + field + " holds no value of its kind" : std::string();
 }
 
 constexpr const char* Outside = " lies outside of the device's memory";
@@ -151,15 +112,18 @@ std::string CommandCheck::find_mistake(const Surface& surface) const {
         return "a surface is too large";
     if (surface.stride < row_bytes(surface.format, surface.width))
         return "a surface's rows overlap";
-    if (!is_inside(surface.address, std::uint64_t{surface.stride} * surface.height))
-        return std::string("a surface") + Outside;
+    if (surface.samples != 1 && surface.samples != MaxSamples)
+        return "a surface has a number of samples that no surface has";
+    if (!is_inside(surface.address, surface.bytes())) return std::string("a surface") + Outside;
     return {};
 }
 
 std::string CommandCheck::check(const Targets& targets) const {
-    for (const Surface* surface : {&targets.color, &targets.second_color, &targets.depth})
-        if (std::string mistake = find_mistake(*surface); !mistake.empty()) return mistake;
-    return {};
+    std::string mistake;
+    Targets::for_each(targets, [&](const Surface& surface) {
+        if (mistake.empty()) mistake = find_mistake(surface);
+    });
+    return mistake;
 }
 
 std::string CommandCheck::check(const DrawCommand& draw) const {

@@ -37,6 +37,7 @@ struct Registers {
     Stencil stencil;
     DepthControl depth;
     Blend blend;
+    Multisample multisample;
     Targets targets;
 
     // Calls visitor(register) for each, in the order of addresses.
@@ -66,6 +67,7 @@ struct Registers {
         visitor(self.stencil);
         visitor(self.depth);
         visitor(self.blend);
+        visitor(self.multisample);
         visitor(self.targets);
     }
     bool operator==(const Registers&) const = default;

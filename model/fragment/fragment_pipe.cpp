@@ -56,10 +56,11 @@ FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> 
     pipe.early_depth = state.early_depth && !pipe.stencil_depth.stencil;
 
     pipe.color_stage = compile_color_stage(registers.blend, registers.fragment.dither);
-    const Surface* colors[] = {&registers.targets.color, &registers.targets.second_color};
-    for (unsigned i = 0; i < pipe.color_targets.size(); ++i)
-        if (is_color_target(colors[i]->format) && surface_fits(*colors[i], memory.size()))
-            pipe.color_targets[i] = compile_color_target(*colors[i], registers.blend.write_mask);
+    for (unsigned i = 0; i < ColorTargets; ++i) {
+        const Surface& color = registers.targets.color[i];
+        if (is_color_target(color.format) && surface_fits(color, memory.size()))
+            pipe.color_targets[i] = compile_color_target(color, registers.blend.write_mask);
+    }
     return pipe;
 }
 

@@ -38,7 +38,7 @@ struct FragmentPipe {
     StencilDepthState stencil_depth;
     Surface depth_target;
     ColorStage color_stage;
-    std::array<ColorTarget, 2> color_targets;
+    std::array<ColorTarget, ColorTargets> color_targets;
 };
 
 FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> memory);

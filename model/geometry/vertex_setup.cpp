@@ -26,12 +26,12 @@ bool uses(const TexCoordSetup& setup, TexGenMode mode) {
 // The pixels that fragments can be made for.
 Rectangle drawn_pixels(const Registers& registers) {
     const Scissor& scissor = registers.scissor;
-    const Rectangle kept{
-        scissor.x, scissor.y, scissor.x + scissor.width, scissor.y + scissor.height};
-    const Targets& targets = registers.targets;
-    const Surface& target = targets.color.format != Format::None ? targets.color : targets.depth;
-    if (target.format == Format::None) return kept;
-    return intersect(kept, {0, 0, target.width, target.height});
+    Rectangle drawn{scissor.x, scissor.y, scissor.x + scissor.width, scissor.y + scissor.height};
+    Targets::for_each(registers.targets, [&drawn](const Surface& target) {
+        if (target.format != Format::None)
+            drawn = intersect(drawn, {0, 0, target.width, target.height});
+    });
+    return drawn;
 }
 
 bool viewport_covers(const Viewport& viewport, const Rectangle& pixels) {

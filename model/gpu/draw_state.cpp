@@ -7,24 +7,6 @@
 namespace ffgpu {
 namespace {
 
-// How many of its arguments an operation reads.
-unsigned argument_count(CombineOp op) {
-    switch (op) {
-    case CombineOp::Replace:
-        return 1;
-    case CombineOp::Interpolate:
-    case CombineOp::ModulateAdd:
-    case CombineOp::ModulateSignedAdd:
-    case CombineOp::ModulateSubtract:
-        return 3;
-    case CombineOp::AddProducts:
-    case CombineOp::AddProductsSigned:
-        return 4;
-    default:
-        return 2;
-    }
-}
-
 std::uint8_t sampled_by(const CombineHalf& half) {
     std::uint8_t units = 0;
     for (unsigned i = 0; i < argument_count(half.op); ++i)
@@ -49,9 +31,10 @@ std::uint8_t sampled_units(const Registers& registers) {
 
 // Whether any fragment's colour can matter: it is written or tested.
 bool uses_color(const Registers& registers) {
-    const Targets& targets = registers.targets;
-    const bool has_target =
-        targets.color.format != Format::None || targets.second_color.format != Format::None;
+    const auto& colors = registers.targets.color;
+    const bool has_target = std::any_of(colors.begin(), colors.end(), [](const Surface& color) {
+        return color.format != Format::None;
+    });
     return registers.fragment.alpha_test || (has_target && registers.blend.write_mask != 0);
 }
 

@@ -8,15 +8,11 @@
 namespace ffgpu {
 namespace {
 
-// Bytes from a surface's address to its end.
-std::uint64_t surface_bytes(const Surface& surface) {
-    return std::uint64_t{surface.stride} * surface.height;
-}
-
 template <class Visit>
 void for_each_target(const Targets& targets, Visit&& visit) {
-    for (const Surface* surface : {&targets.color, &targets.second_color, &targets.depth})
-        if (surface->format != Format::None) visit(*surface);
+    Targets::for_each(targets, [&](const Surface& surface) {
+        if (surface.format != Format::None) visit(surface);
+    });
 }
 
 template <class Visit>
@@ -55,8 +51,7 @@ void FunctionalGpu::draw(const DrawCommand& command) {
     before_read(command.vertex_address, command.vertex_count * vertex_bytes);
     if (command.index_type != IndexType::None)
         before_read(command.index_address,
-                    (std::uint64_t{command.first} + command.count) *
-                        (command.index_type == IndexType::U16 ? 2 : 4));
+                    std::uint64_t{command.count} * (command.index_type == IndexType::U16 ? 2 : 4));
     const std::uint32_t number = draw_number_++;
     if (command.output == DrawOutput::Feedback) {
         before_write(command.feedback_address, command.feedback_bytes);
@@ -81,8 +76,8 @@ bool FunctionalGpu::reads_own_target(const DrawContext& context) const {
     for_each_image(context, [&](const TextureImage& image) {
         const std::uint64_t begin = image.address, end = begin + texture_bytes(image.shape);
         for_each_target(context.regs().targets, [&](const Surface& surface) {
-            overlaps = overlaps ||
-                       (begin < surface.address + surface_bytes(surface) && surface.address < end);
+            overlaps =
+                overlaps || (begin < surface.address + surface.bytes() && surface.address < end);
         });
     });
     return overlaps;
@@ -113,7 +108,7 @@ void FunctionalGpu::begin_command(BinCommand command) {
 void FunctionalGpu::open_bin(const Targets& targets) {
     int width = 0, height = 0;
     for_each_target(targets, [&](const Surface& surface) {
-        bin_writes_.add(surface.address, surface_bytes(surface));
+        bin_writes_.add(surface.address, surface.bytes());
         width = std::max<int>(width, surface.width);
         height = std::max<int>(height, surface.height);
     });

@@ -1,6 +1,7 @@
 #include "model/gpu/validate.h"
 
 #include "model/base/input_error.h"
+#include "model/device/enumerators.h"
 #include "model/memory/pixel_format.h"
 
 #include <string>
@@ -9,50 +10,14 @@
 namespace ffgpu {
 namespace {
 
-// The last enumerator of those types that do not fill their field; 255: any value is one.
-template <class Enum>
-constexpr unsigned LastEnumerator = 255;
-template <>
-constexpr unsigned LastEnumerator<Format> = static_cast<unsigned>(Format::Count) - 1;
-template <>
-constexpr unsigned LastEnumerator<TextureKind> = static_cast<unsigned>(TextureKind::Rectangle);
-template <>
-constexpr unsigned LastEnumerator<MipFilter> = static_cast<unsigned>(MipFilter::Linear);
-template <>
-constexpr unsigned LastEnumerator<DepthMode> = static_cast<unsigned>(DepthMode::Alpha);
-template <>
-constexpr unsigned LastEnumerator<CombineOp> = static_cast<unsigned>(CombineOp::AddProductsSigned);
-template <>
-constexpr unsigned LastEnumerator<CombineSource> = static_cast<unsigned>(CombineSource::One);
-template <>
-constexpr unsigned
-    LastEnumerator<BlendFactor> = static_cast<unsigned>(BlendFactor::SourceAlphaSaturate);
-template <>
-constexpr unsigned LastEnumerator<BlendEquation> = static_cast<unsigned>(BlendEquation::Max);
-template <>
-constexpr unsigned LastEnumerator<NormalMode> = static_cast<unsigned>(NormalMode::Normalize);
-template <>
-constexpr unsigned LastEnumerator<TexGenMode> = static_cast<unsigned>(TexGenMode::ReflectionMap);
-template <>
-constexpr unsigned LastEnumerator<PolygonMode> = static_cast<unsigned>(PolygonMode::Fill);
-template <>
-constexpr unsigned LastEnumerator<PrimitiveType> = static_cast<unsigned>(PrimitiveType::Polygon);
-template <>
-constexpr unsigned LastEnumerator<IndexType> = static_cast<unsigned>(IndexType::U32);
-
 void require(bool condition, const char* what) {
     if (!condition) throw InputError(what);
 }
 
 template <class Packed>
 void validate_enumerators(const Packed& packed, const char* owner) {
-    Packed::visit(packed, [owner](const char* name, const auto& field, unsigned = 32) {
-        using Field = std::remove_cvref_t<decltype(field)>;
-        if constexpr (std::is_enum_v<Field>)
-            if (static_cast<unsigned>(field) > LastEnumerator<Field>)
-                throw InputError(std::string(owner) + '.' + name + " has no value " +
-                                 std::to_string(static_cast<unsigned>(field)));
-    });
+    if (const char* const field = find_bad_enumerator(packed))
+        throw InputError(std::string(owner) + '.' + field + " holds no value of its kind");
 }
 
 void validate_vertex_format(const VertexFormat& format) {
@@ -71,6 +36,8 @@ void validate_target(const Surface& surface, bool depth, std::uint64_t memory_si
     const bool depth_format =
         surface.format == Format::Depth16 || surface.format == Format::Depth24Stencil8;
     require(depth ? depth_format : color_format, "a target's format is not one of targets");
+    require(surface.samples == 1 || surface.samples == MaxSamples,
+            "a target has a number of samples that no target has");
     require(surface.width <= MaxSurfaceSize && surface.height <= MaxSurfaceSize,
             "a target exceeds the largest surface");
     require(surface_fits(surface, memory_size), "a target does not lie in device memory");
@@ -83,8 +50,8 @@ void validate(const Registers& registers, std::uint64_t memory_size) {
         validate_enumerators(reg, std::remove_cvref_t<decltype(reg)>::Name);
     });
     validate_vertex_format(registers.vertex_format);
-    validate_target(registers.targets.color, false, memory_size);
-    validate_target(registers.targets.second_color, false, memory_size);
+    for (const Surface& color : registers.targets.color)
+        validate_target(color, false, memory_size);
     validate_target(registers.targets.depth, true, memory_size);
     const unsigned factor = registers.primitive.line_stipple_factor;
     require(factor >= 1 && factor <= 256, "line_stipple_factor is not 1 to 256");
@@ -104,7 +71,7 @@ void validate(const DrawCommand& draw, const Registers& registers, std::uint64_t
                 "the vertices drawn exceed those in memory");
     } else {
         const std::uint64_t index_bytes = draw.index_type == IndexType::U16 ? 2 : 4;
-        require(fits(draw.index_address, std::uint64_t{draw.first} + draw.count, index_bytes),
+        require(fits(draw.index_address, draw.count, index_bytes),
                 "the indices do not lie in device memory");
     }
     if (draw.output == DrawOutput::Feedback)

@@ -122,9 +122,8 @@ void clear_rectangle(const ClearCommand& clear,
                      Rectangle rectangle,
                      std::span<std::byte> memory) {
     if (clear.color) {
-        clear_color(registers.targets.color, clear.color_value, registers, rectangle, memory);
-        clear_color(
-            registers.targets.second_color, clear.color_value, registers, rectangle, memory);
+        for (const Surface& target : registers.targets.color)
+            clear_color(target, clear.color_value, registers, rectangle, memory);
     }
     if (clear.depth || clear.stencil) clear_depth_stencil(clear, registers, rectangle, memory);
 }

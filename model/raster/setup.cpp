@@ -15,9 +15,9 @@ Rectangle clip_rectangle(const Registers& registers) {
     const Scissor& scissor = registers.scissor;
     Rectangle clip{scissor.x, scissor.y, scissor.x + scissor.width, scissor.y + scissor.height};
     clip = intersect(clip, {0, 0, MaxSurfaceSize, MaxSurfaceSize});
-    const Targets& targets = registers.targets;
-    for (const Surface* surface : {&targets.color, &targets.second_color, &targets.depth})
-        if (surface->format != Format::None) clip = intersect(clip, surface_rectangle(*surface));
+    Targets::for_each(registers.targets, [&clip](const Surface& surface) {
+        if (surface.format != Format::None) clip = intersect(clip, surface_rectangle(surface));
+    });
     return clip;
 }
 

@@ -105,7 +105,7 @@ void CommandProcessor::begin_clear(const WorkDraw& work) {
         lines.discard(place.base, place.base + place.layer_bytes);
         add_transfer(place, pixels, cache.line_bytes, true);
     };
-    if (work.clear.color) clear(state.targets.color, config_.color_cache, ports_.color_cache);
+    if (work.clear.color) clear(state.targets.color[0], config_.color_cache, ports_.color_cache);
     if (work.clear.depth || work.clear.stencil)
         clear(state.targets.depth, config_.depth_cache, ports_.depth_cache);
 }

@@ -84,12 +84,12 @@ private:
                 draw.writes_depth = state.depth.write_enable || state.stencil.enable;
                 places.depth = &addresses_.surface(state.targets.depth, config_.depth_cache);
             }
-            if (state.targets.color.format != Format::None) {
+            if (state.targets.color[0].format != Format::None) {
                 const Blend& blend = state.blend;
                 draw.writes_color = blend.write_mask != 0;
                 draw.reads_color = draw.writes_color && (blend.enable || blend.logic_op_enable ||
                                                          blend.write_mask != 0xf);
-                places.color = &addresses_.surface(state.targets.color, config_.color_cache);
+                places.color = &addresses_.surface(state.targets.color[0], config_.color_cache);
             }
         }
     }

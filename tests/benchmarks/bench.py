@@ -79,7 +79,7 @@ def ratio(a, b):
 def bench_traces(options):
     binary = os.path.join(options.build, "tools", "ffgpu")
     traces = sorted(glob.glob(os.path.join(options.workloads, "traces", "*.trace")))
-    if not traces:  # The project's own end with an empty frame: what is repeated is little.
+    if not traces:  # Without those of real programs, the project's own.
         traces = sorted(glob.glob(os.path.join(ROOT, "traces", "*.trace")))
     print(f"Frames a second of the last frame repeated, {options.threads} thread(s); ratios are ffgpu / peer.")
     print("timing: frames a second over the whole trace with the timing model, and its speed.")

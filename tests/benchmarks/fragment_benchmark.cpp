@@ -25,12 +25,12 @@ struct Bench {
 
     explicit Bench(unsigned live_per_quad = 4) {
         Draws draws(1);
-        registers->targets.color = {.address = 0,
-                                    .format = Format::Rgba8,
-                                    .width = TargetSize,
-                                    .height = TargetSize,
-                                    .stride = TargetSize * 4};
-        registers->targets.depth = registers->targets.color;
+        registers->targets.color[0] = {.address = 0,
+                                       .format = Format::Rgba8,
+                                       .width = TargetSize,
+                                       .height = TargetSize,
+                                       .stride = TargetSize * 4};
+        registers->targets.depth = registers->targets.color[0];
         registers->targets.depth.address = 4u << 20;
         registers->targets.depth.format = Format::Depth24Stencil8;
         registers->scissor = {.width = TargetSize, .height = TargetSize};

@@ -47,7 +47,7 @@ TEST_CASE("A clear carries the values in the targets' units") {
     CHECK(clear.depth_value == 0x800000);
     CHECK(clear.stencil_value == 0xa5);
     CHECK(f.device.registers.scissor == ffgpu::Scissor{0, 0, 64, 48});
-    CHECK(f.device.registers.targets.color == f.back());
+    CHECK(f.device.registers.targets.color[0] == f.back());
 }
 
 TEST_CASE("The depth mask keeps the depth buffer from being cleared") {

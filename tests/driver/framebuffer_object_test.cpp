@@ -82,19 +82,19 @@ TEST_CASE_METHOD(FramebufferFixture, "drawing goes to the texture's own memory")
     attach(GL_COLOR_ATTACHMENT0, 1);
     Enable(GL_TEXTURE_2D);
     const Registers& registers = drawn();
-    CHECK(registers.targets.color.format == Format::Rgba8);
-    CHECK(registers.targets.color.width == 8);
-    CHECK(registers.targets.color.stride == 32);
-    CHECK(registers.targets.color.address == registers.images[0].address + 16 * 8 * 4);
+    CHECK(registers.targets.color[0].format == Format::Rgba8);
+    CHECK(registers.targets.color[0].width == 8);
+    CHECK(registers.targets.color[0].stride == 32);
+    CHECK(registers.targets.color[0].address == registers.images[0].address + 16 * 8 * 4);
     CHECK(registers.scissor.width == 8);
     // The texture grows by a level and moves; the target moves with it.
     TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 2);
     define(2, GL_RGBA, 4, 2);
     drawn();
-    CHECK(registers.targets.color.address == registers.images[0].address + 16 * 8 * 4);
+    CHECK(registers.targets.color[0].address == registers.images[0].address + 16 * 8 * 4);
     CHECK(registers.images[0].shape.levels == 3);
     BindFramebuffer(GL_FRAMEBUFFER, 0);
-    CHECK(drawn().targets.color == gl.drawable().back());
+    CHECK(drawn().targets.color[0] == gl.drawable().back());
 }
 
 TEST_CASE_METHOD(FramebufferFixture, "packed depth and stencil are one surface with two meanings") {

@@ -334,16 +334,16 @@ TEST_CASE("The scissor is cut to the target, wherever the application puts it") 
 TEST_CASE("The draw buffer chooses the colour targets") {
     StateFixture f;
     const Drawable& drawable = f.gl.drawable();
-    CHECK(lower_window_targets(drawable, GL_BACK).color == drawable.back());
-    CHECK(lower_window_targets(drawable, GL_FRONT).color == drawable.front());
-    CHECK(lower_window_targets(drawable, GL_NONE).color == Surface{});
+    CHECK(lower_window_targets(drawable, GL_BACK).color[0] == drawable.back());
+    CHECK(lower_window_targets(drawable, GL_FRONT).color[0] == drawable.front());
+    CHECK(lower_window_targets(drawable, GL_NONE).color[0] == Surface{});
     const Targets both = lower_window_targets(drawable, GL_FRONT_AND_BACK);
-    CHECK(both.color == drawable.back());
-    CHECK(both.second_color == drawable.front());
+    CHECK(both.color[0] == drawable.back());
+    CHECK(both.color[1] == drawable.front());
     CHECK(both.depth == drawable.depth());
     const Targets left = lower_window_targets(drawable, GL_LEFT);
-    CHECK(left.color == drawable.front());
-    CHECK(left.second_color == drawable.back());
+    CHECK(left.color[0] == drawable.front());
+    CHECK(left.color[1] == drawable.back());
 }
 
 TEST_CASE("A draw sends only the registers that changed") {
@@ -364,12 +364,12 @@ TEST_CASE("A draw sends only the registers that changed") {
 
 TEST_CASE("A swap and a new size of the drawable reach the targets of the next draw") {
     StateFixture f;
-    const Surface before = f.drawn().targets.color;
+    const Surface before = f.drawn().targets.color[0];
     f.gl.drawable().swap();
-    CHECK(f.drawn().targets.color == f.gl.drawable().back());
-    CHECK(f.drawn().targets.color != before);
+    CHECK(f.drawn().targets.color[0] == f.gl.drawable().back());
+    CHECK(f.drawn().targets.color[0] != before);
     f.gl.drawable().resize(100, 20);
-    CHECK(f.drawn().targets.color.width == 100);
+    CHECK(f.drawn().targets.color[0].width == 100);
     CHECK(f.drawn().scissor == Scissor{0, 0, 100, 20});
 }
 
@@ -385,7 +385,7 @@ TEST_CASE("A context that becomes current after another sends all of its registe
     CHECK(f.device.registers.primitive.line_width == 5);
     f.gl.make_current();
     CHECK(f.drawn().primitive.line_width == 1);
-    CHECK(f.drawn().targets.color.width == 64);
+    CHECK(f.drawn().targets.color[0].width == 64);
 }
 
 } // namespace ffgpu::gl

@@ -112,9 +112,10 @@ TEST_CASE("No byte changes but those of live fragments' pixels") {
         const Targets& targets = run->scene.registers->targets;
         for (std::size_t i = 0; i < before.size(); ++i) {
             if (before[i] == run->scene.memory[i]) continue;
-            const bool touched = is_touched(targets.color, live, run->batch, i) ||
-                                 is_touched(targets.second_color, live, run->batch, i) ||
-                                 is_touched(targets.depth, live, run->batch, i);
+            bool touched = false;
+            Targets::for_each(targets, [&](const Surface& target) {
+                touched = touched || is_touched(target, live, run->batch, i);
+            });
             REQUIRE(touched);
         }
     }
@@ -125,20 +126,20 @@ TEST_CASE("A target that leaves memory is left out") {
     scene.memory.resize(64 * 64 * 4);
     Surface surface{
         .address = 0, .format = Format::Rgba8, .width = 64, .height = 64, .stride = 256};
-    scene.registers->targets.color = surface;
+    scene.registers->targets.color[0] = surface;
     scene.registers->scissor = {.x = 0, .y = 0, .width = 64, .height = 64};
     REQUIRE(scene.compile().color_targets[0].write_mask == 0xf);
 
     SECTION("one byte beyond memory") {
-        scene.registers->targets.color.address = 1;
+        scene.registers->targets.color[0].address = 1;
         REQUIRE(scene.compile().color_targets[0].write_mask == 0);
     }
     SECTION("rows that overlap") {
-        scene.registers->targets.color.stride = 255;
+        scene.registers->targets.color[0].stride = 255;
         REQUIRE(scene.compile().color_targets[0].write_mask == 0);
     }
     SECTION("a format beyond the list") {
-        scene.registers->targets.color.format = static_cast<Format>(31);
+        scene.registers->targets.color[0].format = static_cast<Format>(31);
         scene.registers->targets.depth = surface;
         scene.registers->targets.depth.format = static_cast<Format>(30);
         REQUIRE(scene.compile().color_targets[0].write_mask == 0);

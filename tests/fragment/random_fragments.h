@@ -92,16 +92,16 @@ inline void place_targets(Draws& draws, Scene& scene) {
     constexpr Format DepthFormats[] = {Format::Depth24Stencil8, Format::Depth16, Format::None};
     Targets& targets = scene.registers->targets;
     std::uint32_t end = 64;
-    targets.color = place_surface(draws, random_color_format(draws), end);
-    targets.second_color =
+    targets.color[0] = place_surface(draws, random_color_format(draws), end);
+    targets.color[1] =
         draws.one_in(4) ? place_surface(draws, random_color_format(draws), end) : Surface{};
     targets.depth = place_surface(draws, DepthFormats[draws.below(3)], end);
     std::uint16_t width = TileSize, height = TileSize;
-    for (const Surface* surface : {&targets.color, &targets.second_color, &targets.depth}) {
-        if (surface->format == Format::None) continue;
-        width = std::min(width, surface->width);
-        height = std::min(height, surface->height);
-    }
+    Targets::for_each(targets, [&](const Surface& surface) {
+        if (surface.format == Format::None) return;
+        width = std::min(width, surface.width);
+        height = std::min(height, surface.height);
+    });
     scene.registers->scissor = {.x = 0, .y = 0, .width = width, .height = height};
     scene.memory.resize(end);
     for (std::byte& byte : scene.memory)

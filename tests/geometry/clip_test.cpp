@@ -61,10 +61,10 @@ TEST_CASE("a viewport smaller than the scissor clips exactly") {
 TEST_CASE("a scissor larger than the target does not force exact clipping") {
     Scene scene = colored_square(3);
     scene.registers.scissor = {.x = -10, .y = -10, .width = 5000, .height = 5000};
-    scene.registers.targets.color = {.format = Format::Rgba8, .width = 256, .height = 256};
+    scene.registers.targets.color[0] = {.format = Format::Rgba8, .width = 256, .height = 256};
     scene.draw(PrimitiveType::Quads);
     CHECK(scene.work.primitives_clipped == 0);
-    scene.registers.targets.color.width = 257;
+    scene.registers.targets.color[0].width = 257;
     scene.draw(PrimitiveType::Quads);
     CHECK(scene.work.primitives_clipped == 2);
 }

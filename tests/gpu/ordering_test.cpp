@@ -48,11 +48,11 @@ TEST_CASE("a texture written after a draw does not change that draw") {
 
 TEST_CASE("a draw sees what an earlier one rendered into its texture") {
     Scene scene(32, 32);
-    const Surface window = scene.registers.targets.color;
-    scene.registers.targets.color.address = TextureAt;
+    const Surface window = scene.registers.targets.color[0];
+    scene.registers.targets.color[0].address = TextureAt;
     scene.registers.targets.depth.format = Format::None;
     scene.draw(PrimitiveType::Quads, full_quad(0, 0, 1));
-    scene.registers.targets.color = window;
+    scene.registers.targets.color[0] = window;
     scene.registers.images[0].shape = {TextureKind::TwoD, Format::Rgba8, 32, 32, 1, 1, 0};
     scene.registers.images[0].address = TextureAt;
     scene.registers.combiners[0].enable = true;
@@ -65,7 +65,7 @@ TEST_CASE("a copy takes what was drawn before it and not what comes after") {
     Scene scene(32, 32);
     scene.draw(PrimitiveType::Quads, full_quad(1, 0, 0));
     CopyRectangleCommand copy;
-    copy.source = copy.destination = scene.registers.targets.color;
+    copy.source = copy.destination = scene.registers.targets.color[0];
     copy.destination.address = TextureAt;
     copy.width = copy.height = 32;
     scene.command(copy);

@@ -39,7 +39,7 @@ public:
         , height_(height) {
         const auto w = static_cast<std::uint16_t>(width), h = static_cast<std::uint16_t>(height);
         const auto stride = static_cast<std::uint32_t>(4 * width);
-        registers.targets.color = {ColorAt, Format::Rgba8, w, h, stride};
+        registers.targets.color[0] = {ColorAt, Format::Rgba8, w, h, stride};
         registers.targets.depth = {DepthAt, Format::Depth24Stencil8, w, h, stride};
         registers.scissor = {0, 0, w, h};
         registers.viewport.width = static_cast<float>(width);

@@ -20,7 +20,7 @@ struct ClearBench {
     ClearBench() {
         for (std::size_t i = 0; i < memory.size(); i += 4)
             store_word(memory.data() + i, Old);
-        registers.targets.color = surface(1024, Format::Rgba8);
+        registers.targets.color[0] = surface(1024, Format::Rgba8);
         registers.targets.depth = surface(4096, Format::Depth24Stencil8);
     }
 
@@ -53,7 +53,7 @@ struct ClearBench {
 TEST_CASE("A colour clear fills the rectangle and no other byte") {
     ClearBench bench;
     bench.clear = {.color = true, .color_value = 0x11223344};
-    bench.require_pixels<std::uint32_t>(bench.registers.targets.color,
+    bench.require_pixels<std::uint32_t>(bench.registers.targets.color[0],
                                         [](int, int) { return 0x11223344u; });
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("The colour write mask keeps the channels that are off, for each of th
         std::uint32_t bits = 0;
         for (unsigned i = 0; i < 4; ++i)
             if ((mask >> i & 1) != 0) bits |= 0xffu << 8 * i;
-        bench.require_pixels<std::uint32_t>(bench.registers.targets.color, [&](int, int) {
+        bench.require_pixels<std::uint32_t>(bench.registers.targets.color[0], [&](int, int) {
             return (0x11223344u & bits) | (Old & ~bits);
         });
     }
@@ -73,10 +73,10 @@ TEST_CASE("The colour write mask keeps the channels that are off, for each of th
 
 TEST_CASE("Rgbx8 stores 255 as its fourth byte whatever the mask") {
     ClearBench bench;
-    bench.registers.targets.color.format = Format::Rgbx8;
+    bench.registers.targets.color[0].format = Format::Rgbx8;
     bench.registers.blend.write_mask = 0x1;
     bench.clear = {.color = true, .color_value = 0x11223344};
-    bench.require_pixels<std::uint32_t>(bench.registers.targets.color, [](int, int) {
+    bench.require_pixels<std::uint32_t>(bench.registers.targets.color[0], [](int, int) {
         return 0xff000000u | (Old & 0x00ffff00u) | 0x44u;
     });
 }
@@ -84,20 +84,20 @@ TEST_CASE("Rgbx8 stores 255 as its fourth byte whatever the mask") {
 TEST_CASE("Rgb565 is cleared under the mask, dithered if the draw is") {
     for (const bool dithered : {false, true}) {
         ClearBench bench;
-        bench.registers.targets.color = ClearBench::surface(1024, Format::Rgb565);
+        bench.registers.targets.color[0] = ClearBench::surface(1024, Format::Rgb565);
         bench.registers.fragment.dither = dithered;
         bench.registers.blend.write_mask = 0x5;
         bench.clear = {.color = true, .color_value = 0x00818283};
         const std::uint16_t old = static_cast<std::uint16_t>(Old);
         REQUIRE((Old >> 16) != old);
         const auto at = [&](int x, int y) {
-            return pixel_address(bench.registers.targets.color,
+            return pixel_address(bench.registers.targets.color[0],
                                  bench.memory,
                                  static_cast<std::uint32_t>(x),
                                  static_cast<std::uint32_t>(y));
         };
         std::vector<std::byte> before = bench.memory;
-        bench.require_pixels<std::uint16_t>(bench.registers.targets.color, [&](int x, int y) {
+        bench.require_pixels<std::uint16_t>(bench.registers.targets.color[0], [&](int x, int y) {
             const std::uint16_t stored =
                 load_word<std::uint16_t>(before.data() + (at(x, y) - bench.memory.data()));
             const std::uint16_t pixel = dithered ? dither_rgb565(0x00818283,
@@ -144,13 +144,13 @@ TEST_CASE("Depth16 takes the depth and has no stencil") {
                                         [](int, int) { return 0xfedc; });
 }
 
-TEST_CASE("Both colour targets are cleared") {
+TEST_CASE("Every colour target is cleared") {
     ClearBench bench;
-    bench.registers.targets.second_color = ClearBench::surface(8192, Format::Rgba8);
+    bench.registers.targets.color[3] = ClearBench::surface(8192, Format::Rgba8);
     bench.clear = {.color = true, .color_value = 0x01020304};
     clear_rectangle(bench.clear, bench.registers, bench.rectangle, bench.memory);
     for (const Surface* target :
-         {&bench.registers.targets.color, &bench.registers.targets.second_color})
+         {&bench.registers.targets.color[0], &bench.registers.targets.color[3]})
         REQUIRE(load_word<std::uint32_t>(pixel_address(*target, bench.memory, 3, 3)) == 0x01020304);
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("A clear beyond the target or of a target beyond memory touches nothin
         bench.rectangle = {10, 8, 20, 20};
     }
     SECTION("beyond memory") {
-        bench.registers.targets.color.address = 16384 - 8;
+        bench.registers.targets.color[0].address = 16384 - 8;
         bench.registers.targets.depth.address = 0xfffffff0;
     }
     clear_rectangle(bench.clear, bench.registers, bench.rectangle, bench.memory);

@@ -77,11 +77,11 @@ inline WorkBin make_bin(const Scene& scene) {
                                   .width = scene.texture_size,
                                   .height = scene.texture_size,
                                   .levels = levels};
-    registers->targets.color = {.address = 1 << 26,
-                                .format = Format::Rgba8,
-                                .width = static_cast<std::uint16_t>(scene.width),
-                                .height = static_cast<std::uint16_t>(scene.height),
-                                .stride = scene.width * 4};
+    registers->targets.color[0] = {.address = 1 << 26,
+                                   .format = Format::Rgba8,
+                                   .width = static_cast<std::uint16_t>(scene.width),
+                                   .height = static_cast<std::uint16_t>(scene.height),
+                                   .stride = scene.width * 4};
 
     WorkBin bin;
     WorkDraw& draw = bin.draws.emplace_back();

@@ -55,7 +55,7 @@ void HeatMapRecorder::bin(const WorkBin& bin) {
 }
 
 HeatMapRecorder::Plane& HeatMapRecorder::plane_of(const WorkDraw& draw) {
-    const Surface& target = draw.state->targets.color;
+    const Surface& target = draw.state->targets.color[0];
     Plane& plane = planes_[target.address];
     if (plane.width != target.width || plane.height != target.height) {
         plane.width = target.width;

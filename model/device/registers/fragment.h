@@ -6,6 +6,7 @@
 #include "model/device/registers/geometry.h"
 #include "model/device/registers/texture.h"
 
+#include <array>
 #include <cstdint>
 
 namespace ffgpu {
@@ -198,13 +199,39 @@ struct Blend {
     bool operator==(const Blend&) const = default;
 };
 
+// Samples of multisampled targets (GL 1.5, 4.1.3 and 4.1.10 to 4.1.11). Of no effect where the
+// targets have one sample a pixel.
+struct Multisample {
+    static constexpr const char* Name = "multisample";
+
+    // Primitives cover samples, not pixels: on by GL_MULTISAMPLE. Off: a pixel's samples are
+    // covered together, by the rules of single-sampled targets.
+    bool enable = false;
+    bool alpha_to_coverage = false;
+    bool alpha_to_one = false;
+    std::uint8_t sample_mask = 0xf; // one bit a sample: those that GL_SAMPLE_COVERAGE lets through
+
+    template <class Self, class Visitor>
+    static constexpr void visit(Self& self, Visitor&& field) {
+        field("enable", self.enable, 1);
+        field("alpha_to_coverage", self.alpha_to_coverage, 1);
+        field("alpha_to_one", self.alpha_to_one, 1);
+        field("sample_mask", self.sample_mask, 4);
+    }
+    bool operator==(const Multisample&) const = default;
+};
+
 // A colour target (Format Rgba8, Rgbx8 or Rgb565) or a depth target (Depth16, Depth24Stencil8).
 // Format None: there is none; its stages do nothing. Row y begins at address + y * stride.
+//
+// A multisampled surface is `samples` such planes one behind the other, stride * height bytes
+// apart: plane i holds sample i of every pixel.
 struct Surface {
     DeviceAddress address = 0;
     Format format = Format::None;
     std::uint16_t width = 0, height = 0;
     std::uint32_t stride = 0; // bytes
+    std::uint8_t samples = 1; // 1 or MaxSamples
 
     template <class Self, class Visitor>
     static constexpr void visit(Self& self, Visitor&& field) {
@@ -213,24 +240,43 @@ struct Surface {
         field("width", self.width, 13);
         field("height", self.height, 13);
         field("stride", self.stride, 32);
+        field("samples", self.samples, 3);
     }
     bool operator==(const Surface&) const = default;
+
+    std::uint64_t plane_bytes() const { return std::uint64_t{stride} * height; }
+    std::uint64_t bytes() const { return plane_bytes() * samples; }
+
+    // Sample i of every pixel as a surface of its own.
+    Surface plane(unsigned i) const {
+        Surface one = *this;
+        one.address = static_cast<DeviceAddress>(address + i * plane_bytes());
+        one.samples = 1;
+        return one;
+    }
 };
 
+// What a draw writes: each colour target gets every fragment, blended with what it holds. Those in
+// use have the same number of samples, and so has the depth target.
 struct Targets {
     static constexpr const char* Name = "targets";
 
-    Surface color;        // what fragments are blended into
-    Surface second_color; // written as well where its format is not None (GL_FRONT_AND_BACK)
+    std::array<Surface, ColorTargets> color;
     Surface depth;
 
     template <class Self, class Visitor>
     static constexpr void visit(Self& self, Visitor&& field) {
-        Surface::visit(self.color, field);
-        Surface::visit(self.second_color, field);
-        Surface::visit(self.depth, field);
+        for_each(self, [&](auto& surface) { Surface::visit(surface, field); });
     }
     bool operator==(const Targets&) const = default;
+
+    // Calls visitor(surface) for each target, those of Format::None too.
+    template <class Self, class Visitor>
+    static constexpr void for_each(Self& self, Visitor&& visitor) {
+        for (auto& surface : self.color)
+            visitor(surface);
+        visitor(self.depth);
+    }
 };
 
 } // namespace ffgpu

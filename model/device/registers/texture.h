@@ -17,6 +17,7 @@ struct TextureImage {
 
     TextureShape shape;
     DeviceAddress address = 0; // of level 0, a multiple of 64
+    bool srgb = false;         // Texels' r, g and b are sRGB codes, read as linear light.
 
     template <class Self, class Visitor>
     static constexpr void visit(Self& self, Visitor&& field) {
@@ -25,6 +26,7 @@ struct TextureImage {
         field("border", self.shape.border, 1);
         field("levels", self.shape.levels, 4);
         field("width", self.shape.width, 13);
+        field("srgb", self.srgb, 1);
         field("height", self.shape.height, 13);
         field("depth", self.shape.depth, 10);
         field("address", self.address, 32);
@@ -111,6 +113,24 @@ enum class CombineOp : std::uint8_t {
     AddProducts,       // a0 a1 + a2 a3        (NV_texture_env_combine4)
     AddProductsSigned, // a0 a1 + a2 a3 - 1/2
 };
+
+// How many of its arguments an operation reads.
+constexpr unsigned argument_count(CombineOp op) {
+    switch (op) {
+    case CombineOp::Replace:
+        return 1;
+    case CombineOp::Interpolate:
+    case CombineOp::ModulateAdd:
+    case CombineOp::ModulateSignedAdd:
+    case CombineOp::ModulateSubtract:
+        return 3;
+    case CombineOp::AddProducts:
+    case CombineOp::AddProductsSigned:
+        return 4;
+    default:
+        return 2;
+    }
+}
 
 enum class CombineSource : std::uint8_t {
     Texture0, // + unit: the sample of that unit (crossbar)
