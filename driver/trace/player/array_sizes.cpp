@@ -1,6 +1,9 @@
 #include "driver/trace/player/array_sizes.h"
 
 #include "driver/context/context.h"
+#include "driver/lists/array_length.h"
+#include "driver/pixel/pixel_format.h"
+#include "driver/pixel/pixel_layout.h"
 #include "driver/trace/player/names.h"
 
 #include <algorithm>
@@ -26,133 +29,44 @@ GLenum enum_of(const Call& call, std::size_t argument) {
     return to_number<GLenum>(call.argument(argument));
 }
 
-// Of glCallLists' names, of indices, and of pixels' elements.
-std::uint64_t type_bytes(GLenum type) {
-    switch (type) {
-    case GL_BYTE:
-    case GL_UNSIGNED_BYTE:
-    case GL_UNSIGNED_BYTE_3_3_2:
-    case GL_UNSIGNED_BYTE_2_3_3_REV:
-        return 1;
-    case GL_SHORT:
-    case GL_UNSIGNED_SHORT:
-    case GL_2_BYTES:
-    case GL_HALF_FLOAT:
-    case GL_UNSIGNED_SHORT_5_6_5:
-    case GL_UNSIGNED_SHORT_5_6_5_REV:
-    case GL_UNSIGNED_SHORT_4_4_4_4:
-    case GL_UNSIGNED_SHORT_4_4_4_4_REV:
-    case GL_UNSIGNED_SHORT_5_5_5_1:
-    case GL_UNSIGNED_SHORT_1_5_5_5_REV:
-        return 2;
-    case GL_3_BYTES:
-        return 3;
-    default:
-        return 4;
-    }
-}
-
-bool is_packed(GLenum type) {
-    switch (type) {
-    case GL_UNSIGNED_BYTE_3_3_2:
-    case GL_UNSIGNED_BYTE_2_3_3_REV:
-    case GL_UNSIGNED_SHORT_5_6_5:
-    case GL_UNSIGNED_SHORT_5_6_5_REV:
-    case GL_UNSIGNED_SHORT_4_4_4_4:
-    case GL_UNSIGNED_SHORT_4_4_4_4_REV:
-    case GL_UNSIGNED_SHORT_5_5_5_1:
-    case GL_UNSIGNED_SHORT_1_5_5_5_REV:
-    case GL_UNSIGNED_INT_8_8_8_8:
-    case GL_UNSIGNED_INT_8_8_8_8_REV:
-    case GL_UNSIGNED_INT_10_10_10_2:
-    case GL_UNSIGNED_INT_2_10_10_10_REV:
-    case GL_UNSIGNED_INT_24_8:
-        return true;
-    default:
-        return false;
-    }
-}
-
-std::uint64_t components(GLenum format) {
-    switch (format) {
-    case GL_RGBA:
-    case GL_BGRA:
-    case GL_ABGR_EXT:
-        return 4;
-    case GL_RGB:
-    case GL_BGR:
-        return 3;
-    case GL_LUMINANCE_ALPHA:
-    case GL_RG:
-        return 2;
-    default:
-        return 1;
-    }
-}
-
-struct Pixels {
-    std::uint64_t width, height, depth;
-    GLenum format, type;
-};
-
-// Up to the last byte of the last row, rounded up to whole rows (GL 1.5, 3.6.4).
-std::uint64_t image_bytes(const Pixels& pixels, const PixelStore& store) {
-    const auto positive = [](GLint value) {
-        return static_cast<std::uint64_t>(std::max(value, 0));
-    };
-    const std::uint64_t across = store.row_length > 0 ? positive(store.row_length) : pixels.width;
-    const std::uint64_t rows =
-        store.image_height > 0 ? positive(store.image_height) : pixels.height;
-    const std::uint64_t pixel_bytes =
-        type_bytes(pixels.type) * (is_packed(pixels.type) ? 1 : components(pixels.format));
-    const std::uint64_t unaligned =
-        pixels.type == GL_BITMAP ? (across + 7) / 8 : product(across, pixel_bytes);
-    const std::uint64_t alignment = std::max<std::uint64_t>(1, positive(store.alignment));
-    const std::uint64_t row_bytes = (unaligned + alignment - 1) / alignment * alignment;
-    const std::uint64_t skipped =
-        positive(store.skip_rows) + product(positive(store.skip_images), rows);
-    const std::uint64_t all_rows =
-        pixels.depth > 1 ? product(pixels.depth, rows) + pixels.height : pixels.height;
-    return product(row_bytes, all_rows + skipped) +
-           product(positive(store.skip_pixels), pixel_bytes);
+std::uint64_t image_bytes(
+    const PixelStore& store, gl::ImageSize size, GLenum format, GLenum type, bool three_d = false) {
+    const std::uint64_t end = gl::pixel_layout(store, size, format, type, three_d).end;
+    return std::min(end, HugeArray);
 }
 
 // Positions of width, height, depth (or none), format and type among the parameters.
 template <int Width, int Height, int Depth, int Format>
 std::uint64_t image_size(const Call& call, const Context& context) {
     const auto size = [&](int argument) {
-        return argument < 0 ? std::uint64_t{1} : size_of(call, static_cast<std::size_t>(argument));
+        return argument < 0 ? GLsizei{1}
+                            : to_number<GLsizei>(call.argument(static_cast<std::size_t>(argument)));
     };
-    return image_bytes({.width = size(Width),
-                        .height = size(Height),
-                        .depth = size(Depth),
-                        .format = enum_of(call, Format),
-                        .type = enum_of(call, Format + 1)},
-                       context.client.pixel_store.unpack);
+    return image_bytes(context.client.pixel_store.unpack,
+                       {size(Width), size(Height), size(Depth)},
+                       enum_of(call, Format),
+                       enum_of(call, Format + 1),
+                       Depth >= 0);
 }
 
 std::uint64_t read_pixels_size(const Call& call, const Context& context) {
-    return image_bytes({.width = size_of(call, 2),
-                        .height = size_of(call, 3),
-                        .depth = 1,
-                        .format = enum_of(call, 4),
-                        .type = enum_of(call, 5)},
-                       context.client.pixel_store.pack);
+    return image_bytes(
+        context.client.pixel_store.pack,
+        {to_number<GLsizei>(call.argument(2)), to_number<GLsizei>(call.argument(3)), 1},
+        enum_of(call, 4),
+        enum_of(call, 5));
 }
 
 std::uint64_t bitmap_size(const Call& call, const Context& context) {
-    return image_bytes({.width = size_of(call, 0),
-                        .height = size_of(call, 1),
-                        .depth = 1,
-                        .format = GL_COLOR_INDEX,
-                        .type = GL_BITMAP},
-                       context.client.pixel_store.unpack);
+    return image_bytes(
+        context.client.pixel_store.unpack,
+        {to_number<GLsizei>(call.argument(0)), to_number<GLsizei>(call.argument(1)), 1},
+        GL_COLOR_INDEX,
+        GL_BITMAP);
 }
 
 std::uint64_t stipple_size(const Call&, const Context& context) {
-    return image_bytes(
-        {.width = 32, .height = 32, .depth = 1, .format = GL_COLOR_INDEX, .type = GL_BITMAP},
-        context.client.pixel_store.unpack);
+    return image_bytes(context.client.pixel_store.unpack, {32, 32, 1}, GL_COLOR_INDEX, GL_BITMAP);
 }
 
 template <std::size_t Argument>
@@ -162,7 +76,11 @@ std::uint64_t count(const Call& call, const Context&) {
 
 template <std::size_t Count, std::size_t Type>
 std::uint64_t typed_count(const Call& call, const Context&) {
-    return product(size_of(call, Count), type_bytes(enum_of(call, Type)));
+    return product(size_of(call, Count), gl::type_bytes(enum_of(call, Type)));
+}
+
+std::uint64_t list_names_size(const Call& call, const Context&) {
+    return product(size_of(call, 0), gl::list_name_bytes(enum_of(call, 1)));
 }
 
 std::uint64_t map1_size(const Call& call, const Context&) {
@@ -183,7 +101,7 @@ constexpr Rule Rules[] = {
     {"Bitmap", bitmap_size},
     {"BufferData", count<1>},
     {"BufferSubData", count<2>},
-    {"CallLists", typed_count<0, 1>},
+    {"CallLists", list_names_size},
     {"CompressedTexImage1D", count<5>},
     {"CompressedTexImage2D", count<6>},
     {"CompressedTexImage3D", count<7>},
@@ -230,7 +148,7 @@ std::uint64_t longest_index_array(const Call& call) {
         longest = std::max<std::uint64_t>(longest, to_number<GLuint>(value));
     };
     if (call.argument(1).kind == ValueKind::Array) Call::for_each(call.argument(1), see);
-    return product(longest, type_bytes(enum_of(call, 2)));
+    return product(longest, gl::type_bytes(enum_of(call, 2)));
 }
 
 ArraySize find_array_size(std::string_view name) {
