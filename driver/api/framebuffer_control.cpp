@@ -5,6 +5,9 @@
 #include "driver/framebuffer/drawable.h"
 #include "driver/objects/framebuffer_object.h"
 
+#include <algorithm>
+#include <span>
+
 namespace ffgpu::gl::api {
 namespace {
 
@@ -43,17 +46,50 @@ GLenum selection_error(Drawable* drawable, const FramebufferObject* object, GLen
     return found ? GL_NO_ERROR : GL_INVALID_OPERATION;
 }
 
+// Tokens that may stand for several buffers are glDrawBuffer's alone (ARB_draw_buffers).
+bool is_several_buffers(GLenum buffer) {
+    return buffer == GL_FRONT || buffer == GL_BACK || buffer == GL_LEFT || buffer == GL_RIGHT ||
+           buffer == GL_FRONT_AND_BACK;
+}
+
+// The error of glDrawBuffers(buffers), or GL_NO_ERROR.
+GLenum list_error(Context& context, std::span<const GLenum> buffers) {
+    const FramebufferObject* const object = context.state.framebuffer.draw_object.get();
+    for (const GLenum& buffer : buffers) {
+        if (buffer == GL_NONE) continue;
+        if (is_several_buffers(buffer)) return GL_INVALID_OPERATION;
+        const GLenum error = selection_error(context.draw_drawable(), object, buffer);
+        if (error != GL_NO_ERROR) return error;
+        if (std::find(buffers.data(), &buffer, buffer) != &buffer) return GL_INVALID_OPERATION;
+    }
+    return GL_NO_ERROR;
+}
+
+void select(Context& context, const DrawBufferList& buffers) {
+    FramebufferState& framebuffer = context.state.framebuffer;
+    FramebufferObject* const object = framebuffer.draw_object.get();
+    (object ? object->draw_buffers : framebuffer.draw_buffers) = buffers;
+    context.dirty.mark(Dirty::Targets);
+}
+
 } // namespace
 
 void DrawBuffer(Context& context, GLenum buf) {
-    FramebufferState& framebuffer = context.state.framebuffer;
-    FramebufferObject* const object = framebuffer.draw_object.get();
+    const FramebufferObject* const object = context.state.framebuffer.draw_object.get();
     if (buf != GL_NONE) {
         const GLenum error = selection_error(context.draw_drawable(), object, buf);
         if (error != GL_NO_ERROR) return context.error(error);
     }
-    (object ? object->draw_buffer : framebuffer.draw_buffer) = buf;
-    context.dirty.mark(Dirty::Targets);
+    select(context, {buf});
+}
+
+void DrawBuffers(Context& context, GLsizei n, const GLenum* bufs) {
+    if (n < 0 || n > GLsizei{ColorTargets}) return context.error(GL_INVALID_VALUE);
+    const std::span buffers(bufs, static_cast<std::size_t>(n));
+    if (const GLenum error = list_error(context, buffers)) return context.error(error);
+    DrawBufferList selected{};
+    std::copy(buffers.begin(), buffers.end(), selected.begin());
+    select(context, selected);
 }
 
 void ReadBuffer(Context& context, GLenum src) {

@@ -8,12 +8,14 @@
 #include "driver/objects/framebuffer_object.h"
 #include "driver/state/capabilities.h"
 
+#include <algorithm>
+
 namespace ffgpu::gl {
 namespace {
 
-// The draw buffer or read buffer in force: the window's or the bound framebuffer object's.
-GLenum& draw_buffer(FramebufferState& state) {
-    return state.draw_object ? state.draw_object->draw_buffer : state.draw_buffer;
+// The draw buffers or read buffer in force: the window's or the bound framebuffer object's.
+DrawBufferList& draw_buffers(FramebufferState& state) {
+    return state.draw_object ? state.draw_object->draw_buffers : state.draw_buffers;
 }
 
 GLenum& read_buffer(FramebufferState& state) {
@@ -21,9 +23,8 @@ GLenum& read_buffer(FramebufferState& state) {
 }
 
 // A buffer that was saved while another kind of framebuffer was bound does not exist now.
-void restore_buffer(GLenum& buffer, GLenum saved) {
-    const auto is_attachment = [](GLenum b) { return b >= GL_COLOR_ATTACHMENT0; };
-    if (saved == GL_NONE || is_attachment(saved) == is_attachment(buffer)) buffer = saved;
+bool is_of(const std::shared_ptr<FramebufferObject>& object, GLenum buffer) {
+    return buffer == GL_NONE || (object != nullptr) == (buffer >= GL_COLOR_ATTACHMENT0);
 }
 
 void save_point(Context& context, SavedAttributes& saved) {
@@ -51,7 +52,9 @@ void restore_pixel(const SavedAttributes& saved, Context& context) {
     auto maps = std::move(context.state.pixel.maps);
     context.state.pixel = saved.pixel;
     context.state.pixel.maps = std::move(maps);
-    restore_buffer(read_buffer(context.state.framebuffer), saved.read_buffer);
+    FramebufferState& framebuffer = context.state.framebuffer;
+    if (is_of(framebuffer.read_object, saved.read_buffer))
+        read_buffer(framebuffer) = saved.read_buffer;
 }
 
 void save_lighting(Context& context, SavedAttributes& saved) {
@@ -83,7 +86,7 @@ void save_color_buffer(Context& context, SavedAttributes& saved) {
     FramebufferState& framebuffer = context.state.framebuffer;
     saved.alpha_test = context.state.fragment.alpha_test;
     saved.blend = context.state.fragment.blend;
-    saved.draw_buffer = draw_buffer(framebuffer);
+    saved.draw_buffers = draw_buffers(framebuffer);
     saved.color_mask = framebuffer.color_mask;
     saved.index_mask = framebuffer.index_mask;
     saved.clear_color = framebuffer.clear_color;
@@ -94,7 +97,10 @@ void restore_color_buffer(const SavedAttributes& saved, Context& context) {
     FramebufferState& framebuffer = context.state.framebuffer;
     context.state.fragment.alpha_test = saved.alpha_test;
     context.state.fragment.blend = saved.blend;
-    restore_buffer(draw_buffer(framebuffer), saved.draw_buffer);
+    if (std::all_of(saved.draw_buffers.begin(), saved.draw_buffers.end(), [&](GLenum buffer) {
+            return is_of(framebuffer.draw_object, buffer);
+        }))
+        draw_buffers(framebuffer) = saved.draw_buffers;
     framebuffer.color_mask = saved.color_mask;
     framebuffer.index_mask = saved.index_mask;
     framebuffer.clear_color = saved.clear_color;

@@ -20,7 +20,8 @@ void set_initial_sizes(State& state, const Drawable& draw) {
 
 void set_initial_buffers(FramebufferState& framebuffer, const Drawable& draw) {
     if (draw.format().double_buffer) return;
-    framebuffer.draw_buffer = framebuffer.read_buffer = GL_FRONT;
+    framebuffer.draw_buffers = {GL_FRONT};
+    framebuffer.read_buffer = GL_FRONT;
 }
 
 } // namespace

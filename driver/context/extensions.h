@@ -8,10 +8,11 @@
 
 namespace ffgpu::gl {
 
-constexpr std::array<std::string_view, 88> Extensions{
+constexpr std::array<std::string_view, 92> Extensions{
     "GL_APPLE_vertex_array_object",
     "GL_ARB_copy_buffer",
     "GL_ARB_depth_texture",
+    "GL_ARB_draw_buffers",
     "GL_ARB_draw_elements_base_vertex",
     "GL_ARB_framebuffer_object",
     "GL_ARB_map_buffer_range",
@@ -37,6 +38,7 @@ constexpr std::array<std::string_view, 88> Extensions{
     "GL_ARB_vertex_array_object",
     "GL_ARB_vertex_buffer_object",
     "GL_ARB_window_pos",
+    "GL_ATI_draw_buffers",
     "GL_ATI_separate_stencil",
     "GL_ATI_texture_env_combine3",
     "GL_ATI_texture_mirror_once",
@@ -53,6 +55,7 @@ constexpr std::array<std::string_view, 88> Extensions{
     "GL_EXT_draw_range_elements",
     "GL_EXT_fog_coord",
     "GL_EXT_framebuffer_blit",
+    "GL_EXT_framebuffer_multisample",
     "GL_EXT_framebuffer_object",
     "GL_EXT_multi_draw_arrays",
     "GL_EXT_packed_depth_stencil",

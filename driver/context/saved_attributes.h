@@ -35,7 +35,7 @@ struct SavedAttributes {
     std::vector<bool> capabilities;          // GL_ENABLE_BIT: by for_each_capability_flag
     AlphaTestState alpha_test;               // GL_COLOR_BUFFER_BIT
     BlendState blend;                        //   and these
-    GLenum draw_buffer = GL_NONE;
+    DrawBufferList draw_buffers{};
     std::array<bool, 4> color_mask{};
     GLuint index_mask = 0;
     Vec4 clear_color{};

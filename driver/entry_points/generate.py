@@ -31,11 +31,11 @@ import sys
 import xml.etree.ElementTree as ET
 
 EXTENSIONS = """
-ARB_copy_buffer ARB_draw_elements_base_vertex ARB_framebuffer_object ARB_map_buffer_range ARB_multisample ARB_multitexture
+ARB_copy_buffer ARB_draw_buffers ARB_draw_elements_base_vertex ARB_framebuffer_object ARB_map_buffer_range ARB_multisample ARB_multitexture
 ARB_occlusion_query ARB_point_parameters ARB_provoking_vertex ARB_sync ARB_texture_compression ARB_texture_storage
 ARB_transpose_matrix ARB_vertex_array_object ARB_vertex_buffer_object ARB_window_pos
 ARB_internalformat_query ARB_sampler_objects ARB_clear_texture KHR_debug EXT_debug_marker EXT_debug_label
-APPLE_vertex_array_object APPLE_object_purgeable ATI_separate_stencil
+APPLE_vertex_array_object APPLE_object_purgeable ATI_draw_buffers ATI_separate_stencil
 EXT_blend_color EXT_blend_equation_separate EXT_blend_func_separate EXT_blend_minmax EXT_compiled_vertex_array
 EXT_copy_texture EXT_depth_bounds_test EXT_draw_range_elements EXT_fog_coord EXT_framebuffer_blit
 EXT_framebuffer_multisample EXT_framebuffer_object EXT_multi_draw_arrays EXT_point_parameters EXT_polygon_offset
@@ -46,6 +46,9 @@ EXT_texture_object EXT_vertex_array GREMEDY_string_marker MESA_window_pos NV_poi
 EXTENSIONS = [e for e in EXTENSIONS if e not in (
     "ARB_sync", "ARB_sampler_objects", "ARB_clear_texture", "KHR_debug", "EXT_debug_marker", "EXT_debug_label",
     "ARB_internalformat_query", "ARB_texture_storage", "APPLE_object_purgeable")]
+
+# Of later versions: what commands of the extensions above are other names of.
+LATER_NAMES = {"glDrawBuffers"}
 
 CORE_VERSIONS = {f"GL_VERSION_1_{i}" for i in range(6)}
 
@@ -122,7 +125,7 @@ def read_registry(path):
             for r in extension.findall("require"):
                 if r.get("api", "gl") == "gl":
                     wanted.update(c.get("name") for c in r.findall("command"))
-    wanted |= core
+    wanted |= core | LATER_NAMES
     for name in wanted:
         command = commands[name]
         while command.alias and commands.get(command.alias) and commands[command.alias].alias:

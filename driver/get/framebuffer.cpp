@@ -16,8 +16,8 @@ GLuint name(const std::shared_ptr<Object>& object) {
     return object ? object->name : 0;
 }
 
-GLenum draw_buffer(const FramebufferState& state) {
-    return state.draw_object ? state.draw_object->draw_buffer : state.draw_buffer;
+GLenum draw_buffer(const FramebufferState& state, unsigned i) {
+    return state.draw_object ? state.draw_object->draw_buffers[i] : state.draw_buffers[i];
 }
 
 GLenum read_buffer(const FramebufferState& state) {
@@ -40,7 +40,7 @@ ComponentBits window_bits(const PixelFormat& format) {
 
 ComponentBits object_bits(FramebufferObject& object) {
     ComponentBits bits{};
-    if (const Attachment* const color = object.find(object.draw_buffer); color && *color)
+    if (const Attachment* const color = object.find(object.draw_buffers[0]); color && *color)
         bits = component_bits(color->format());
     bits.depth = object.depth ? component_bits(object.depth.format()).depth : std::uint8_t{0};
     bits.stencil =
@@ -64,7 +64,11 @@ unsigned accumulation_bits(Context& context) {
 std::span<const StateVariable> framebuffer_variables() {
     using namespace values;
     static constexpr std::array Table{
-        FFGPU_STATE(GL_DRAW_BUFFER, integer(draw_buffer(s.framebuffer))),
+        FFGPU_STATE(GL_DRAW_BUFFER, integer(draw_buffer(s.framebuffer, 0))),
+        FFGPU_STATE(GL_DRAW_BUFFER0, integer(draw_buffer(s.framebuffer, 0))),
+        FFGPU_STATE(GL_DRAW_BUFFER1, integer(draw_buffer(s.framebuffer, 1))),
+        FFGPU_STATE(GL_DRAW_BUFFER2, integer(draw_buffer(s.framebuffer, 2))),
+        FFGPU_STATE(GL_DRAW_BUFFER3, integer(draw_buffer(s.framebuffer, 3))),
         FFGPU_STATE(GL_READ_BUFFER, integer(read_buffer(s.framebuffer))),
         FFGPU_STATE(GL_INDEX_WRITEMASK, integer(s.framebuffer.index_mask)),
         FFGPU_STATE(GL_COLOR_WRITEMASK, boolean(s.framebuffer.color_mask)),

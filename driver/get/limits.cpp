@@ -37,6 +37,7 @@ std::span<const StateVariable> limit_variables() {
         FFGPU_STATE(GL_MAX_ELEMENTS_INDICES, integer(MaxElementsIndices)),
         FFGPU_STATE(GL_MAX_RENDERBUFFER_SIZE, integer(MaxSurfaceSize)),
         FFGPU_STATE(GL_MAX_COLOR_ATTACHMENTS, integer(MaxColorAttachments)),
+        FFGPU_STATE(GL_MAX_DRAW_BUFFERS, integer(ColorTargets)),
         FFGPU_STATE(GL_MAX_SAMPLES, integer(MaxSamples)),
         FFGPU_STATE(GL_ALIASED_POINT_SIZE_RANGE, real(1, MaxPointSize)),
         FFGPU_STATE(GL_SMOOTH_POINT_SIZE_RANGE, real(1, MaxPointSize)),

@@ -5,6 +5,7 @@
 #include "driver/gl_types.h"
 #include "driver/lower/fragment.h"
 #include "driver/state/fragment_state.h"
+#include "driver/state/framebuffer_state.h"
 #include "model/device/registers/fragment.h"
 #include "model/device/registers/primitive.h"
 

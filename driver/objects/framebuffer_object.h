@@ -6,6 +6,7 @@
 #include "driver/gl_types.h"
 #include "driver/objects/renderbuffer.h"
 #include "driver/objects/texture_object.h"
+#include "driver/state/framebuffer_state.h"
 #include "model/device/registers/fragment.h"
 
 #include <array>
@@ -39,7 +40,7 @@ struct FramebufferObject {
     std::array<Attachment, MaxColorAttachments> colors;
     Attachment depth;
     Attachment stencil;
-    GLenum draw_buffer = GL_COLOR_ATTACHMENT0; // GL_NONE or GL_COLOR_ATTACHMENTi
+    DrawBufferList draw_buffers{GL_COLOR_ATTACHMENT0}; // each GL_NONE or GL_COLOR_ATTACHMENTi
     GLenum read_buffer = GL_COLOR_ATTACHMENT0;
 
     // Null where the token (GL_COLOR_ATTACHMENTi, GL_DEPTH_ATTACHMENT, GL_STENCIL_ATTACHMENT) names
@@ -55,7 +56,7 @@ struct FramebufferObject {
 // ARB_framebuffer_object.
 GLenum framebuffer_status(const FramebufferObject& framebuffer);
 
-// The surfaces behind a complete framebuffer object: what its draw buffer selects, and depth.
+// The surfaces behind a complete framebuffer object: what its draw buffers select, and depth.
 // Textures become resident. Format None: not attached.
 Targets framebuffer_targets(Context& context, const FramebufferObject& framebuffer);
 

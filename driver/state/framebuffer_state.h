@@ -4,6 +4,7 @@
 #pragma once
 
 #include "driver/gl_types.h"
+#include "model/device/limits.h"
 #include "model/device/registers/geometry.h"
 
 #include <array>
@@ -14,10 +15,14 @@ namespace ffgpu::gl {
 struct FramebufferObject; // driver/objects/framebuffer_object.h
 struct Renderbuffer;
 
+// What glDrawBuffers selects (ARB_draw_buffers): all that is drawn goes to each of them. What
+// glDrawBuffer selects is the first.
+using DrawBufferList = std::array<GLenum, ColorTargets>;
+
 struct FramebufferState {
-    // GL_COLOR_BUFFER_BIT. The draw buffer is the window's; a framebuffer object has its own. A
-    // context's first drawable makes it GL_FRONT where that has no back buffer.
-    GLenum draw_buffer = GL_BACK;
+    // GL_COLOR_BUFFER_BIT. The draw buffers are the window's; a framebuffer object has its own. A
+    // context's first drawable makes them GL_FRONT where that has no back buffer.
+    DrawBufferList draw_buffers{GL_BACK};
     std::array<bool, 4> color_mask{true, true, true, true};
     GLuint index_mask = ~GLuint{0};
     Vec4 clear_color{0, 0, 0, 0};

@@ -125,6 +125,8 @@ const std::map<GLenum, GLbitfield> GroupsOf = {
     {GL_INDEX_LOGIC_OP, Color | Enables},
     {GL_LOGIC_OP_MODE, Color},
     {GL_DRAW_BUFFER, Color},
+    {GL_DRAW_BUFFER0, Color},
+    {GL_DRAW_BUFFER3, Color},
     {GL_INDEX_WRITEMASK, Color},
     {GL_COLOR_WRITEMASK, Color},
     {GL_COLOR_CLEAR_VALUE, Color},

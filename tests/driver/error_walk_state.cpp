@@ -9,6 +9,11 @@
 namespace ffgpu::gl::error_walk {
 namespace {
 
+constexpr GLenum no_buffers[ColorTargets + 1] = {};
+constexpr GLenum both_buffers[] = {GL_FRONT_AND_BACK};
+constexpr GLenum one_buffer_twice[] = {GL_BACK_LEFT, GL_NONE, GL_BACK_LEFT};
+constexpr GLenum attachments[] = {GL_COLOR_ATTACHMENT0};
+
 constexpr RefusedCall Calls[] = {
     REFUSED(GL_INVALID_ENUM, Accum, GL_BLEND, 1),
     REFUSED(GL_INVALID_ENUM, ActiveStencilFaceEXT, GL_FRONT_AND_BACK),
@@ -38,6 +43,12 @@ constexpr RefusedCall Calls[] = {
     REFUSED(GL_INVALID_ENUM, DrawBuffer, GL_TEXTURE),
     REFUSED(GL_INVALID_OPERATION, DrawBuffer, GL_AUX0),
     REFUSED(GL_INVALID_OPERATION, DrawBuffer, GL_COLOR_ATTACHMENT0),
+    REFUSED(GL_INVALID_VALUE, DrawBuffers, -1, names),
+    REFUSED(GL_INVALID_VALUE, DrawBuffers, ColorTargets + 1, no_buffers),
+    REFUSED(GL_INVALID_ENUM, DrawBuffers, 1, names),
+    REFUSED(GL_INVALID_OPERATION, DrawBuffers, 1, both_buffers),
+    REFUSED(GL_INVALID_OPERATION, DrawBuffers, 3, one_buffer_twice),
+    REFUSED(GL_INVALID_OPERATION, DrawBuffers, 1, attachments),
     REFUSED(GL_INVALID_ENUM, ReadBuffer, GL_FRONT_AND_BACK),
     REFUSED(GL_INVALID_OPERATION, ReadBuffer, GL_BACK_RIGHT),
     REFUSED(GL_INVALID_ENUM, FrontFace, GL_FRONT),

@@ -75,6 +75,51 @@ TEST_CASE_METHOD(FramebufferFixture, "completeness names what is wrong") {
     CHECK(status() == GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT);
 }
 
+TEST_CASE_METHOD(FramebufferFixture, "each draw buffer is a target and must be attached") {
+    attach_renderbuffer(GL_COLOR_ATTACHMENT0, GL_RGBA8, 16);
+    attach_renderbuffer(GL_COLOR_ATTACHMENT5, GL_RGBA8, 8);
+    const GLenum buffers[] = {GL_COLOR_ATTACHMENT5, GL_NONE, GL_COLOR_ATTACHMENT0};
+    DrawBuffers(3, buffers);
+    CHECK(status() == GL_FRAMEBUFFER_COMPLETE);
+    const auto sizes = [this] {
+        std::vector<int> all;
+        for (const Surface& target : drawn().targets.color)
+            all.push_back(target.width);
+        return all;
+    };
+    CHECK(sizes() == std::vector{8, 0, 16, 0});
+    CHECK(drawn().scissor.width == 8); // what both have
+    CHECK(get_int(GL_DRAW_BUFFER) == GL_COLOR_ATTACHMENT5);
+    CHECK(get_int(GL_DRAW_BUFFER1) == GL_NONE);
+    CHECK(get_int(GL_DRAW_BUFFER2) == GL_COLOR_ATTACHMENT0);
+
+    PushAttrib(GL_COLOR_BUFFER_BIT);
+    DrawBuffer(GL_COLOR_ATTACHMENT0); // The others are off.
+    CHECK(sizes() == std::vector{16, 0, 0, 0});
+    PopAttrib();
+    CHECK(sizes() == std::vector{8, 0, 16, 0});
+
+    FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, 0);
+    CHECK(status() == GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER);
+    const GLenum none = GL_NONE;
+    DrawBuffers(1, &none);
+    CHECK(sizes() == std::vector{0, 0, 0, 0});
+
+    BindFramebuffer(GL_FRAMEBUFFER, 0); // The window has its own.
+    CHECK(get_int(GL_DRAW_BUFFER) == GL_BACK);
+    CHECK(get_int(GL_DRAW_BUFFER2) == GL_NONE);
+}
+
+TEST_CASE_METHOD(FramebufferFixture, "what a framebuffer object draws to survives a pop at NONE") {
+    attach_renderbuffer(GL_COLOR_ATTACHMENT0, GL_RGBA8, 16);
+    PushAttrib(GL_COLOR_BUFFER_BIT | GL_PIXEL_MODE_BIT);
+    DrawBuffer(GL_NONE);
+    ReadBuffer(GL_NONE);
+    PopAttrib();
+    CHECK(get_int(GL_DRAW_BUFFER) == GL_COLOR_ATTACHMENT0);
+    CHECK(get_int(GL_READ_BUFFER) == GL_COLOR_ATTACHMENT0);
+}
+
 TEST_CASE_METHOD(FramebufferFixture, "drawing goes to the texture's own memory") {
     define(0, GL_RGBA, 16, 8);
     define(1, GL_RGBA, 8, 4);

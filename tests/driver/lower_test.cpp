@@ -331,19 +331,28 @@ TEST_CASE("The scissor is cut to the target, wherever the application puts it") 
     CHECK(lower_scissor({.x = 5, .width = 1}, 64, 48) == Scissor{0, 0, 64, 48});
 }
 
-TEST_CASE("The draw buffer chooses the colour targets") {
+TEST_CASE("The draw buffers choose the colour targets") {
     StateFixture f;
     const Drawable& drawable = f.gl.drawable();
-    CHECK(lower_window_targets(drawable, GL_BACK).color[0] == drawable.back());
-    CHECK(lower_window_targets(drawable, GL_FRONT).color[0] == drawable.front());
-    CHECK(lower_window_targets(drawable, GL_NONE).color[0] == Surface{});
-    const Targets both = lower_window_targets(drawable, GL_FRONT_AND_BACK);
+    CHECK(lower_window_targets(drawable, {GL_BACK}).color[0] == drawable.back());
+    CHECK(lower_window_targets(drawable, {GL_FRONT}).color[0] == drawable.front());
+    CHECK(lower_window_targets(drawable, {GL_NONE}).color[0] == Surface{});
+    const Targets both = lower_window_targets(drawable, {GL_FRONT_AND_BACK});
     CHECK(both.color[0] == drawable.back());
     CHECK(both.color[1] == drawable.front());
     CHECK(both.depth == drawable.depth());
-    const Targets left = lower_window_targets(drawable, GL_LEFT);
-    CHECK(left.color[0] == drawable.front());
-    CHECK(left.color[1] == drawable.back());
+    CHECK(lower_window_targets(drawable, {GL_LEFT}) == both);
+    CHECK(lower_window_targets(drawable, {GL_NONE, GL_FRONT_LEFT, GL_BACK_LEFT}) == both);
+    CHECK(both.color[2] == Surface{});
+}
+
+TEST_CASE("A drawable of one buffer is one target, whatever the draw buffers are called") {
+    StateFixture f({.double_buffer = false});
+    const Drawable& drawable = f.gl.drawable();
+    const Targets front = lower_window_targets(drawable, {GL_FRONT});
+    CHECK(front.color[0] == drawable.front());
+    CHECK(lower_window_targets(drawable, {GL_FRONT_AND_BACK}) == front);
+    CHECK(lower_window_targets(drawable, {GL_BACK_LEFT, GL_FRONT_LEFT}) == front);
 }
 
 TEST_CASE("A draw sends only the registers that changed") {

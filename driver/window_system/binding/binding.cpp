@@ -4,14 +4,18 @@
 #include "driver/window_system/exports/window_hooks.h"
 #include "driver/window_system/turn.h"
 
+#include <algorithm>
+
 namespace ffgpu::gl {
 namespace {
 
 bool draws_to_front(const RenderContext& current, const WindowSurface& surface) {
-    const FramebufferState& state = current.context.state.framebuffer;
-    if (!surface.format().double_buffer) return state.draw_buffer != GL_NONE;
-    return state.draw_buffer != GL_BACK && state.draw_buffer != GL_BACK_LEFT &&
-           state.draw_buffer != GL_NONE;
+    const DrawBufferList& buffers = current.context.state.framebuffer.draw_buffers;
+    const bool has_back = surface.format().double_buffer;
+    return std::any_of(buffers.begin(), buffers.end(), [has_back](GLenum buffer) {
+        const bool is_back = has_back && (buffer == GL_BACK || buffer == GL_BACK_LEFT);
+        return buffer != GL_NONE && !is_back;
+    });
 }
 
 void show_front(Binding& binding) {

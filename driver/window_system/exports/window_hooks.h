@@ -14,7 +14,7 @@ void before_draw_buffer();
 template <Command Id>
 void before() {
     if constexpr (Id == Command::Viewport) before_viewport();
-    if constexpr (Id == Command::DrawBuffer) before_draw_buffer();
+    if constexpr (Id == Command::DrawBuffer || Id == Command::DrawBuffers) before_draw_buffer();
 }
 
 } // namespace ffgpu::gl
