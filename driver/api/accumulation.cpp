@@ -5,7 +5,7 @@
 #include "driver/context/context.h"
 #include "driver/entry_points/declarations.h"
 #include "driver/feedback/render_modes.h"
-#include "driver/objects/framebuffer_object.h"
+#include "driver/pixel/read_target.h"
 
 namespace ffgpu::gl::api {
 namespace {
@@ -18,7 +18,8 @@ void give_back(Context& context, Accumulation& buffer, float factor) {
     const Targets& targets = context.draw_target().targets;
     const unsigned mask = context.registers.wanted.blend.write_mask;
     for (const Surface& target : targets.color)
-        buffer.give_back(target, factor, mask);
+        for (unsigned sample = 0; sample < target.samples; ++sample)
+            buffer.give_back(target.plane(sample), factor, mask);
 }
 
 } // namespace
@@ -35,9 +36,9 @@ void Accum(Context& context, GLenum op, GLfloat value) {
     Accumulation buffer(context.device(), *drawable, context.registers.wanted.scissor);
     switch (op) {
     case GL_ACCUM:
-        return buffer.accumulate(find_read_surface(context), value);
+        return buffer.accumulate(find_read_target(context).pixel_colors(), value);
     case GL_LOAD:
-        return buffer.load(find_read_surface(context), value);
+        return buffer.load(find_read_target(context).pixel_colors(), value);
     case GL_ADD:
         return buffer.add(value);
     case GL_MULT:

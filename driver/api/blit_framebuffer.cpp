@@ -2,6 +2,8 @@
 
 #include "driver/context/context.h"
 #include "driver/entry_points/declarations.h"
+#include "driver/objects/device_block.h"
+#include "driver/objects/shared_objects.h"
 #include "driver/pixel/blit.h"
 
 namespace ffgpu::gl::api {
@@ -42,10 +44,62 @@ void copy_colors(Context& context, const Surface& from, const Surface& to, const
     context.submit(commands);
 }
 
+// Mirrored, not scaled: resolved as it is, then mirrored.
+void blit_resolved(Context& context, const Surface& from, const Surface& to, const Blit& blit) {
+    Surface resolved = from.plane(0);
+    const DeviceBlock block =
+        DeviceBlock::allocate(context.shared().memory, resolved.plane_bytes());
+    if (!block) return context.error(GL_OUT_OF_MEMORY);
+    resolved.address = block.address();
+    const BlitAxis all_x{0, from.width, 0, from.width}, all_y{0, from.height, 0, from.height};
+    copy_colors(
+        context, from, resolved, {.x = all_x, .y = all_y, .clip = {0, 0, from.width, from.height}});
+    blit_colors(context.device(), resolved, to, blit);
+}
+
+// Of equally many samples each comes from its own, else all come from the one there is.
+Surface sample_source(const Surface& from, unsigned sample) {
+    return from.plane(from.samples > 1 ? sample : 0);
+}
+
 void blit_color(Context& context, const Surface& from, const Surface& to, const Blit& blit) {
     if (from.format == Format::None || to.format == Format::None) return;
     if (blit.x.is_copy() && blit.y.is_copy()) return copy_colors(context, from, to, blit);
-    blit_colors(context.device(), from, to, blit);
+    if (from.samples > to.samples) return blit_resolved(context, from, to, blit);
+    for (unsigned i = 0; i < to.samples; ++i)
+        blit_colors(context.device(), sample_source(from, i), to.plane(i), blit);
+}
+
+// Depths and stencils cannot be averaged: where there is one sample it is sample 0's.
+void blit_depth(Context& context,
+                const Surface& from,
+                const Surface& to,
+                const Blit& blit,
+                DepthStencilMask mask) {
+    for (unsigned i = 0; i < to.samples; ++i)
+        blit_depth_stencil(context.device(), sample_source(from, i), to.plane(i), blit, mask);
+}
+
+// Windows with and without alpha go together: whether a window has it is the X server's affair.
+bool are_resolvable(Format from, Format to) {
+    const auto has_bytes = [](Format format) {
+        return format == Format::Rgba8 || format == Format::Rgbx8;
+    };
+    return from == to || from == Format::None || to == Format::None ||
+           (has_bytes(from) && has_bytes(to));
+}
+
+// EXT_framebuffer_multisample: where either side is multisampled nothing is scaled or converted.
+GLenum
+multisample_error(const ReadTarget& read, const Targets& targets, const Blit& blit, bool colors) {
+    bool multisampled = read.color.samples > 1 || read.depth.samples > 1;
+    bool resolvable = true;
+    Targets::for_each(targets,
+                      [&](const Surface& surface) { multisampled |= surface.samples > 1; });
+    for (const Surface& target : targets.color)
+        resolvable &= !colors || are_resolvable(read.color.format, target.format);
+    const bool same_size = blit.x.keeps_size() && blit.y.keeps_size();
+    return multisampled && !(same_size && resolvable) ? GL_INVALID_OPERATION : GL_NO_ERROR;
 }
 
 } // namespace
@@ -79,12 +133,14 @@ void BlitFramebuffer(Context& context,
                     .y = {srcY0, srcY1, dstY0, dstY1},
                     .linear = filter == GL_LINEAR,
                     .clip = rectangle_of(context.registers.wanted.scissor)};
+    const bool colors = (mask & GL_COLOR_BUFFER_BIT) != 0;
+    if (const GLenum error = multisample_error(read, targets, blit, colors))
+        return context.error(error);
     if (blit.empty()) return;
-    if ((mask & GL_COLOR_BUFFER_BIT) != 0)
+    if (colors)
         for (const Surface& target : targets.color)
             blit_color(context, read.color, target, blit);
-    if (any_depth)
-        blit_depth_stencil(context.device(), read.depth, targets.depth, blit, {depth, stencil});
+    if (any_depth) blit_depth(context, read.depth, targets.depth, blit, {depth, stencil});
 }
 
 } // namespace ffgpu::gl::api

@@ -130,6 +130,7 @@ void SampleCoverage(Context& context, GLfloat value, GLboolean invert) {
     MultisampleState& multisample = context.state.rasterization.multisample;
     multisample.coverage_value = clamp_unit(value);
     multisample.coverage_invert = invert != GL_FALSE;
+    context.dirty.mark(Dirty::Fragment);
 }
 
 } // namespace ffgpu::gl::api

@@ -139,14 +139,14 @@ void ReadPixels(Context& context,
     if (width < 0 || height < 0) return context.error(GL_INVALID_VALUE);
     if (const GLenum error = format_type_error(format, type)) return context.error(error);
     const ReadTarget target = find_read_target(context);
-    if (target.status != GL_FRAMEBUFFER_COMPLETE)
-        return context.error(GL_INVALID_FRAMEBUFFER_OPERATION);
+    if (const GLenum error = target.pixels_error()) return context.error(error);
     const PixelKind kind = component_order(format).kind;
     if (const GLenum error = source_error(target, kind)) return context.error(error);
 
     auto destination = pixel_destination(context, pixels, {width, height, 1}, format, type);
     if (!destination || !destination->memory) return;
-    const Surface& surface = kind == PixelKind::Color ? target.color : target.depth;
+    const Surface surface =
+        kind == PixelKind::Color ? target.pixel_colors() : target.pixel_depths();
     const PixelRectangle asked{x, y, width, height};
     const PixelRectangle inside = clip_to(surface, asked);
     if (inside.empty()) return;

@@ -33,7 +33,7 @@ void allocate_storage(
     if (format.base == BaseFormat::None) return context.error(GL_INVALID_ENUM);
     constexpr auto MaxSize = static_cast<GLsizei>(MaxSurfaceSize);
     if (size.width < 0 || size.height < 0 || size.width > MaxSize || size.height > MaxSize ||
-        samples < 0 || samples > 1) {
+        samples < 0 || samples > GLsizei{MaxSamples}) {
         return context.error(GL_INVALID_VALUE);
     }
     Renderbuffer* const buffer = context.state.framebuffer.renderbuffer.get();
@@ -44,13 +44,10 @@ void allocate_storage(
     buffer->format = format;
     buffer->width = size.width;
     buffer->height = size.height;
-    buffer->samples = samples;
+    buffer->samples = samples > 0 ? GLsizei{MaxSamples} : 0;
     context.dirty.mark(Dirty::Targets);
     if (size.empty()) return;
-    const std::uint64_t bytes =
-        std::uint64_t{row_bytes(format.format, static_cast<std::uint32_t>(size.width))} *
-        static_cast<std::uint64_t>(size.height);
-    buffer->block = DeviceBlock::allocate(context.shared().memory, bytes);
+    buffer->block = DeviceBlock::allocate(context.shared().memory, buffer->layout().bytes());
     if (!buffer->block) {
         *buffer = {.name = buffer->name};
         return context.error(GL_OUT_OF_MEMORY);
@@ -98,7 +95,7 @@ void RenderbufferStorage(
     allocate_storage(context, target, 0, internalformat, {width, height, 1});
 }
 
-// GL_MAX_SAMPLES is 1, and one sample a pixel is what a plain renderbuffer has.
+// The device has one number of samples: at least as many as are asked for.
 void RenderbufferStorageMultisample(Context& context,
                                     GLenum target,
                                     GLsizei samples,

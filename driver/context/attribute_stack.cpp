@@ -168,7 +168,7 @@ constexpr Group Groups[] = {
     {GL_LIST_BIT, save_list, restore_list},
     {GL_TEXTURE_BIT, save_texture, restore_texture},
     WHOLE(GL_SCISSOR_BIT, scissor, fragment.scissor, Dirty::Viewport),
-    WHOLE(GL_MULTISAMPLE_BIT, multisample, rasterization.multisample),
+    WHOLE(GL_MULTISAMPLE_BIT, multisample, rasterization.multisample, Dirty::Fragment),
 };
 
 #undef WHOLE

@@ -18,7 +18,7 @@ enum class Dirty : std::uint32_t {
     Textures = 1u << 7,     // bindings, images, samplers, enables
     Environments = 1u << 8, // texture environments (depend on Textures too)
     TexGen = 1u << 9,
-    Fragment = 1u << 10, // fog, alpha, stencil, depth, blend, logic op, masks
+    Fragment = 1u << 10, // fog, samples, alpha, stencil, depth, blend, logic op, masks
     Targets = 1u << 11,  // drawable, framebuffer object, draw buffer
 };
 

@@ -29,12 +29,13 @@ constexpr float MaxAnisotropy = 16;
 
 constexpr unsigned QueryCounterBits = 64; // of glGetQueryiv; 32 reach the application
 constexpr unsigned AccumulationBits = 16;
-constexpr unsigned MaxSamples = 1; // a pixel: multisampling is the identity
 
-constexpr std::array<GLenum, 3> CompressedTextureFormats{
+constexpr std::array<GLenum, 5> CompressedTextureFormats{
     GL_COMPRESSED_RGB_S3TC_DXT1_EXT,
     GL_COMPRESSED_RGBA_S3TC_DXT3_EXT,
     GL_COMPRESSED_RGBA_S3TC_DXT5_EXT,
+    GL_COMPRESSED_RGB_FXT1_3DFX,
+    GL_COMPRESSED_RGBA_FXT1_3DFX,
 };
 
 } // namespace ffgpu::gl

@@ -64,6 +64,8 @@ void lower_fragments(const Context& context, DepthTarget depth, RegisterFile& re
     registers.update<&Registers::depth>();
     registers.wanted.blend = lower_blend(fragment.blend, context.state.framebuffer.color_mask);
     registers.update<&Registers::blend>();
+    registers.wanted.multisample = lower_multisample(context.state.rasterization.multisample);
+    registers.update<&Registers::multisample>();
 }
 
 } // namespace
@@ -110,6 +112,8 @@ bool Context::prepare_draw() {
         error(GL_INVALID_FRAMEBUFFER_OPERATION);
         return false;
     }
+    if (draw_target_.multisampled_window) [[unlikely]]
+        draw_target_.multisampled_window->note_drawing();
     return draw_target_.width > 0 && draw_target_.height > 0;
 }
 

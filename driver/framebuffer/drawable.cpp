@@ -51,6 +51,7 @@ void Drawable::resize(unsigned width, unsigned height) {
     copy_common_part(surfaces_.depth, larger.depth);
     release(surfaces_);
     surfaces_ = larger;
+    resolved_from_.reset();
     width_ = width;
     height_ = height;
     accumulation_.clear();
@@ -68,25 +69,28 @@ std::vector<std::int16_t>& Drawable::accumulation() {
     return accumulation_;
 }
 
-Surface Drawable::allocate(Format format, unsigned width, unsigned height) {
-    const std::uint32_t stride =
-        (row_bytes(format, width) + RowAlignment - 1) & ~(RowAlignment - 1);
-    const auto address = memory_.allocate(std::uint64_t{stride} * height);
+Surface Drawable::allocate(Format format, unsigned samples, unsigned width, unsigned height) {
+    Surface surface{.address = 0,
+                    .format = format,
+                    .width = static_cast<std::uint16_t>(width),
+                    .height = static_cast<std::uint16_t>(height),
+                    .stride = (row_bytes(format, width) + RowAlignment - 1) & ~(RowAlignment - 1),
+                    .samples = static_cast<std::uint8_t>(samples)};
+    const auto address = memory_.allocate(surface.bytes());
     if (!address) throw std::bad_alloc();
-    return {.address = *address,
-            .format = format,
-            .width = static_cast<std::uint16_t>(width),
-            .height = static_cast<std::uint16_t>(height),
-            .stride = stride};
+    surface.address = *address;
+    return surface;
 }
 
 Drawable::Surfaces Drawable::allocate_all(unsigned width, unsigned height) {
     Surfaces made;
+    const Format color = color_format(format_), depth = depth_format(format_);
+    const unsigned samples = format_.samples;
     try {
-        made.front = allocate(color_format(format_), width, height);
-        if (format_.double_buffer) made.back = allocate(color_format(format_), width, height);
-        const Format depth = depth_format(format_);
-        if (depth != Format::None) made.depth = allocate(depth, width, height);
+        made.front = allocate(color, samples, width, height);
+        if (format_.double_buffer) made.back = allocate(color, samples, width, height);
+        if (depth != Format::None) made.depth = allocate(depth, samples, width, height);
+        if (samples > 1) made.resolved = allocate(color, 1, width, height);
     } catch (const std::bad_alloc&) {
         release(made);
         throw;
@@ -98,14 +102,15 @@ Drawable::Surfaces Drawable::allocate_all(unsigned width, unsigned height) {
 }
 
 void Drawable::release(Surfaces& surfaces) {
-    for (Surface* surface : {&surfaces.front, &surfaces.back, &surfaces.depth}) {
+    for (Surface* surface :
+         {&surfaces.front, &surfaces.back, &surfaces.depth, &surfaces.resolved}) {
         if (surface->format != Format::None) memory_.release(surface->address);
         *surface = {};
     }
 }
 
 void Drawable::clear(const Surface& surface) {
-    const std::vector<std::byte> zeroes(std::size_t{surface.stride} * surface.height);
+    const std::vector<std::byte> zeroes(surface.bytes());
     if (!zeroes.empty()) device_.write_memory(surface.address, zeroes);
 }
 
@@ -117,6 +122,13 @@ void Drawable::copy_common_part(const Surface& from, const Surface& to) {
     CommandStream commands;
     commands.add(copy);
     device_.submit(commands);
+}
+
+Surface Drawable::resolve(const Surface& buffer) {
+    if (buffer.samples == 1) return buffer;
+    if (resolved_from_ != buffer.address) copy_common_part(buffer, surfaces_.resolved);
+    resolved_from_ = buffer.address;
+    return surfaces_.resolved;
 }
 
 } // namespace ffgpu::gl

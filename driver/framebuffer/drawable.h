@@ -1,5 +1,8 @@
 // Drawable: the surfaces of a window, pixmap or off-screen buffer: front and back colour, depth and
 // stencil, accumulation. They live in device memory; row 0 is the lowest.
+//
+// Those of a multisampled drawable hold several samples of each pixel. Whoever reads pixels gets
+// them resolved, from a surface beside the colour buffers that follows what is drawn.
 
 #pragma once
 
@@ -7,6 +10,7 @@
 #include "model/device/device.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace ffgpu::gl {
@@ -18,6 +22,7 @@ struct PixelFormat {
     std::uint8_t depth_bits = 24;  // 0, 16 or 24
     std::uint8_t stencil_bits = 8; // 0 or 8; 8 goes with 24 depth bits
     bool accumulation = true;      // 16 bits signed a channel
+    std::uint8_t samples = 1;      // of a pixel: 1 or MaxSamples
 
     bool operator==(const PixelFormat&) const = default;
 };
@@ -44,9 +49,19 @@ public:
     const PixelFormat& format() const { return format_; }
     unsigned width() const { return width_; }
     unsigned height() const { return height_; }
+
+    // What is drawn to, of format().samples samples a pixel.
     const Surface& front() const { return surfaces_.front; }
     const Surface& back() const { return format_.double_buffer ? surfaces_.back : surfaces_.front; }
     const Surface& depth() const { return surfaces_.depth; }
+    // Commands follow that draw to any of them.
+    void note_drawing() { resolved_from_.reset(); }
+
+    // The same with one sample a pixel, as it is now: colours are the samples' average, depth and
+    // stencil those of sample 0. One colour buffer at a time: the next call may replace it.
+    Surface readable_front() { return resolve(front()); }
+    Surface readable_back() { return resolve(back()); }
+    Surface readable_depth() const { return depth().plane(0); }
 
     // r g b a of each pixel, from the lower left; all 0 at first. Empty where the format has none.
     std::vector<std::int16_t>& accumulation();
@@ -58,12 +73,14 @@ public:
 private:
     struct Surfaces {
         Surface front, back, depth;
+        Surface resolved; // of the colour buffer that was read last; none where single-sampled
     };
-    Surface allocate(Format format, unsigned width, unsigned height);
+    Surface allocate(Format format, unsigned samples, unsigned width, unsigned height);
     Surfaces allocate_all(unsigned width, unsigned height);
     void release(Surfaces& surfaces);
     void clear(const Surface& surface);
     void copy_common_part(const Surface& from, const Surface& to);
+    Surface resolve(const Surface& buffer);
 
     Device& device_;
     MemoryAllocator& memory_;
@@ -71,6 +88,7 @@ private:
     unsigned width_ = 0, height_ = 0;
     unsigned generation_ = 0;
     Surfaces surfaces_;
+    std::optional<DeviceAddress> resolved_from_; // the buffer that `resolved` shows; or stale
     std::vector<std::int16_t> accumulation_;
 };
 

@@ -59,6 +59,13 @@ unsigned accumulation_bits(Context& context) {
     return drawable && drawable->format().accumulation ? AccumulationBits : 0;
 }
 
+// Of the draw framebuffer; 0 where it is single-sampled (EXT_framebuffer_multisample).
+GLsizei draw_samples(Context& context) {
+    if (const auto& object = context.state.framebuffer.draw_object) return samples(*object);
+    const Drawable* const drawable = context.draw_drawable();
+    return drawable && drawable->format().samples > 1 ? drawable->format().samples : 0;
+}
+
 } // namespace
 
 std::span<const StateVariable> framebuffer_variables() {
@@ -97,8 +104,8 @@ std::span<const StateVariable> framebuffer_variables() {
         FFGPU_STATE(GL_STEREO, boolean(false)),
         FFGPU_STATE(GL_DOUBLEBUFFER, boolean(window(c) && window(c)->format().double_buffer)),
         FFGPU_STATE(GL_AUX_BUFFERS, integer(0)),
-        FFGPU_STATE(GL_SAMPLE_BUFFERS, integer(0)),
-        FFGPU_STATE(GL_SAMPLES, integer(0)),
+        FFGPU_STATE(GL_SAMPLE_BUFFERS, integer(draw_samples(c) > 0 ? 1 : 0)),
+        FFGPU_STATE(GL_SAMPLES, integer(draw_samples(c))),
     };
     return Table;
 }

@@ -1,6 +1,7 @@
 #include "driver/lower/fragment.h"
 
 #include "driver/math/conversion.h"
+#include "model/device/limits.h"
 
 #include <algorithm>
 
@@ -116,6 +117,8 @@ BlendEquation lower_equation(GLenum equation) {
     }
 }
 
+constexpr unsigned AllSamples = (1u << MaxSamples) - 1;
+
 } // namespace
 
 std::uint32_t pack_rgba8(const Vec4& color) {
@@ -167,6 +170,22 @@ DepthControl lower_depth(const DepthState& gl, DepthTarget target) {
             .bounds_enable = gl.bounds_test && exists,
             .bounds_min = unorm(gl.bounds_min, target.depth_bits),
             .bounds_max = unorm(gl.bounds_max, target.depth_bits)};
+}
+
+// GL 1.5, 4.1.3: a value v lets round(4 v) of the samples through, the first ones; inverted, the
+// others. Without GL_MULTISAMPLE nothing of it has an effect.
+Multisample lower_multisample(const MultisampleState& gl) {
+    if (!gl.enable) return {};
+    unsigned mask = AllSamples;
+    if (gl.sample_coverage) {
+        const auto count = static_cast<unsigned>(gl.coverage_value * float{MaxSamples} + 0.5f);
+        mask = (1u << count) - 1;
+        if (gl.coverage_invert) mask ^= AllSamples;
+    }
+    return {.enable = true,
+            .alpha_to_coverage = gl.alpha_to_coverage,
+            .alpha_to_one = gl.alpha_to_one,
+            .sample_mask = static_cast<std::uint8_t>(mask)};
 }
 
 Blend lower_blend(const BlendState& gl, const std::array<bool, 4>& color_mask) {

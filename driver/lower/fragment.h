@@ -5,6 +5,7 @@
 #include "driver/state/fragment_state.h"
 #include "driver/state/framebuffer_state.h"
 #include "driver/state/lighting_state.h"
+#include "driver/state/rasterization_state.h"
 #include "model/device/registers/fragment.h"
 
 namespace ffgpu::gl {
@@ -22,6 +23,7 @@ FragmentControl lower_fragment_control(const FragmentState& gl,
                                        bool query_is_active);
 Stencil lower_stencil(const StencilState& gl, DepthTarget target);
 DepthControl lower_depth(const DepthState& gl, DepthTarget target);
+Multisample lower_multisample(const MultisampleState& gl);
 Blend lower_blend(const BlendState& gl, const std::array<bool, 4>& color_mask);
 
 // A colour in [0, 1] as rgba8, red in the lowest byte.

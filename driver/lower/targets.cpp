@@ -32,7 +32,7 @@ bool has_back(GLenum buffer) {
 }
 
 DrawTarget window_target(Context& context) {
-    const Drawable* const drawable = context.draw_drawable();
+    Drawable* const drawable = context.draw_drawable();
     if (!drawable) return {.status = GL_FRAMEBUFFER_UNDEFINED};
     const PixelFormat& format = drawable->format();
     const Targets targets = lower_window_targets(*drawable, context.state.framebuffer.draw_buffers);
@@ -40,7 +40,8 @@ DrawTarget window_target(Context& context) {
             .width = drawable->width(),
             .height = drawable->height(),
             .depth = {.depth_bits = format.depth_bits == 0 ? 0 : depth_bits(targets.depth.format),
-                      .stencil_bits = format.stencil_bits}};
+                      .stencil_bits = format.stencil_bits},
+            .multisampled_window = format.samples > 1 ? drawable : nullptr};
 }
 
 DrawTarget object_target(Context& context, const FramebufferObject& object) {
@@ -63,15 +64,6 @@ DrawTarget object_target(Context& context, const FramebufferObject& object) {
 DrawTarget find_draw_target(Context& context) {
     const auto& object = context.state.framebuffer.draw_object;
     return object ? object_target(context, *object) : window_target(context);
-}
-
-Surface find_read_surface(Context& context) {
-    const FramebufferState& state = context.state.framebuffer;
-    if (state.read_object)
-        return color_surface(context, *state.read_object, state.read_object->read_buffer);
-    const Drawable* const drawable = context.read_drawable();
-    if (!drawable || state.read_buffer == GL_NONE) return {};
-    return has_front(state.read_buffer) ? drawable->front() : drawable->back();
 }
 
 Targets lower_window_targets(const Drawable& drawable, const DrawBufferList& buffers) {

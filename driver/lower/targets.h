@@ -18,16 +18,14 @@ class Drawable;
 struct DrawTarget {
     GLenum status = GL_FRAMEBUFFER_COMPLETE; // or why nothing can be drawn
     Targets targets{};
-    unsigned width = 0, height = 0; // of the part that all of its surfaces have
-    DepthTarget depth{};            // what of the depth surface is GL's
+    unsigned width = 0, height = 0;          // of the part that all of its surfaces have
+    DepthTarget depth{};                     // what of the depth surface is GL's
+    Drawable* multisampled_window = nullptr; // to be told of drawing; or null
 };
 
 DrawTarget find_draw_target(Context& context);
 
-// The colour surface that glReadBuffer selects; format None where there is none.
-Surface find_read_surface(Context& context);
-
-Targets lower_window_targets(const Drawable& drawable, GLenum draw_buffer);
+Targets lower_window_targets(const Drawable& drawable, const DrawBufferList& buffers);
 Scissor lower_scissor(const ScissorState& gl, unsigned width, unsigned height);
 
 } // namespace ffgpu::gl

@@ -10,10 +10,6 @@ namespace ffgpu::gl {
 
 namespace {
 
-bool is_color(BaseFormat base) {
-    return base == BaseFormat::Rgb || base == BaseFormat::Rgba;
-}
-
 bool is_depth(BaseFormat base) {
     return base == BaseFormat::Depth || base == BaseFormat::DepthStencil;
 }
@@ -22,7 +18,7 @@ bool is_stencil(BaseFormat base) {
     return base == BaseFormat::Stencil || base == BaseFormat::DepthStencil;
 }
 
-bool is_color_like(BaseFormat base) {
+bool is_color(BaseFormat base) {
     return base != BaseFormat::None && !is_depth(base) && !is_stencil(base);
 }
 
@@ -36,7 +32,7 @@ GLint border_of(const Attachment& attachment) {
                               : 0;
 }
 
-// The device draws to few formats, without borders.
+// The device draws to all formats but compressed ones, without borders.
 bool is_supported(const Attachment& attachment) {
     if (!attachment) return true;
     return is_renderable(attachment.format().format) && border_of(attachment) == 0 &&
@@ -47,6 +43,16 @@ bool is_supported(const Attachment& attachment) {
 // Depth and stencil are one surface.
 bool share_surface(const Attachment& depth, const Attachment& stencil) {
     return !depth || !stencil || depth == stencil;
+}
+
+// EXT_framebuffer_multisample: all images have the same number of samples.
+bool share_samples(const FramebufferObject& framebuffer) {
+    const GLsizei expected = samples(framebuffer);
+    const auto is_same = [expected](const Attachment& attachment) {
+        return !attachment || attachment.samples() == expected;
+    };
+    return std::ranges::all_of(framebuffer.colors, is_same) && is_same(framebuffer.depth) &&
+           is_same(framebuffer.stencil);
 }
 
 Surface surface_of(Context& context, const Attachment& attachment) {
@@ -78,6 +84,10 @@ GLsizei Attachment::width() const {
 
 GLsizei Attachment::height() const {
     return renderbuffer ? renderbuffer->height : texture ? level_of(*this).height : 0;
+}
+
+GLsizei Attachment::samples() const {
+    return renderbuffer ? renderbuffer->samples : 0;
 }
 
 Attachment* FramebufferObject::find(GLenum attachment) {
@@ -113,14 +123,14 @@ GLenum framebuffer_status(const FramebufferObject& framebuffer) {
     for (const Attachment& color : colors) {
         if (!color) continue;
         any = true;
-        if (!is_attachment_complete(color, is_color_like))
-            return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
+        if (!is_attachment_complete(color, is_color)) return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
     }
     if (depth && !is_attachment_complete(depth, is_depth))
         return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
     if (stencil && !is_attachment_complete(stencil, is_stencil))
         return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
     if (!any) return GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
+    if (!share_samples(framebuffer)) return GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE;
 
     const auto is_missing = [&colors = colors](GLenum buffer) {
         return buffer != GL_NONE && !colors[buffer - GL_COLOR_ATTACHMENT0];
@@ -130,8 +140,7 @@ GLenum framebuffer_status(const FramebufferObject& framebuffer) {
     if (is_missing(read_buffer)) return GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER;
 
     for (const Attachment& color : colors) {
-        if (color && (!is_supported(color) || !is_color(color.format().base)))
-            return GL_FRAMEBUFFER_UNSUPPORTED;
+        if (!is_supported(color)) return GL_FRAMEBUFFER_UNSUPPORTED;
     }
     if (!is_supported(depth) || !is_supported(stencil) || !share_surface(depth, stencil))
         return GL_FRAMEBUFFER_UNSUPPORTED;
@@ -161,6 +170,12 @@ bool has_depth(const FramebufferObject& framebuffer) {
 
 bool has_stencil(const FramebufferObject& framebuffer) {
     return static_cast<bool>(framebuffer.stencil);
+}
+
+GLsizei samples(const FramebufferObject& framebuffer) {
+    for (const Attachment& color : framebuffer.colors)
+        if (color) return color.samples();
+    return framebuffer.depth ? framebuffer.depth.samples() : framebuffer.stencil.samples();
 }
 
 } // namespace ffgpu::gl

@@ -33,6 +33,7 @@ struct Attachment {
     InternalFormat format() const;
     GLsizei width() const;
     GLsizei height() const;
+    GLsizei samples() const; // 0: single-sampled
 };
 
 struct FramebufferObject {
@@ -67,5 +68,8 @@ Surface depth_surface(Context& context, const FramebufferObject& framebuffer);
 // Which of a Depth24Stencil8 surface's parts are attached: tests and writes of the other are off.
 bool has_depth(const FramebufferObject& framebuffer);
 bool has_stencil(const FramebufferObject& framebuffer);
+
+// GL_SAMPLES: of every image of a complete framebuffer object; 0: single-sampled.
+GLsizei samples(const FramebufferObject& framebuffer);
 
 } // namespace ffgpu::gl

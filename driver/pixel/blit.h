@@ -18,6 +18,11 @@ struct BlitAxis {
         return source_end - source_begin == target_end - target_begin && source_end > source_begin;
     }
 
+    bool keeps_size() const { // perhaps mirrored
+        const std::int64_t source = source_end - source_begin, target = target_end - target_begin;
+        return source == target || source == -target;
+    }
+
     // Where the centre of a target pixel comes from.
     double source_of(std::int64_t target) const {
         const double step = static_cast<double>(source_end - source_begin) /

@@ -11,9 +11,9 @@ namespace ffgpu::gl {
 namespace {
 
 ReadTarget window_target(Context& context) {
-    const Drawable* const drawable = context.read_drawable();
+    Drawable* const drawable = context.read_drawable();
     if (!drawable) return {.status = GL_FRAMEBUFFER_UNDEFINED};
-    ReadTarget target;
+    ReadTarget target{.window = drawable};
     switch (context.state.framebuffer.read_buffer) {
     case GL_NONE:
         break;
@@ -65,6 +65,21 @@ std::size_t pixels_bytes(const Surface& surface, const PixelRectangle& rectangle
 ReadTarget find_read_target(Context& context) {
     const auto& object = context.state.framebuffer.read_object;
     return object ? object_target(context, *object) : window_target(context);
+}
+
+GLenum ReadTarget::pixels_error() const {
+    if (status != GL_FRAMEBUFFER_COMPLETE) return GL_INVALID_FRAMEBUFFER_OPERATION;
+    const bool multisampled = color.samples > 1 || depth.samples > 1;
+    return multisampled && !window ? GL_INVALID_OPERATION : GL_NO_ERROR;
+}
+
+Surface ReadTarget::pixel_colors() const {
+    if (color.samples == 1) return color;
+    return color == window->front() ? window->readable_front() : window->readable_back();
+}
+
+Surface ReadTarget::pixel_depths() const {
+    return depth.samples == 1 ? depth : window->readable_depth();
 }
 
 PixelRectangle clip_to(const Surface& surface, PixelRectangle rectangle) {

@@ -15,6 +15,7 @@
 namespace ffgpu::gl {
 
 class Context;
+class Drawable;
 
 struct ReadTarget {
     GLenum status = GL_FRAMEBUFFER_COMPLETE; // or why nothing can be read
@@ -22,6 +23,17 @@ struct ReadTarget {
     Surface depth{};                         // format None: neither depth nor stencil
     bool has_depth = false;
     bool has_stencil = false;
+    Drawable* window = nullptr; // that they are of; null: they are a framebuffer object's
+
+    // Why single pixels cannot be read, or GL_NO_ERROR: GL_INVALID_FRAMEBUFFER_OPERATION where
+    // nothing can; GL_INVALID_OPERATION of a multisampled framebuffer object
+    // (EXT_framebuffer_multisample).
+    GLenum pixels_error() const;
+
+    // The surfaces with one sample a pixel: a multisampled window's are resolved. Only where
+    // pixels can be read.
+    Surface pixel_colors() const;
+    Surface pixel_depths() const;
 };
 
 ReadTarget find_read_target(Context& context);

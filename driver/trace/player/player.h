@@ -37,6 +37,8 @@ public:
         // Keeps the calls of the last frame for repeat_last_frame(), and leaves out what follows
         // it.
         bool keep_last_frame = false;
+        // Of a pixel of every window: 1 or MaxSamples.
+        unsigned samples = 1;
     };
 
     TracePlayer(Device& device, TraceReader& trace, Options options);

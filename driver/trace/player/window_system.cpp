@@ -13,8 +13,9 @@ constexpr unsigned FirstSize = 1;
 
 } // namespace
 
-WindowSystem::WindowSystem(Device& device)
+WindowSystem::WindowSystem(Device& device, unsigned samples)
     : device_(device)
+    , format_{.samples = static_cast<std::uint8_t>(samples)}
     , memory_(std::make_shared<gl::MemoryAllocator>(0, device.memory_size())) {}
 
 WindowSystem::~WindowSystem() {
@@ -51,9 +52,8 @@ void WindowSystem::create_pbuffer(Handle handle, std::int64_t width, std::int64_
         return static_cast<unsigned>(std::clamp<std::int64_t>(size, 1, MaxSurfaceSize));
     };
     destroy_drawable(handle);
-    windows_[handle] = {std::make_unique<gl::Drawable>(
-                            device_, *memory_, gl::PixelFormat{}, cut(width), cut(height)),
-                        false};
+    windows_[handle] = {
+        std::make_unique<gl::Drawable>(device_, *memory_, format_, cut(width), cut(height)), false};
 }
 
 void WindowSystem::destroy_drawable(Handle handle) {
@@ -98,8 +98,8 @@ gl::Drawable* WindowSystem::drawable(Handle handle) {
     if (handle == 0) return nullptr;
     Window& window = windows_[handle];
     if (!window.drawable)
-        window.drawable = std::make_unique<gl::Drawable>(
-            device_, *memory_, gl::PixelFormat{}, FirstSize, FirstSize);
+        window.drawable =
+            std::make_unique<gl::Drawable>(device_, *memory_, format_, FirstSize, FirstSize);
     return window.drawable.get();
 }
 
@@ -125,7 +125,7 @@ void WindowSystem::swap_buffers(Handle handle) {
     shown_.emplace();
     if (const auto window = windows_.find(handle); window != windows_.end()) {
         window->second.drawable->swap();
-        shown_ = window->second.drawable->front();
+        shown_ = window->second.drawable->readable_front();
     }
     CommandStream commands;
     commands.add(Opcode::EndFrame);

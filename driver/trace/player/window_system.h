@@ -2,9 +2,10 @@
 // drawables under the handles that the traced program saw, and which is current in which thread.
 //
 // A trace does not tell what a window looks like, so that each is double-buffered with 8 bits a
-// channel, 24 of depth and 8 of stencil. It does not tell its size either: a window grows to the
-// largest viewport or scissor set on it, and its picture stays. A pixel buffer has the size that it
-// was made with.
+// channel, 24 of depth and 8 of stencil, and of as many samples as the player is told: what the
+// program asked for was a wish, and its pictures elsewhere may well be single-sampled. It does not
+// tell its size either: a window grows to the largest viewport or scissor set on it, and its
+// picture stays. A pixel buffer has the size that it was made with.
 
 #pragma once
 
@@ -23,7 +24,7 @@ namespace ffgpu::trace {
 
 class WindowSystem {
 public:
-    explicit WindowSystem(Device& device);
+    WindowSystem(Device& device, unsigned samples); // of a pixel of every window
     ~WindowSystem();
 
     // What carries out the calls of that name; null where there is none.
@@ -96,6 +97,7 @@ private:
     void cgl_flush_drawable(const Call& call);
 
     Device& device_;
+    const gl::PixelFormat format_; // of every window
     std::shared_ptr<gl::MemoryAllocator> memory_;
     std::map<Handle, std::shared_ptr<gl::SharedObjects>> groups_; // by context
     std::map<Handle, std::unique_ptr<gl::Context>> contexts_;

@@ -38,7 +38,7 @@ void WindowSurface::follow_window_once() {
 void WindowSurface::swap() {
     drawable_.swap();
     front_touched_ = false;
-    ProcessGpu::instance().frame_shown(drawable_.front());
+    ProcessGpu::instance().frame_shown(drawable_.readable_front());
     follow_window();
     show();
     size_is_fresh_ = false;
@@ -51,7 +51,7 @@ void WindowSurface::show_front() {
 }
 
 void WindowSurface::show() {
-    if (target_) target_->show(ProcessGpu::instance().device(), drawable_.front(), window_size_);
+    if (target_) target_->show(ProcessGpu::instance().device(), drawable_.readable_front(), window_size_);
 }
 
 } // namespace ffgpu::gl

@@ -85,7 +85,7 @@ void store_row(const osmesa_context& to, const std::uint8_t* rgba, std::byte* ou
 
 // Copies the picture into the program's buffer.
 void present(osmesa_context& to) {
-    const ffgpu::Surface& surface = to.context->drawable().front();
+    const ffgpu::Surface surface = to.context->drawable().readable_front();
     if (!to.buffer || surface.format == ffgpu::Format::None) return;
     ffgpu::Device& device = ProcessGpu::instance().device();
     std::vector<std::uint8_t>& rgba = to.rows;
@@ -258,7 +258,7 @@ FFGPU_EXPORT GLboolean OSMesaGetDepthBuffer(
     if (!c || c->context->drawable().depth().format != ffgpu::Format::Depth24Stencil8)
         return GL_FALSE;
     c->context->context().flush_vertices();
-    const ffgpu::Surface& surface = c->context->drawable().depth();
+    const ffgpu::Surface surface = c->context->drawable().readable_depth();
     c->depth.resize(std::size_t{surface.stride} / 4 * surface.height);
     ProcessGpu::instance().device().read_memory(surface.address,
                                                 std::as_writable_bytes(std::span(c->depth)));
