@@ -28,6 +28,8 @@ enum class Format : std::uint8_t {
     Dxt1Rgba,
     Dxt3,
     Dxt5,
+    Fxt1Rgb, // FXT1 blocks of 8x4 texels
+    Fxt1Rgba,
     Depth16,         // 16-bit unsigned, 65535 is the far plane
     Depth24Stencil8, // 32 bits: depth in the upper 24, stencil in the lower 8
     Stencil8,        // only as the source of an image draw
@@ -58,6 +60,8 @@ constexpr std::array<FormatInfo, static_cast<std::size_t>(Format::Count)> Format
     {"dxt1_rgba", 4, 4, 8, false},
     {"dxt3", 4, 4, 16, false},
     {"dxt5", 4, 4, 16, false},
+    {"fxt1_rgb", 8, 4, 16, false},
+    {"fxt1_rgba", 8, 4, 16, false},
     {"depth16", 1, 1, 2, true},
     {"depth24_stencil8", 1, 1, 4, true},
     {"stencil8", 1, 1, 1, false},

@@ -142,6 +142,7 @@ void filter_all(const TextureUnit& unit, const FilterInputs& in, ColorPlanes& ou
 
 template <class Texels>
 void filter_kind(const TextureUnit& unit, const FilterInputs& in, ColorPlanes& out) {
+    if (unit.srgb) return filter_all<Kernel<SrgbTexels<Texels>, false, true>>(unit, in, out);
     const bool plain = unit.kind == TextureKind::TwoD || unit.kind == TextureKind::Rectangle;
     const bool border = unit.border != 0 || unit.border_color;
     if (!plain) return filter_all<Kernel<Texels, false, true>>(unit, in, out);
@@ -152,6 +153,9 @@ void filter_kind(const TextureUnit& unit, const FilterInputs& in, ColorPlanes& o
 void filter_texels(const TextureUnit& unit, const FilterInputs& in, ColorPlanes& out) {
     const FormatInfo& info = format_info(unit.format);
     if (info.is_depth) return filter_all<Kernel<DepthTexels, false, true>>(unit, in, out);
+    if (info.block_width == 8)
+        return unit.srgb ? filter_all<Kernel<SrgbTexels<Fxt1Texels>, false, true>>(unit, in, out)
+                         : filter_all<Kernel<Fxt1Texels, false, true>>(unit, in, out);
     if (info.block_width > 1) return filter_kind<BlockTexels>(unit, in, out);
     if (info.block_bytes == 4) return filter_kind<WordTexels>(unit, in, out);
     filter_kind<SmallTexels>(unit, in, out);

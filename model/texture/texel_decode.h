@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "model/arith/srgb.h"
 #include "model/device/formats.h"
 #include "model/texture/filter.h"
 
@@ -35,6 +36,11 @@ constexpr Rgba expand_rgb565(std::uint32_t bits) {
 
 // One texel of an uncompressed colour format.
 Rgba decode_color_texel(Format format, const std::byte* at);
+
+// sRGB codes as linear light; alpha is linear already.
+constexpr Rgba linear_from_srgb(const Rgba& color) {
+    return {SrgbToLinear8[color[0]], SrgbToLinear8[color[1]], SrgbToLinear8[color[2]], color[3]};
+}
 
 // One texel of a depth format as 24 bits: 16 are widened by repeating the leading 8.
 std::uint32_t decode_depth_texel(Format format, const std::byte* at);

@@ -1,5 +1,6 @@
 #include "model/texture/texel_read.h"
 
+#include "model/arith/fxt1.h"
 #include "model/texture/depth_compare.h"
 #include "model/texture/s3tc.h"
 #include "model/texture/texel_decode.h"
@@ -29,6 +30,17 @@ Rgba border_texel(const TextureUnit& unit, std::uint32_t reference) {
     return color;
 }
 
+Rgba decode_color(Format format, const std::byte* block, const StoredTexel& texel) {
+    switch (format_info(format).block_width) {
+    case 8:
+        return decode_fxt1(block, texel.x % 8, texel.y % 4, format == Format::Fxt1Rgba);
+    case 4:
+        return decode_s3tc(format, block, texel.x % 4, texel.y % 4);
+    default:
+        return decode_color_texel(format, block);
+    }
+}
+
 Rgba decode(const TextureUnit& unit,
             const std::byte* block,
             const StoredTexel& texel,
@@ -36,8 +48,8 @@ Rgba decode(const TextureUnit& unit,
     const FormatInfo& info = format_info(unit.format);
     if (info.is_depth)
         return depth_color(unit.sampler, reference, decode_depth_texel(unit.format, block));
-    if (info.block_width > 1) return decode_s3tc(unit.format, block, texel.x % 4, texel.y % 4);
-    return decode_color_texel(unit.format, block);
+    const Rgba color = decode_color(unit.format, block, texel);
+    return unit.srgb ? linear_from_srgb(color) : color;
 }
 
 } // namespace

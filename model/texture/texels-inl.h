@@ -8,7 +8,10 @@
 #define FFGPU_MODEL_TEXTURE_TEXELS_INL_H
 #endif
 
+#include "model/arith/fxt1.h"
+#include "model/arith/srgb.h"
 #include "model/texture/axis-inl.h"
+#include "model/texture/filter.h"
 #include "model/texture/s3tc-inl.h"
 #include "model/texture/texture_unit.h"
 
@@ -151,6 +154,50 @@ struct BlockTexels {
         const VI three = constant(3);
         const VI texel = hn::Or(hn::ShiftLeft<2>(hn::And(y, three)), hn::And(x, three));
         return decode_s3tc(unit, block, hn::BitCast(DU(), texel));
+    }
+};
+
+// FXT1 blocks of 8x4: rare, and of too many codings for vectors. The scalar decoder, lane by lane.
+struct Fxt1Texels {
+    static HWY_INLINE VI row_of(VI y) { return hn::ShiftRight<2>(y); }
+    static HWY_NOINLINE VU read(const TextureUnit& unit, VI row, VI x, VI y, VI) {
+        constexpr std::size_t Lanes = hn::MaxLanes(DU());
+        alignas(64) std::int32_t block[Lanes], column[Lanes], line[Lanes];
+        alignas(64) std::uint32_t rgba[Lanes];
+        hn::Store(hn::Add(row, hn::ShiftLeft<4>(hn::ShiftRight<3>(x))), DI(), block);
+        hn::Store(hn::And(x, constant(7)), DI(), column);
+        hn::Store(hn::And(y, constant(3)), DI(), line);
+        for (std::size_t i = 0; i < Lanes; ++i) {
+            const Rgba color = decode_fxt1(unit.texels + block[i],
+                                           static_cast<unsigned>(column[i]),
+                                           static_cast<unsigned>(line[i]),
+                                           unit.format == Format::Fxt1Rgba);
+            rgba[i] = color[0] | color[1] << 8 | color[2] << 16 | std::uint32_t{color[3]} << 24;
+        }
+        return hn::Load(DU(), rgba);
+    }
+};
+
+// linear_from_srgb(): the table is read at byte offsets.
+HWY_INLINE VU linear_channel(VU color, int lsb) {
+    const VU code = channel(color, lsb);
+    const auto* table = reinterpret_cast<const std::uint32_t*>(SrgbToLinear8.data());
+    const VU linear = hn::GatherOffset(DU(), table, hn::BitCast(DI(), code));
+    return hn::ShiftLeftSame(hn::And(linear, hn::Set(DU(), 0xff)), lsb);
+}
+
+HWY_INLINE VU linear_from_srgb(VU color) {
+    const VU alpha = hn::And(color, hn::Set(DU(), 0xff000000u));
+    const VU rg = hn::Or(linear_channel(color, 0), linear_channel(color, 8));
+    return hn::Or(hn::Or(rg, linear_channel(color, 16)), alpha);
+}
+
+// Any of the kinds above with sRGB codes for r, g and b.
+template <class Encoded>
+struct SrgbTexels {
+    static HWY_INLINE VI row_of(VI y) { return Encoded::row_of(y); }
+    static HWY_INLINE VU read(const TextureUnit& unit, VI row, VI x, VI y, VI reference) {
+        return linear_from_srgb(Encoded::read(unit, row, x, y, reference));
     }
 };
 

@@ -73,6 +73,7 @@ TextureUnit compile_texture_unit(const TextureImage& image,
     unit.valid = true;
     unit.kind = shape.kind;
     unit.format = shape.format;
+    unit.srgb = image.srgb && !format_info(shape.format).is_depth;
     unit.dimensions = filter_dimensions(shape.kind);
     unit.border = static_cast<std::int32_t>(shape.border);
     unit.last_level = std::min<std::uint32_t>(sampler.max_level, shape.levels - 1);

@@ -34,6 +34,7 @@ struct TextureUnit {
 
     TextureKind kind = TextureKind::None;
     Format format = Format::None;
+    bool srgb = false;                  // r, g and b of its texels become linear light
     unsigned dimensions = 2;            // of the filter: 1, 2 or 3
     std::array<std::int32_t, 3> size{}; // of level 0, in texels, without the border
     std::int32_t border = 0;            // texels stored around the image: 0 or 1

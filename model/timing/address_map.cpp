@@ -20,14 +20,15 @@ PlacedLevel AddressMap::place_level(const TextureImage& image, std::uint32_t lev
     const std::uint32_t border_y = image.shape.kind == TextureKind::OneD ? 0 : border;
 
     PlacedLevel placed;
-    placed.block = format.block_width;
+    placed.block_width = format.block_width;
+    placed.block_height = format.block_height;
     placed.border = border;
     placed.layout =
         ImageLayout::make(config_.texel_cache.layout,
                           config_.texel_cache.block_width,
                           config_.texel_cache.superblock_width,
-                          (device.width + 2 * border + placed.block - 1) / placed.block,
-                          (device.height + 2 * border_y + placed.block - 1) / placed.block,
+                          (device.width + 2 * border + placed.block_width - 1) / placed.block_width,
+                          block_rows(image.shape.format, device.height + 2 * border_y),
                           format.block_bytes);
     placed.layer_bytes = placed.layout.bytes();
     placed.base = place(placed.layer_bytes * device.layers);

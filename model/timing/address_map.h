@@ -20,12 +20,13 @@ struct PlacedLevel {
     ImageLayout layout;
     std::uint64_t base = 0;
     std::uint64_t layer_bytes = 0;
-    std::uint32_t block = 1; // texels a side of an element (4 for S3TC)
+    std::uint32_t block_width = 1; // texels of an element (4x4 for S3TC)
+    std::uint32_t block_height = 1;
     std::uint32_t border = 0;
 
     // Texel (x, y) of layer `layer`, borders counted from 0 as TexelAccess does.
     std::uint64_t address(std::uint32_t x, std::uint32_t y, std::uint32_t layer) const {
-        return base + layer * layer_bytes + layout.offset(x / block, y / block);
+        return base + layer * layer_bytes + layout.offset(x / block_width, y / block_height);
     }
 };
 

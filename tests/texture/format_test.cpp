@@ -53,6 +53,31 @@ TEST_CASE("packed formats widen every value to the nearest 8 bits") {
     }
 }
 
+TEST_CASE("sRGB texels are read as linear light before they are filtered") {
+    TextureMemory memory(TextureShape{TextureKind::TwoD, Format::Rgba8, 2, 1, 1, 1, 0});
+    memory.image.srgb = true;
+    memory.put_rgba8(0, 0, 0, 0, 0x80ff8000u); // r 0, g 128, b 255, a 128
+    memory.put_rgba8(0, 0, 1, 0, 0x00ff80ffu);
+    const TextureUnit nearest = memory.compile(nearest_sampler());
+    CHECK(sample_point(nearest, {0.25f, 0.5f}) == Color{0, 55, 255, 128});
+    // Between codes 0 and 255 lies half of the light, not the light of half the code.
+    const TextureUnit linear = memory.compile(linear_sampler(Wrap::ClampToEdge));
+    CHECK(sample_point(linear, {0.5f, 0.5f}) == Color{128, 55, 255, 64});
+}
+
+TEST_CASE("the border colour of an sRGB texture is linear already, a stored border is not") {
+    TextureMemory memory(TextureShape{TextureKind::TwoD, Format::Luminance8, 1, 1, 1, 1, 0});
+    memory.image.srgb = true;
+    Sampler sampler = nearest_sampler(Wrap::ClampToBorder);
+    sampler.border_color = 0xff808080u;
+    CHECK(sample_point(memory.compile(sampler), {2, 0.5f}) == Color{128, 128, 128, 255});
+
+    TextureMemory stored(TextureShape{TextureKind::TwoD, Format::Luminance8, 1, 1, 1, 1, 1});
+    stored.image.srgb = true;
+    *stored.at(0, 0, 2, 1) = std::byte{128};
+    CHECK(sample_point(stored.compile(sampler), {2, 0.5f}) == Color{55, 55, 55, 255});
+}
+
 // A block of DXT1: two colours, and codes 0 1 2 3 in each row, from the left.
 struct Block {
     std::array<std::byte, 16> bytes{};

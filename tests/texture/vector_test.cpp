@@ -33,7 +33,7 @@ float random_float(Random& random) {
 TextureShape random_shape(Random& random) {
     TextureShape shape;
     shape.kind = static_cast<TextureKind>(1 + below(random, 5));
-    shape.format = static_cast<Format>(1 + below(random, 15));
+    shape.format = static_cast<Format>(1 + below(random, static_cast<unsigned>(Format::Depth24Stencil8)));
     const std::uint32_t most = shape.kind == TextureKind::ThreeD ? 16 : 70;
     const auto size = [&] {
         const std::uint32_t any = 1 + below(random, most);
@@ -153,13 +153,14 @@ void compare_states(unsigned seed, unsigned states) {
     Random random(seed);
     for (unsigned state = 0; state < states; ++state) {
         TextureMemory memory(random_shape(random), 64 * below(random, 4));
+        memory.image.srgb = random() % 4 == 0;
         memory.fill_random(random);
         const Sampler sampler = random_sampler(random);
         const TextureUnit unit = memory.compile(sampler);
         INFO("state " << state << " kind " << static_cast<int>(unit.kind) << " format "
                       << static_cast<int>(unit.format) << " wrap "
                       << static_cast<int>(sampler.wrap[0]) << " size " << unit.size[0] << " x "
-                      << unit.size[1] << " border " << unit.border);
+                      << unit.size[1] << " border " << unit.border << " srgb " << unit.srgb);
         REQUIRE(unit.valid);
         for (unsigned batch = 0; batch < 3; ++batch)
             compare_batches(unit, random);
