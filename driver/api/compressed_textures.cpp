@@ -29,7 +29,8 @@ void define_compressed(Context& context,
                        ImageDefinition definition,
                        const Blocks& blocks) {
     const auto target = image_target_of(token, dimensions);
-    if (!target || !is_s3tc(definition.internal_format)) return context.error(GL_INVALID_ENUM);
+    if (!target || !is_specific_compressed(definition.internal_format))
+        return context.error(GL_INVALID_ENUM);
     definition.target = *target;
     if (const GLenum error = definition_error(definition)) {
         return context.error(definition.border != 0 ? GL_INVALID_VALUE : error);
@@ -55,7 +56,8 @@ void change_compressed(Context& context,
                        GLenum format,
                        const Blocks& blocks) {
     const auto target = image_target_of(token, dimensions);
-    if (!target || target->proxy || !is_s3tc(format)) return context.error(GL_INVALID_ENUM);
+    if (!target || target->proxy || !is_specific_compressed(format))
+        return context.error(GL_INVALID_ENUM);
     if (const GLenum error = level_error(*target, level)) return context.error(error);
     TextureObject& texture = bound_texture(context, *target);
     const ImageName name{target->face, static_cast<unsigned>(level)};

@@ -4,8 +4,8 @@
 #include "driver/context/context.h"
 #include "driver/entry_points/declarations.h"
 #include "driver/pixel/read_target.h"
+#include "driver/texture/block_codec.h"
 #include "driver/texture/image_commands.h"
-#include "driver/texture/s3tc.h"
 #include "driver/texture/texel_codec.h"
 
 namespace ffgpu::gl::api {
@@ -32,12 +32,20 @@ Copy clip_copy(const Surface& source, const PixelRectangle& asked, TexelBox box)
     return {source, inside, box};
 }
 
+// Luminance and intensity are read as red (GL 1.5, table 6.1 in place of 4.3), where the device's
+// copies spread them over red, green and blue.
+bool is_red_alone(Format format) {
+    return format == Format::Luminance8 || format == Format::LuminanceAlpha8 ||
+           format == Format::Intensity8;
+}
+
 bool copy_on_device(Context& context, TextureObject& texture, ImageName name, const Copy& copy) {
     const Format format = texture.level(name.face, name.level).format.format;
     const PixelState& transfer = context.state.pixel;
     const bool depth = format_info(format).is_depth;
     if (is_compressed(format) || (depth ? !keeps_depths(transfer) : !keeps_colors(transfer)))
         return false;
+    if (is_red_alone(copy.source.format) && copy.source.format != format) return false;
     const Surface destination = image_memory(device_memory(context), texture, name, copy.box.z);
     if (destination.format == Format::None) return false;
     CommandStream commands;
@@ -70,15 +78,15 @@ converted_pixels(const PixelState& transfer, const Copy& copy, const std::byte* 
     transfer_colors(transfer, colors);
     encode_colors(stored, colors, texels.data());
     if (!is_compressed(to)) return texels;
-    return compress(to, texels.data(), copy.box.width, copy.box.height);
+    return compress(to, texels.data(), {copy.box.width, copy.box.height});
 }
 
 // The surface that an image of this format is copied from; the error is recorded where there is
 // none.
 std::optional<Surface> find_source(Context& context, BaseFormat base) {
     const ReadTarget target = find_read_target(context);
-    if (target.status != GL_FRAMEBUFFER_COMPLETE) {
-        context.error(GL_INVALID_FRAMEBUFFER_OPERATION);
+    if (const GLenum error = target.pixels_error()) {
+        context.error(error);
         return std::nullopt;
     }
     const bool found = is_depth(base)
@@ -88,7 +96,7 @@ std::optional<Surface> find_source(Context& context, BaseFormat base) {
         context.error(GL_INVALID_OPERATION);
         return std::nullopt;
     }
-    return is_depth(base) ? target.depth : target.color;
+    return is_depth(base) ? target.pixel_depths() : target.pixel_colors();
 }
 
 // The error of the source has been looked for.

@@ -118,7 +118,7 @@ bool parameter_of(const Attached& attached, GLenum name, GLint& value) {
         value = attached.bits.stencil != 0 ? GL_INDEX : GL_UNSIGNED_NORMALIZED;
         return true;
     case GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING:
-        value = GL_LINEAR;
+        value = attached.image && attached.image->format().srgb ? GL_SRGB : GL_LINEAR;
         return true;
     default:
         return attached.image && attached.image->texture &&

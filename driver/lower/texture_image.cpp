@@ -22,6 +22,7 @@ TextureImage lower_texture_image(TextureObject& texture) {
     image.shape.levels = chain.last - chain.base + 1;
     image.address = static_cast<DeviceAddress>(resident.block.address() +
                                                level_layout(resident.shape, skipped).offset);
+    image.srgb = chain.srgb;
     return image;
 }
 

@@ -60,6 +60,7 @@ struct TextureChain {
     unsigned last = 0;     // the last one
     bool complete = false; // GL 1.5, 3.8.10: the texture can be used with its filters
     BaseFormat base_format = BaseFormat::None;
+    bool srgb = false;
 };
 
 class TextureObject {

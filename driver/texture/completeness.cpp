@@ -122,6 +122,7 @@ TextureChain find_chain(const TextureObject& texture) {
     chain.base = base;
     chain.last = std::clamp(needed_last, base, last);
     chain.base_format = image->format.base;
+    chain.srgb = image->format.srgb;
 
     chain.complete = all_faces_defined(texture, base);
     if (texture.target() == TextureTarget::Cube && base_extent.width != base_extent.height) {

@@ -17,8 +17,8 @@ struct Span {
     bool inside() const {
         return offset >= -border && count >= 0 && offset + count <= size - border;
     }
-    bool keeps_blocks() const {
-        return offset % 4 == 0 && (count % 4 == 0 || offset + count == size);
+    bool keeps_blocks(unsigned block) const {
+        return offset % block == 0 && (count % block == 0 || offset + count == size);
     }
 };
 
@@ -47,10 +47,12 @@ GLenum definition_error(const ImageDefinition& definition) {
     // Depth cube maps came with EXT_gpu_shader4 and GL 3.0; packed depth-stencil uses them earlier.
     const BaseFormat base = texture_format(internal_format).base;
     if (is_depth(base) && target.target == TextureTarget::ThreeD) return GL_INVALID_OPERATION;
-    if (is_s3tc(internal_format)) { // Blocks are two-dimensional and have no border.
+    if (is_specific_compressed(internal_format)) { // Blocks are two-dimensional and have no border.
         if (target.target == TextureTarget::OneD || target.target == TextureTarget::Rectangle)
             return GL_INVALID_ENUM;
-        if (target.target == TextureTarget::ThreeD || border != 0) return GL_INVALID_OPERATION;
+        const bool solid = target.target == TextureTarget::ThreeD;
+        if (border != 0 || (solid && !is_fxt1(texture_format(internal_format).format)))
+            return GL_INVALID_OPERATION;
     }
     return GL_NO_ERROR;
 }
@@ -86,7 +88,8 @@ GLenum part_error(const TextureLevel& image, const ImageTarget& target, const Im
     const Span y{part.y, part.size.height, image.height, border_y};
     const Span z{part.z, part.size.depth, image.depth, border_z};
     if (!x.inside() || !y.inside() || !z.inside()) return GL_INVALID_VALUE;
-    if (is_compressed(image.format.format) && !(x.keeps_blocks() && y.keeps_blocks()))
+    const FormatInfo& info = format_info(image.format.format);
+    if (!x.keeps_blocks(info.block_width) || !y.keeps_blocks(info.block_height))
         return GL_INVALID_OPERATION;
     return GL_NO_ERROR;
 }

@@ -1,6 +1,6 @@
 #include "driver/pixel/pixel_format.h"
+#include "driver/texture/block_codec.h"
 #include "driver/texture/image_upload.h"
-#include "driver/texture/s3tc.h"
 #include "driver/texture/texel_codec.h"
 
 #include <cstring>
@@ -57,7 +57,7 @@ void pack_texels(const PixelDestination& destination,
     RowPacker pack(destination, stored);
     for (GLsizei z = 0; z < destination.size.depth; ++z, texels += layer) {
         const std::vector<std::byte> decoded =
-            compressed ? decompress(format.format, texels, width, height)
+            compressed ? decompress(format.format, texels, {width, height})
                        : std::vector<std::byte>{};
         const std::byte* rows = compressed ? decoded.data() : texels;
         for (GLsizei y = 0; y < destination.size.height; ++y, rows += row_bytes(stored, width))

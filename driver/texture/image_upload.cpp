@@ -1,7 +1,7 @@
 #include "driver/texture/image_upload.h"
 
 #include "driver/pixel/pixel_format.h"
-#include "driver/texture/s3tc.h"
+#include "driver/texture/block_codec.h"
 #include "driver/texture/texel_codec.h"
 
 #include <cstring>
@@ -82,7 +82,7 @@ unpack_texels(const PixelSource& source, const PixelState& transfer, InternalFor
     if (is_compressed(format.format)) {
         for (GLsizei z = 0; z < source.size.depth; ++z) {
             const auto rgba = rgba_layer(source, transfer, z);
-            const auto blocks = compress(format.format, rgba.data(), width, height);
+            const auto blocks = compress(format.format, rgba.data(), {width, height});
             std::memcpy(texels.data() + static_cast<std::size_t>(z) * layer, blocks.data(), layer);
         }
     } else if (format_info(format.format).is_depth) {

@@ -11,6 +11,7 @@ struct Row {
     GLenum token;
     BaseFormat base;
     Format format;
+    bool srgb = false;
 };
 
 using enum BaseFormat;
@@ -78,6 +79,25 @@ constexpr std::array Table{
     Row{GL_COMPRESSED_RGBA_S3TC_DXT1_EXT, Rgba, Format::Dxt1Rgba},
     Row{GL_COMPRESSED_RGBA_S3TC_DXT3_EXT, Rgba, Format::Dxt3},
     Row{GL_COMPRESSED_RGBA_S3TC_DXT5_EXT, Rgba, Format::Dxt5},
+    Row{GL_COMPRESSED_RGB_FXT1_3DFX, Rgb, Format::Fxt1Rgb},
+    Row{GL_COMPRESSED_RGBA_FXT1_3DFX, Rgba, Format::Fxt1Rgba},
+
+    Row{GL_SRGB, Rgb, Format::Rgbx8, true},
+    Row{GL_SRGB8, Rgb, Format::Rgbx8, true},
+    Row{GL_SRGB_ALPHA, Rgba, Format::Rgba8, true},
+    Row{GL_SRGB8_ALPHA8, Rgba, Format::Rgba8, true},
+    Row{GL_SLUMINANCE, Luminance, Format::Luminance8, true},
+    Row{GL_SLUMINANCE8, Luminance, Format::Luminance8, true},
+    Row{GL_SLUMINANCE_ALPHA, LuminanceAlpha, Format::LuminanceAlpha8, true},
+    Row{GL_SLUMINANCE8_ALPHA8, LuminanceAlpha, Format::LuminanceAlpha8, true},
+    Row{GL_COMPRESSED_SRGB, Rgb, Format::Rgbx8, true},
+    Row{GL_COMPRESSED_SRGB_ALPHA, Rgba, Format::Rgba8, true},
+    Row{GL_COMPRESSED_SLUMINANCE, Luminance, Format::Luminance8, true},
+    Row{GL_COMPRESSED_SLUMINANCE_ALPHA, LuminanceAlpha, Format::LuminanceAlpha8, true},
+    Row{GL_COMPRESSED_SRGB_S3TC_DXT1_EXT, Rgb, Format::Dxt1Rgb, true},
+    Row{GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT, Rgba, Format::Dxt1Rgba, true},
+    Row{GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT, Rgba, Format::Dxt3, true},
+    Row{GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT, Rgba, Format::Dxt5, true},
 };
 
 } // namespace
@@ -85,7 +105,8 @@ constexpr std::array Table{
 InternalFormat texture_format(GLenum internal_format) {
     const auto named = [&](const Row& row) { return row.token == internal_format; };
     const auto row = std::find_if(Table.begin(), Table.end(), named);
-    return row == Table.end() ? InternalFormat{} : InternalFormat{row->base, row->format};
+    return row == Table.end() ? InternalFormat{}
+                              : InternalFormat{row->base, row->format, row->srgb};
 }
 
 InternalFormat renderbuffer_format(GLenum internal_format) {
@@ -100,10 +121,9 @@ InternalFormat renderbuffer_format(GLenum internal_format) {
         break;
     }
     const InternalFormat format = texture_format(internal_format);
-    const bool compressed =
-        queried_format(internal_format) != internal_format || is_s3tc(internal_format);
-    if (compressed || internal_format <= 4) return {};
-    return format.base == Rgba ? InternalFormat{Rgba, Format::Rgba8} : format;
+    const bool compressed = queried_format(internal_format) != internal_format ||
+                            is_specific_compressed(internal_format);
+    return compressed || internal_format <= 4 ? InternalFormat{} : format;
 }
 
 ComponentBits component_bits(InternalFormat format) {
@@ -138,6 +158,7 @@ ComponentBits component_bits(InternalFormat format) {
         return {5, 5, 5, 1};
     // Of compressed formats the components' resolution is an approximation (GL 1.5, 6.1.3).
     case Format::Dxt1Rgb:
+    case Format::Fxt1Rgb:
         return {5, 6, 5, 0};
     case Format::Dxt1Rgba:
         return {5, 6, 5, 1};
@@ -145,6 +166,8 @@ ComponentBits component_bits(InternalFormat format) {
         return {5, 6, 5, 4};
     case Format::Dxt5:
         return {5, 6, 5, 8};
+    case Format::Fxt1Rgba:
+        return {5, 5, 5, 5};
     default:
         return {};
     }
@@ -155,14 +178,18 @@ GLenum queried_format(GLenum internal_format) {
     case GL_COMPRESSED_ALPHA:
         return GL_ALPHA;
     case GL_COMPRESSED_LUMINANCE:
+    case GL_COMPRESSED_SLUMINANCE:
         return GL_LUMINANCE;
     case GL_COMPRESSED_LUMINANCE_ALPHA:
+    case GL_COMPRESSED_SLUMINANCE_ALPHA:
         return GL_LUMINANCE_ALPHA;
     case GL_COMPRESSED_INTENSITY:
         return GL_INTENSITY;
     case GL_COMPRESSED_RGB:
+    case GL_COMPRESSED_SRGB:
         return GL_RGB;
     case GL_COMPRESSED_RGBA:
+    case GL_COMPRESSED_SRGB_ALPHA:
         return GL_RGBA;
     default:
         return internal_format;
@@ -173,22 +200,17 @@ bool is_compressed(Format format) {
     return format_info(format).block_width > 1;
 }
 
-bool is_s3tc(GLenum internal_format) {
-    return internal_format >= GL_COMPRESSED_RGB_S3TC_DXT1_EXT &&
-           internal_format <= GL_COMPRESSED_RGBA_S3TC_DXT5_EXT;
+bool is_fxt1(Format format) {
+    return format == Format::Fxt1Rgb || format == Format::Fxt1Rgba;
+}
+
+bool is_specific_compressed(GLenum internal_format) {
+    return is_compressed(texture_format(internal_format).format);
 }
 
 bool is_renderable(Format format) {
-    switch (format) {
-    case Format::Rgba8:
-    case Format::Rgbx8:
-    case Format::Rgb565:
-    case Format::Depth16:
-    case Format::Depth24Stencil8:
-        return true;
-    default:
-        return false;
-    }
+    const bool plain_color = format >= Format::Rgba8 && format <= Format::Rgb5a1;
+    return plain_color || format_info(format).is_depth;
 }
 
 } // namespace ffgpu::gl

@@ -32,24 +32,25 @@ struct ComponentBits {
 struct InternalFormat {
     BaseFormat base = BaseFormat::None;
     Format format = Format::None;
+    bool srgb = false; // red, green and blue are sRGB codes (EXT_texture_sRGB)
 };
 
 // base None: GL does not know it as a texture's internal format. Formats wider than the device's
 // are stored in 8 bits a channel; generic compressed formats are stored uncompressed.
 InternalFormat texture_format(GLenum internal_format);
 
-// The same of a renderbuffer: Rgba8, Rgbx8, Rgb565, Depth16, Depth24Stencil8, or a format that no
-// framebuffer supports (ARB_framebuffer_object takes ALPHA, LUMINANCE and the like). Not
-// compressed.
+// The same of a renderbuffer, where stencil indices are formats too and compressed ones are not.
 InternalFormat renderbuffer_format(GLenum internal_format);
 
 ComponentBits component_bits(InternalFormat format);
 
-// The internal format that a query returns: generic compressed formats are resolved.
+// The internal format that a query returns: of generic compressed formats, which are stored
+// uncompressed, the base internal format (ARB_texture_compression); of sRGB ones too.
 GLenum queried_format(GLenum internal_format);
 
-bool is_compressed(Format format); // S3TC
-bool is_s3tc(GLenum internal_format);
-bool is_renderable(Format format); // as a colour, depth or stencil attachment
+bool is_compressed(Format format); // S3TC or FXT1
+bool is_fxt1(Format format);
+bool is_specific_compressed(GLenum internal_format); // the same of GL's name; not generic ones
+bool is_renderable(Format format);                   // as a colour, depth or stencil attachment
 
 } // namespace ffgpu::gl

@@ -1,7 +1,8 @@
 #include "driver/texture/mipmap.h"
 
-#include "driver/texture/s3tc.h"
+#include "driver/texture/block_codec.h"
 #include "driver/texture/texel_codec.h"
+#include "model/arith/srgb.h"
 
 #include <algorithm>
 #include <cstring>
@@ -69,10 +70,19 @@ struct Fields {
     std::uint8_t count = 0;
     std::uint8_t shift[4] = {};
     std::uint8_t bits[4] = {};
+    bool srgb[4] = {}; // The mean is one of linear light.
+
+    std::uint32_t load(std::size_t channel, std::uint32_t word) const {
+        const std::uint32_t value = word >> shift[channel] & ((1u << bits[channel]) - 1);
+        return srgb[channel] ? SrgbToLinear16[value] : value;
+    }
+    std::uint32_t store(std::size_t channel, std::uint32_t mean) const {
+        return std::uint32_t{srgb[channel] ? srgb_from_linear16(mean) : mean} << shift[channel];
+    }
 };
 
-Fields fields_of(Format format) {
-    switch (format) {
+Fields fields_of(InternalFormat format) {
+    switch (format.format) {
     case Format::Rgb565:
         return {3, {11, 5, 0}, {5, 6, 5}};
     case Format::Rgba4:
@@ -86,8 +96,11 @@ Fields fields_of(Format format) {
     default:
         break;
     }
-    const std::uint8_t channels = byte_channels(format).count;
-    return {channels, {0, 8, 16, 24}, {8, 8, 8, 8}};
+    const ByteChannels channels = byte_channels(format.format);
+    Fields fields{channels.count, {0, 8, 16, 24}, {8, 8, 8, 8}, {}};
+    for (std::size_t c = 0; c < channels.count; ++c)
+        fields.srgb[c] = format.srgb && channels.channel[c] < 3;
+    return fields;
 }
 
 std::uint32_t load_word(const std::byte* at, std::size_t bytes) {
@@ -102,7 +115,7 @@ struct Mean {
     Fields fields;
 
     Mean(const TextureLevel& from, const TextureLevel& to)
-        : fields(fields_of(from.format.format)) {
+        : fields(fields_of(from.format)) {
         const bool flat = from.height == 1 && to.height == 1; // One dimension has no border in y.
         const bool solid = from.depth > 1 || to.depth > 1;
         axes = {make_axis(from.width, to.width, from.border),
@@ -116,13 +129,12 @@ struct Mean {
         for_each_tap(x, y, z, [&](auto i, auto j, auto k, std::uint64_t weight) {
             const std::uint32_t word = word_at(i, j, k);
             for (std::size_t c = 0; c < fields.count; ++c)
-                sums[c] += weight * (word >> fields.shift[c] & ((1u << fields.bits[c]) - 1));
+                sums[c] += weight * fields.load(c, word);
         });
         const std::uint64_t total = axes.total();
         std::uint32_t result = 0;
-        for (std::size_t c = 0; c < fields.count; ++c) {
-            result |= static_cast<std::uint32_t>((sums[c] + total / 2) / total) << fields.shift[c];
-        }
+        for (std::size_t c = 0; c < fields.count; ++c)
+            result |= fields.store(c, static_cast<std::uint32_t>((sums[c] + total / 2) / total));
         return result;
     }
 };
@@ -134,7 +146,7 @@ bool halve_words_of_bytes(const TextureLevel& from,
                           std::byte* result) {
     const Format format = from.format.format;
     const bool four_bytes = format == Format::Rgba8 || format == Format::Rgbx8;
-    if (!four_bytes || from.border != 0 || from.depth != 1) return false;
+    if (!four_bytes || from.format.srgb || from.border != 0 || from.depth != 1) return false;
     if (from.width != 2 * to.width || from.height != 2 * to.height) return false;
     const std::size_t row = std::size_t{4} * whole(from.width);
     for (std::size_t y = 0; y < whole(to.height); ++y) {
@@ -166,13 +178,17 @@ TextureLevel next_level(const TextureLevel& above, TextureTarget target) {
     return level;
 }
 
-// An S3TC level is taken apart, halved and compressed again.
+BlockImageSize size_of(const TextureLevel& level) {
+    return {whole(level.width), whole(level.height), whole(level.depth)};
+}
+
+// A compressed level is taken apart, halved and compressed again.
 std::vector<std::byte>
 halve_compressed(const TextureLevel& from, const TextureLevel& to, std::vector<std::byte>& rgba) {
     TextureLevel above = from, below = to;
     above.format.format = below.format.format = Format::Rgba8;
     rgba = halve_image(above, below, rgba);
-    return compress(from.format.format, rgba.data(), whole(to.width), whole(to.height));
+    return compress(from.format.format, rgba.data(), size_of(to));
 }
 
 } // namespace
@@ -212,8 +228,7 @@ void generate_mipmaps(DeviceMemory memory, TextureObject& texture, unsigned face
     const bool compressed = is_compressed(above->format.format);
     std::vector<std::byte> texels = read_texels(memory, texture, {face, number}, whole_box(*above));
     if (compressed) {
-        texels = decompress(
-            above->format.format, texels.data(), whole(above->width), whole(above->height));
+        texels = decompress(above->format.format, texels.data(), size_of(*above));
     }
     const GLint last = std::min<GLint>(parameters.max_level, MaxTextureLevels - 1);
     while (static_cast<GLint>(number) < last) {

@@ -8,7 +8,7 @@ namespace ffgpu::gl {
 
 // Replaces the levels after the base level, down to one texel or the maximum level, of one face.
 // Each texel is the mean of the part of the level above that it covers: of four texels, where sizes
-// are powers of two.
+// are powers of two. Means of sRGB images are means of light, their alpha's of the stored values.
 void generate_mipmaps(DeviceMemory memory, TextureObject& texture, unsigned face);
 
 // Texels of the next smaller level, of an uncompressed format; sizes include the border, whose

@@ -150,16 +150,6 @@ std::uint64_t encode_alpha8(const TexelBlock& texels) {
     return codes << 16 | low << 8 | high;
 }
 
-// Calls visitor(block number, x, y) with the first texel of each block.
-template <class Visitor>
-void for_each_block(std::uint32_t width, std::uint32_t height, Visitor&& visitor) {
-    std::size_t block = 0;
-    for (std::uint32_t y = 0; y < height; y += 4) {
-        for (std::uint32_t x = 0; x < width; x += 4)
-            visitor(block++, x, y);
-    }
-}
-
 } // namespace
 
 TexelBlock decode_block(Format format, const std::byte* block) {
@@ -189,38 +179,6 @@ void encode_block(Format format, const TexelBlock& texels, std::byte* block) {
         block += sizeof alphas;
     }
     encode_colors(format, texels, block);
-}
-
-std::vector<std::byte>
-compress(Format format, const std::byte* rgba, std::uint32_t width, std::uint32_t height) {
-    const std::size_t block_bytes = format_info(format).block_bytes;
-    std::vector<std::byte> blocks(std::size_t{row_bytes(format, width)} *
-                                  block_rows(format, height));
-    for_each_block(width, height, [&](std::size_t number, std::uint32_t x, std::uint32_t y) {
-        TexelBlock texels;
-        for (std::uint32_t i = 0; i < 16; ++i) {
-            const std::size_t column = std::min(x + i % 4, width - 1);
-            const std::size_t row = std::min(y + i / 4, height - 1);
-            std::memcpy(texels[i].data(), rgba + 4 * (row * width + column), 4);
-        }
-        encode_block(format, texels, blocks.data() + number * block_bytes);
-    });
-    return blocks;
-}
-
-std::vector<std::byte>
-decompress(Format format, const std::byte* blocks, std::uint32_t width, std::uint32_t height) {
-    const std::size_t block_bytes = format_info(format).block_bytes;
-    std::vector<std::byte> rgba(std::size_t{width} * height * 4);
-    for_each_block(width, height, [&](std::size_t number, std::uint32_t x, std::uint32_t y) {
-        const TexelBlock texels = decode_block(format, blocks + number * block_bytes);
-        for (std::uint32_t i = 0; i < 16; ++i) {
-            if (x + i % 4 >= width || y + i / 4 >= height) continue;
-            const std::size_t at = std::size_t{y + i / 4} * width + x + i % 4;
-            std::memcpy(rgba.data() + 4 * at, texels[i].data(), 4);
-        }
-    });
-    return rgba;
 }
 
 } // namespace ffgpu::gl

@@ -1,5 +1,4 @@
-// S3TC blocks of 4x4 texels (EXT_texture_compression_s3tc), for images that the driver itself must
-// compress or take apart. Applications' own blocks go to the device as they are.
+// S3TC blocks of 4x4 texels (EXT_texture_compression_s3tc).
 
 #pragma once
 
@@ -8,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace ffgpu::gl {
 
@@ -21,12 +19,5 @@ TexelBlock decode_block(Format format, const std::byte* block);
 
 // The ends of the palette are the corners of the colours' bounding box.
 void encode_block(Format format, const TexelBlock& texels, std::byte* block);
-
-// An image of r g b a bytes, rows without padding, to and from blocks. Texels beyond the edge
-// repeat the last ones.
-std::vector<std::byte>
-compress(Format format, const std::byte* rgba, std::uint32_t width, std::uint32_t height);
-std::vector<std::byte>
-decompress(Format format, const std::byte* blocks, std::uint32_t width, std::uint32_t height);
 
 } // namespace ffgpu::gl

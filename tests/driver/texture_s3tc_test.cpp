@@ -1,5 +1,6 @@
 // The driver's S3TC against the sampler's.
 
+#include "driver/texture/block_codec.h"
 #include "driver/texture/s3tc.h"
 #include "model/texture/s3tc.h"
 
@@ -93,8 +94,8 @@ TEST_CASE("images that end within a block keep their texels") {
     for (std::size_t i = 0; i < width * height; i += 2)
         rgba[4 * i] = rgba[4 * i + 1] = rgba[4 * i + 2] = std::byte{0};
     for (const Format format : Formats) {
-        const auto blocks = compress(format, rgba.data(), width, height);
+        const auto blocks = compress(format, rgba.data(), {width, height});
         CHECK(blocks.size() == std::size_t{4} * format_info(format).block_bytes);
-        CHECK(decompress(format, blocks.data(), width, height) == rgba);
+        CHECK(decompress(format, blocks.data(), {width, height}) == rgba);
     }
 }
