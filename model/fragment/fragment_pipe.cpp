@@ -2,7 +2,8 @@
 
 #include "model/fragment/alpha_test.h"
 #include "model/fragment/color_sum.h"
-#include "model/fragment/quad_access.h"
+#include "model/fragment/depth_target.h"
+#include "model/fragment/sample_pipe.h"
 
 namespace ffgpu {
 namespace {
@@ -16,24 +17,8 @@ ColorTarget compile_color_target(const Surface& surface, std::uint8_t write_mask
     return {surface, static_cast<std::uint8_t>(write_mask & (has_alpha ? 0xf : 0x7))};
 }
 
-// Loads, tests and stores the live fragments' pixels of the depth target.
 StencilDepthFates visit_depth_target(const FragmentPipe& pipe, const FragmentBatch& batch) {
-    const StencilDepthState& state = pipe.stencil_depth;
-    if (!state.active() || !batch.live.any()) return {batch.live, batch.live};
-    LaneWords pixels;
-    const bool narrow = state.format == Format::Depth16;
-    load_quads(pipe.depth_target, pipe.memory, batch, pixels);
-    if (narrow)
-        for (std::uint32_t& pixel : pixels.words)
-            pixel <<= 8;
-    const StencilDepthFates fates = test_stencil_depth(state, batch, pixels);
-    if (!state.writes()) return fates;
-    if (narrow)
-        for (std::uint32_t& pixel : pixels.words)
-            pixel >>= 8;
-    const FragmentMask& written = state.stencil ? batch.live : fates.after_depth;
-    store_quads(pipe.depth_target, pipe.memory, batch, written, pixels);
-    return fates;
+    return test_depth_target(pipe.stencil_depth, pipe.depth_target, batch, pipe.memory);
 }
 
 } // namespace
@@ -44,6 +29,7 @@ FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> 
     pipe.registers = state.registers;
     pipe.memory = memory;
     pipe.sampled_units = state.units;
+    pipe.samples = state.samples;
     pipe.antialias = state.antialias;
     pipe.environments = compile_environments(registers.combiners, state.units);
     pipe.fog = compile_fog(registers.fog);
@@ -65,6 +51,7 @@ FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> 
 }
 
 void early_depth_test(const FragmentPipe& pipe, FragmentBatch& batch) {
+    if (pipe.samples > 1) return early_depth_test_samples(pipe, batch);
     if (pipe.early_depth) batch.live = visit_depth_target(pipe, batch).after_depth;
 }
 
@@ -76,6 +63,8 @@ void shade(const FragmentPipe& pipe, FragmentBatch& batch) {
 }
 
 void write(const FragmentPipe& pipe, FragmentBatch& batch, FragmentFates& fates) {
+    if (pipe.samples > 1) return write_samples(pipe, batch, fates);
+    fates.after_coverage = batch.live;
     batch.live = alpha_test(pipe.registers->fragment, batch);
     fates.after_alpha = fates.after_stencil = fates.after_depth = batch.live;
     if (!pipe.early_depth) {

@@ -1,8 +1,10 @@
 // The fragment pipe behind the texture units: from samples to pixels.
 //
-//     early_depth_test   kills hidden fragments before they are textured, where that changes
-//     nothing shade              texture environments, colour sum, fog, antialiasing coverage write
-//     alpha test, stencil and depth, blending or logic operation, masks, dither
+//     early_depth_test   kills hidden fragments before they are textured, where nobody can tell
+//     shade              texture environments, colour sum, fog, antialiasing coverage
+//     write              alpha test, stencil and depth, blending or logic operation, masks, dither
+//
+// With several samples a pixel, sample_pipe.h carries out the first and the last for each sample.
 //
 // A stage is a file: its scalar functions are its specification (and fragment_reference.h the
 // pipe made of them), its _simd.cpp file computes the same bits on a batch.
@@ -31,6 +33,7 @@ struct FragmentPipe {
     std::span<std::byte> memory;
 
     std::uint8_t sampled_units = 0; // DrawState::units
+    std::uint8_t samples = 1;       // of a pixel of the targets
     bool early_depth = false;       // early_depth_test() does what write() would do later.
     bool antialias = false;
     EnvironmentProgram environments;
@@ -50,13 +53,14 @@ void early_depth_test(const FragmentPipe& pipe, FragmentBatch& batch);
 // lane.
 void shade(const FragmentPipe& pipe, FragmentBatch& batch);
 
-// The fragments left after each test; the tests of a stage that is off let all pass.
+// The fragments left after each test; the tests of a stage that is off let all pass. A fragment of
+// multisampled targets is left as long as one of its samples is.
 struct FragmentFates {
-    FragmentMask after_alpha, after_stencil, after_depth;
+    FragmentMask after_coverage, after_alpha, after_stencil, after_depth;
 };
 
-// Only pixels of live fragments are touched. `live` ends as after_depth: what occlusion queries
-// count.
+// Only pixels of live fragments are touched, of several samples those that the fragment covers.
+// `live` and `samples` end as what passed all tests: what occlusion queries count.
 void write(const FragmentPipe& pipe, FragmentBatch& batch, FragmentFates& fates);
 
 } // namespace ffgpu

@@ -2,6 +2,7 @@
 
 #include "model/fragment/alpha_test.h"
 #include "model/fragment/color_sum.h"
+#include "model/fragment/sample_mask.h"
 
 namespace ffgpu {
 namespace {
@@ -70,15 +71,30 @@ void store_stencil_depth(Format format, StencilDepthPixel pixel, std::byte* at) 
     store_word(at, pixel.depth << 8 | pixel.stencil);
 }
 
+// One of a fragment's samples; single-sampled targets have sample 0 alone.
+struct Sample {
+    unsigned lane, index;
+};
+
+bool is_covered(const FragmentBatch& batch, const FragmentPipe& pipe, Sample sample) {
+    return (pipe.samples > 1 ? batch.samples[sample.index] : batch.live).test(sample.lane);
+}
+
+std::uint32_t depth(const FragmentBatch& batch, const FragmentPipe& pipe, Sample sample) {
+    return pipe.samples > 1 && batch.has_sample_depths
+               ? batch.sample_depth[sample.index][sample.lane]
+               : batch.depth[sample.lane];
+}
+
 StencilDepthResult
-visit_depth_target(const FragmentPipe& pipe, const FragmentBatch& batch, unsigned lane) {
+visit_depth_target(const FragmentPipe& pipe, const FragmentBatch& batch, Sample sample) {
     if (!pipe.stencil_depth.active()) return {true, true, {}};
-    const auto [x, y] = position(batch, lane);
-    std::byte* at = pixel_address(pipe.depth_target, pipe.memory, x, y);
+    const auto [x, y] = position(batch, sample.lane);
+    std::byte* at = pixel_address(pipe.depth_target.plane(sample.index), pipe.memory, x, y);
     const Format format = pipe.depth_target.format;
     const StencilDepthPixel stored = load_stencil_depth(format, at);
     const StencilDepthResult result = test_stencil_depth(
-        pipe.stencil_depth, front_facing(batch, lane), batch.depth[lane], stored);
+        pipe.stencil_depth, front_facing(batch, sample.lane), depth(batch, pipe, sample), stored);
     if (result.pixel != stored) store_stencil_depth(format, result.pixel, at);
     return result;
 }
@@ -112,15 +128,47 @@ void write_color(const FragmentPipe& pipe,
     store_rgba8(format, pack_rgba8(color), address);
 }
 
+// The samples, a bit each, that the multisample operations leave of a fragment; alpha may become 1.
+unsigned sample_coverage(const Multisample& state, Position at, PixelColor& color) {
+    unsigned samples = (1u << MaxSamples) - 1;
+    if (!state.enable) return samples;
+    if (state.alpha_to_coverage) samples &= alpha_coverage(color[3], at.x, at.y);
+    if (state.alpha_to_one) color[3] = 255;
+    return samples & state.sample_mask;
+}
+
+// The way of one sample through the stencil and depth test and the blend; true: to its end.
+bool write_sample(const FragmentPipe& pipe,
+                  const FragmentBatch& batch,
+                  Sample sample,
+                  const PixelColor& color,
+                  FragmentFates& fates) {
+    StencilDepthResult result{true, true, {}};
+    if (!pipe.early_depth) result = visit_depth_target(pipe, batch, sample);
+    if (result.passes_stencil) fates.after_stencil.set(sample.lane);
+    if (!result.passes_depth) return false;
+    fates.after_depth.set(sample.lane);
+    for (const ColorTarget& target : pipe.color_targets)
+        if (target.write_mask != 0)
+            write_color(pipe,
+                        {target.surface.plane(sample.index), target.write_mask},
+                        position(batch, sample.lane),
+                        color);
+    return true;
+}
+
 } // namespace
 
 void early_depth_test_reference(const FragmentPipe& pipe, FragmentBatch& batch) {
     if (!pipe.early_depth) return;
-    FragmentMask passed;
+    SampleMasks passed;
     for (unsigned lane = 0; lane < batch.lanes(); ++lane)
-        if (batch.live.test(lane) && visit_depth_target(pipe, batch, lane).passes_depth)
-            passed.set(lane);
-    batch.live = passed;
+        for (unsigned i = 0; i < pipe.samples; ++i)
+            if (is_covered(batch, pipe, {lane, i}) &&
+                visit_depth_target(pipe, batch, {lane, i}).passes_depth)
+                passed[i].set(lane);
+    if (pipe.samples > 1) batch.samples = passed;
+    batch.live = any_sample(passed);
 }
 
 void shade_reference(const FragmentPipe& pipe, FragmentBatch& batch) {
@@ -131,22 +179,23 @@ void shade_reference(const FragmentPipe& pipe, FragmentBatch& batch) {
 void write_reference(const FragmentPipe& pipe, FragmentBatch& batch, FragmentFates& fates) {
     const FragmentControl& control = pipe.registers->fragment;
     fates = {};
+    SampleMasks passed;
     for (unsigned lane = 0; lane < batch.lanes(); ++lane) {
-        if (!batch.live.test(lane)) continue;
-        const PixelColor color = plane_color(batch.color, lane);
+        PixelColor color = plane_color(batch.color, lane);
+        unsigned samples = 0;
+        for (unsigned i = 0; i < pipe.samples; ++i)
+            samples |= unsigned{is_covered(batch, pipe, {lane, i})} << i;
+        if (pipe.samples > 1)
+            samples &= sample_coverage(pipe.registers->multisample, position(batch, lane), color);
+        if (samples == 0) continue;
+        fates.after_coverage.set(lane);
         if (!passes_alpha_test(control, color[3])) continue;
         fates.after_alpha.set(lane);
-
-        StencilDepthResult result{true, true, {}};
-        if (!pipe.early_depth) result = visit_depth_target(pipe, batch, lane);
-        if (!result.passes_stencil) continue;
-        fates.after_stencil.set(lane);
-        if (!result.passes_depth) continue;
-        fates.after_depth.set(lane);
-
-        for (const ColorTarget& target : pipe.color_targets)
-            if (target.write_mask != 0) write_color(pipe, target, position(batch, lane), color);
+        for (unsigned i = 0; i < pipe.samples; ++i)
+            if ((samples >> i & 1) != 0 && write_sample(pipe, batch, {lane, i}, color, fates))
+                passed[i].set(lane);
     }
+    if (pipe.samples > 1) batch.samples = passed;
     batch.live = fates.after_depth;
 }
 

@@ -35,7 +35,8 @@ bool uses_color(const Registers& registers) {
     const bool has_target = std::any_of(colors.begin(), colors.end(), [](const Surface& color) {
         return color.format != Format::None;
     });
-    return registers.fragment.alpha_test || (has_target && registers.blend.write_mask != 0);
+    return registers.fragment.alpha_test || registers.multisample.alpha_to_coverage ||
+           (has_target && registers.blend.write_mask != 0);
 }
 
 // Whether q can be anything but 1 after generation and matrix.
@@ -78,14 +79,19 @@ InterpolantLayout compile_layout(const Registers& registers, std::uint8_t units)
     return layout;
 }
 
+bool masks_samples(const Registers& registers) {
+    return registers.multisample.alpha_to_coverage || registers.multisample.sample_mask != 0xf;
+}
+
 // The depth test may come first where nothing between it and its place in the pipe can see the
 // difference: a test that kills after depth was written would, and so would the stencil's
 // operations and a test of the stored depth.
-bool early_depth_allowed(const Registers& registers) {
+bool early_depth_allowed(const Registers& registers, bool multisample) {
     const DepthControl& depth = registers.depth;
     return registers.targets.depth.format != Format::None && depth.test_enable &&
            !depth.bounds_enable && !registers.stencil.enable &&
-           !(registers.fragment.alpha_test && depth.write_enable);
+           !(depth.write_enable &&
+             (registers.fragment.alpha_test || (multisample && masks_samples(registers))));
 }
 
 } // namespace
@@ -96,10 +102,12 @@ DrawState compile_draw_state(std::shared_ptr<const Registers> registers, std::ui
     state.number = number;
     state.units = uses_color(r) ? sampled_units(r) : std::uint8_t{0};
     state.layout = compile_layout(r, state.units);
-    state.early_depth = early_depth_allowed(r);
+    state.samples = static_cast<std::uint8_t>(r.targets.samples());
+    state.multisample = state.samples > 1 && r.multisample.enable;
+    state.early_depth = early_depth_allowed(r, state.multisample);
     state.needs_depth = r.targets.depth.format != Format::None && r.depth.test_enable;
-    state.antialias =
-        r.primitive.polygon_smooth || r.primitive.line_smooth || r.primitive.point_smooth;
+    state.antialias = !state.multisample && (r.primitive.polygon_smooth ||
+                                             r.primitive.line_smooth || r.primitive.point_smooth);
     state.registers = std::move(registers);
     return state;
 }

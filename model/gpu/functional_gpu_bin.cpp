@@ -169,7 +169,7 @@ void FunctionalGpu::flush() {
     for (const auto& renderer : renderers_) {
         const FragmentCounts counts = renderer->take_counts();
         fragment_statistics_.add(counts);
-        samples_ += counts.samples;
+        samples_ += counts.counted_samples;
     }
     ++fragment_statistics_.bins;
     if (sink_) hand_over(std::move(recordings));

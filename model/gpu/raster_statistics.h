@@ -12,23 +12,32 @@ namespace ffgpu {
 // One worker's share; plain numbers, added up when a bin is done.
 struct FragmentCounts {
     std::uint64_t covered = 0;
-    std::uint64_t killed_early_depth = 0, killed_alpha = 0, killed_stencil = 0, killed_depth = 0;
+    std::uint64_t killed_early_depth = 0, killed_coverage = 0, killed_alpha = 0, killed_stencil = 0,
+                  killed_depth = 0;
     std::uint64_t written = 0;
     std::uint64_t batches = 0, quads = 0;
     std::uint64_t tiles = 0;
-    std::uint64_t samples = 0; // fragments that passed while samples were counted
+    std::uint64_t samples_covered = 0, samples_written = 0;
+    std::uint64_t counted_samples = 0; // that passed while samples were counted
 };
 
 struct FragmentStatistics : StatisticsGroup {
     Counter& covered = count("fragments_covered", "fragments", "made by the rasterizer");
     Counter& killed_early_depth = count(
         "fragments_killed_early_depth", "fragments", "ended at the depth test before texturing");
+    Counter& killed_coverage = count("fragments_killed_coverage",
+                                     "fragments",
+                                     "left without a sample by alpha or the sample mask");
     Counter& killed_alpha = count("fragments_killed_alpha", "fragments", "ended at the alpha test");
     Counter& killed_stencil =
         count("fragments_killed_stencil", "fragments", "ended at the stencil test");
     Counter& killed_depth =
         count("fragments_killed_depth", "fragments", "ended at the depth test after texturing");
     Counter& written = count("fragments_written", "fragments", "passed all tests");
+    Counter& samples_covered =
+        count("samples_covered", "samples", "of multisampled targets, by covered fragments");
+    Counter& samples_written =
+        count("samples_written", "samples", "of multisampled targets, passed all tests");
     Counter& quads = count("quads", "quads", "with at least one covered fragment");
     Counter& batches = count("batches", "batches", "of up to 64 quads of one tile and state");
     Counter& tiles = count("tiles_visited", "tiles", "carried out, once for each bin");
@@ -37,10 +46,13 @@ struct FragmentStatistics : StatisticsGroup {
     void add(const FragmentCounts& counts) {
         covered += counts.covered;
         killed_early_depth += counts.killed_early_depth;
+        killed_coverage += counts.killed_coverage;
         killed_alpha += counts.killed_alpha;
         killed_stencil += counts.killed_stencil;
         killed_depth += counts.killed_depth;
         written += counts.written;
+        samples_covered += counts.samples_covered;
+        samples_written += counts.samples_written;
         quads += counts.quads;
         batches += counts.batches;
         tiles += counts.tiles;

@@ -16,6 +16,15 @@ TexCoordPlanes constant_coordinates(const std::array<float, 4>& value) {
     return planes;
 }
 
+// The samples of quad q: bit 4 i + s for sample s of lane i.
+std::uint16_t sample_bits(const SampleMasks& samples, unsigned q) {
+    unsigned bits = 0;
+    for (unsigned s = 0; s < MaxSamples; ++s)
+        for (unsigned lane = 0; lane < 4; ++lane)
+            bits |= (samples[s].quad(q) >> lane & 1) << (4 * lane + s);
+    return static_cast<std::uint16_t>(bits);
+}
+
 } // namespace
 
 void TileRenderer::render(const Bin& bin, std::uint32_t tile, WorkTile* recording) {
@@ -102,6 +111,7 @@ void TileRenderer::draw_image(const BinCommand& command) {
         batch_.tile_x = static_cast<std::uint16_t>(tile_.x0);
         batch_.tile_y = static_cast<std::uint16_t>(tile_.y0);
         const FragmentMask covered = batch_.live;
+        if (multisampled()) cover_all_samples();
         early_depth_test(pixels_->pipe, batch_);
         if (batch_.live.any()) {
             for (unsigned unit = 0; unit < TextureUnits; ++unit)
@@ -128,6 +138,7 @@ void TileRenderer::flush() {
     const std::span<const BatchRun> runs = collector_.runs();
     const FragmentMask covered = batch_.live;
 
+    if (multisampled()) cover_all_samples();
     if (context.needs_depth) interpolate_depth(runs, batch_);
     early_depth_test(context.pipe, batch_);
     if (batch_.live.any()) {
@@ -142,6 +153,13 @@ void TileRenderer::flush() {
     finish_batch(covered);
     if (context.antialias) batch_.antialias.fill(255); // Smooth primitives wrote theirs.
     collector_.clear();
+}
+
+// Every sample of the pixels that are covered, at the pixel's depth.
+void TileRenderer::cover_all_samples() {
+    batch_.samples.fill(batch_.live);
+    batch_.has_sample_depths = false;
+    covered_samples_ = batch_.samples;
 }
 
 void TileRenderer::sample_unit(unsigned unit) {
@@ -179,18 +197,31 @@ void TileRenderer::count(const FragmentMask& covered,
         };
     const std::uint64_t all = covered.count();
     const std::uint64_t after_early = next(all, covered, early);
-    const std::uint64_t alpha = next(after_early, early, fates.after_alpha);
+    const std::uint64_t coverage = next(after_early, early, fates.after_coverage);
+    const std::uint64_t alpha = next(coverage, fates.after_coverage, fates.after_alpha);
     const std::uint64_t stencil = next(alpha, fates.after_alpha, fates.after_stencil);
     const std::uint64_t depth = next(stencil, fates.after_stencil, fates.after_depth);
     counts_.covered += all;
     counts_.killed_early_depth += all - after_early;
-    counts_.killed_alpha += after_early - alpha;
+    counts_.killed_coverage += after_early - coverage;
+    counts_.killed_alpha += coverage - alpha;
     counts_.killed_stencil += alpha - stencil;
     counts_.killed_depth += stencil - depth;
     counts_.written += depth;
     counts_.quads += batch_.quad_count;
     ++counts_.batches;
-    if (pixels_->count_samples) counts_.samples += depth;
+    if (multisampled()) return count_samples();
+    if (pixels_->count_samples) counts_.counted_samples += depth;
+}
+
+void TileRenderer::count_samples() {
+    std::uint64_t written = 0;
+    for (unsigned i = 0; i < MaxSamples; ++i) {
+        counts_.samples_covered += covered_samples_[i].count();
+        written += batch_.samples[i].count();
+    }
+    counts_.samples_written += written;
+    if (pixels_->count_samples) counts_.counted_samples += written;
 }
 
 void TileRenderer::record(const FragmentMask& covered,
@@ -202,15 +233,20 @@ void TileRenderer::record(const FragmentMask& covered,
     const auto bits = [](const FragmentMask& mask, unsigned q) {
         return static_cast<std::uint8_t>(mask.quad(q));
     };
-    for (unsigned q = 0; q < batch_.quad_count; ++q)
+    for (unsigned q = 0; q < batch_.quad_count; ++q) {
         work.quads[q] = {.primitive = batch_.primitive[q],
                          .x = batch_.x[q],
                          .y = batch_.y[q],
                          .covered = bits(covered, q),
                          .after_early_depth = bits(early, q),
+                         .after_coverage = bits(fates.after_coverage, q),
                          .after_alpha = bits(fates.after_alpha, q),
                          .after_stencil = bits(fates.after_stencil, q),
                          .after_depth = bits(fates.after_depth, q)};
+        if (!multisampled()) continue;
+        work.quads[q].samples_covered = sample_bits(covered_samples_, q);
+        work.quads[q].samples_written = sample_bits(batch_.samples, q);
+    }
     work.textures = std::exchange(footprints_, {});
 }
 

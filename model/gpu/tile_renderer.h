@@ -36,12 +36,15 @@ private:
     void flush();
     void sample_unit(unsigned unit);
     void finish_batch(const FragmentMask& covered);
+    void cover_all_samples();
     void count(const FragmentMask& covered,
                const FragmentMask& after_early_depth,
                const FragmentFates& fates);
+    void count_samples();
     void record(const FragmentMask& covered,
                 const FragmentMask& after_early_depth,
                 const FragmentFates& fates);
+    bool multisampled() const { return pixels_->pipe.samples > 1; }
 
     std::span<std::byte> memory_;
     FragmentCounts counts_;
@@ -53,6 +56,7 @@ private:
     const PixelContext* pixels_ = nullptr;
 
     FragmentBatch batch_{};
+    SampleMasks covered_samples_; // of the batch, where targets are multisampled
     QuadCollector collector_{batch_};
     TileCoverage coverage_;
     PerspectivePlanes perspective_;

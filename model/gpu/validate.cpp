@@ -53,6 +53,11 @@ void validate(const Registers& registers, std::uint64_t memory_size) {
     for (const Surface& color : registers.targets.color)
         validate_target(color, false, memory_size);
     validate_target(registers.targets.depth, true, memory_size);
+    const unsigned samples = registers.targets.samples();
+    Targets::for_each(registers.targets, [samples](const Surface& target) {
+        require(target.format == Format::None || target.samples == samples,
+                "the targets differ in their samples");
+    });
     const unsigned factor = registers.primitive.line_stipple_factor;
     require(factor >= 1 && factor <= 256, "line_stipple_factor is not 1 to 256");
 }

@@ -75,7 +75,6 @@ void clear_color(const Surface& surface,
                  const Registers& registers,
                  Rectangle rectangle,
                  std::span<std::byte> memory) {
-    if (!surface_fits(surface, memory.size())) return;
     const Rectangle cut = cut_to(surface, rectangle);
     if (cut.empty()) return;
     MaskedFill<std::uint32_t> fill{color, byte_mask(registers.blend.write_mask)};
@@ -93,12 +92,11 @@ void clear_color(const Surface& surface,
     }
 }
 
-void clear_depth_stencil(const ClearCommand& clear,
+void clear_depth_stencil(const Surface& surface,
+                         const ClearCommand& clear,
                          const Registers& registers,
                          Rectangle rectangle,
                          std::span<std::byte> memory) {
-    const Surface& surface = registers.targets.depth;
-    if (!surface_fits(surface, memory.size())) return;
     const Rectangle cut = cut_to(surface, rectangle);
     if (cut.empty()) return;
     if (surface.format == Format::Depth16) {
@@ -115,17 +113,29 @@ void clear_depth_stencil(const ClearCommand& clear,
     }
 }
 
+// Calls clear(plane) for each sample's plane of a target that is in memory.
+template <class Clear>
+void for_planes(const Surface& target, std::span<const std::byte> memory, Clear&& clear) {
+    if (!surface_fits(target, memory.size())) return;
+    for (unsigned i = 0; i < target.samples; ++i)
+        clear(target.plane(i));
+}
+
 } // namespace
 
 void clear_rectangle(const ClearCommand& clear,
                      const Registers& registers,
                      Rectangle rectangle,
                      std::span<std::byte> memory) {
-    if (clear.color) {
+    if (clear.color)
         for (const Surface& target : registers.targets.color)
-            clear_color(target, clear.color_value, registers, rectangle, memory);
-    }
-    if (clear.depth || clear.stencil) clear_depth_stencil(clear, registers, rectangle, memory);
+            for_planes(target, memory, [&](const Surface& plane) {
+                clear_color(plane, clear.color_value, registers, rectangle, memory);
+            });
+    if (clear.depth || clear.stencil)
+        for_planes(registers.targets.depth, memory, [&](const Surface& plane) {
+            clear_depth_stencil(plane, clear, registers, rectangle, memory);
+        });
 }
 
 } // namespace ffgpu

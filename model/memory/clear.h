@@ -1,5 +1,6 @@
 // Clears a rectangle of the targets, as ClearCommand says: under the write masks of colour and
-// stencil, both colour targets, dithered where the target has less than eight bits a channel.
+// stencil, every colour target, all samples, dithered where the target has less than eight bits a
+// channel.
 
 #pragma once
 

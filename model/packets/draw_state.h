@@ -19,6 +19,8 @@ struct DrawState {
     bool early_depth = false; // The depth test may run before texturing: same result.
     bool needs_depth = false; // Depth is tested, written or compared.
     bool antialias = false;   // Coverage of smooth primitives scales alpha.
+    std::uint8_t samples = 1; // of a pixel of the targets
+    bool multisample = false; // Primitives cover samples. False: pixels, and all their samples.
 
     const Registers& regs() const { return *registers; }
 };

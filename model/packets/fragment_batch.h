@@ -9,6 +9,9 @@
 // No pixel is live twice in a batch, so a stage may treat its fragments in any order. Neighbours
 // along a shared edge may both have the quad, each with its own live lanes: a stage must not store
 // dead lanes.
+//
+// Where the targets have several samples a pixel, that holds for samples: a fragment covers some of
+// its pixel's, and no sample is live twice.
 
 #pragma once
 
@@ -16,6 +19,7 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace ffgpu {
@@ -49,6 +53,12 @@ struct FragmentMask {
     bool operator==(const FragmentMask&) const = default;
 };
 
+inline FragmentMask operator&(FragmentMask a, const FragmentMask& b) {
+    for (std::size_t i = 0; i < a.words.size(); ++i)
+        a.words[i] &= b.words[i];
+    return a;
+}
+
 // Four channels of 256 fragments, each value 0 .. 255 (8-bit unsigned normalised) held in 16 bits:
 // the lanes that products need.
 struct ColorPlanes {
@@ -59,6 +69,17 @@ struct ColorPlanes {
 struct TexCoordPlanes {
     alignas(64) std::array<float, BatchFragments> s, t, r, q;
 };
+
+// Four masks, one a sample: the fragments that cover it.
+using SampleMasks = std::array<FragmentMask, MaxSamples>;
+
+inline FragmentMask any_sample(const SampleMasks& samples) {
+    FragmentMask any;
+    for (const FragmentMask& mask : samples)
+        for (std::size_t i = 0; i < any.words.size(); ++i)
+            any.words[i] |= mask.words[i];
+    return any;
+}
 
 struct FragmentBatch {
     unsigned quad_count = 0;
@@ -81,6 +102,11 @@ struct FragmentBatch {
     ColorPlanes secondary;                         // a is 0
     std::array<ColorPlanes, TextureUnits> texture; // samples; only of the draw's enabled units
     ColorPlanes color; // after the environments; then the running colour down to the blend
+
+    // Multisampled targets only.
+    SampleMasks samples;            // Covered, and not killed so far; `live` is their union.
+    bool has_sample_depths = false; // False: `depth` is the depth of all samples.
+    alignas(64) std::array<std::array<std::uint32_t, BatchFragments>, MaxSamples> sample_depth;
 
     unsigned lanes() const { return 4 * quad_count; }
 };

@@ -27,9 +27,13 @@ struct WorkQuad {
     std::uint16_t x, y;             // window pixel of lane 0
     std::uint8_t covered;           // four bits each, bit i for lane i:
     std::uint8_t after_early_depth; // equals covered where depth is tested late
+    std::uint8_t after_coverage;    // multisample operations took some samples, not all
     std::uint8_t after_alpha;
     std::uint8_t after_stencil;
     std::uint8_t after_depth; // what reaches the blend stage and is written
+    // Multisampled targets: bit 4 i + s for sample s of lane i.
+    std::uint16_t samples_covered = 0;
+    std::uint16_t samples_written = 0; // passed all tests
 };
 
 // A batch of one tile. Quads are in the order of the primitives.

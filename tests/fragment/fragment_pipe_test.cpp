@@ -30,6 +30,7 @@ bool is_touched(const Surface& surface,
                 const FragmentBatch& batch,
                 std::size_t byte) {
     if (surface.format == Format::None || byte < surface.address) return false;
+    if (byte >= surface.address + surface.bytes()) return false;
     const std::size_t bytes = format_info(surface.format).block_bytes;
     const std::size_t y = (byte - surface.address) / surface.stride;
     const std::size_t x = (byte - surface.address) % surface.stride / bytes;
@@ -72,6 +73,7 @@ void require_equal_forms() {
         const FragmentPipe scalar_pipe = scalar->scene.compile();
         early_depth_test_reference(scalar_pipe, scalar->batch);
         REQUIRE(vector->batch.live == scalar->batch.live);
+        REQUIRE(vector->batch.samples == scalar->batch.samples);
 
         shade(vector_pipe, vector->batch);
         shade_reference(scalar_pipe, scalar->batch);
@@ -79,10 +81,12 @@ void require_equal_forms() {
 
         write(vector_pipe, vector->batch, vector->fates);
         write_reference(scalar_pipe, scalar->batch, scalar->fates);
+        REQUIRE(vector->fates.after_coverage == scalar->fates.after_coverage);
         REQUIRE(vector->fates.after_alpha == scalar->fates.after_alpha);
         REQUIRE(vector->fates.after_stencil == scalar->fates.after_stencil);
         REQUIRE(vector->fates.after_depth == scalar->fates.after_depth);
         REQUIRE(vector->batch.live == scalar->batch.live);
+        REQUIRE(vector->batch.samples == scalar->batch.samples);
         REQUIRE((vector->scene.memory == scalar->scene.memory));
     }
 }
@@ -103,6 +107,7 @@ TEST_CASE("No byte changes but those of live fragments' pixels") {
         test::randomize(draws, run->scene, run->batch);
         const std::vector<std::byte> before = run->scene.memory;
         const FragmentMask live = run->batch.live;
+        const SampleMasks samples = run->batch.samples;
 
         const FragmentPipe pipe = run->scene.compile();
         early_depth_test(pipe, run->batch);
@@ -114,7 +119,11 @@ TEST_CASE("No byte changes but those of live fragments' pixels") {
             if (before[i] == run->scene.memory[i]) continue;
             bool touched = false;
             Targets::for_each(targets, [&](const Surface& target) {
-                touched = touched || is_touched(target, live, run->batch, i);
+                for (unsigned s = 0; s < target.samples; ++s)
+                    touched = touched || is_touched(target.plane(s),
+                                                    target.samples > 1 ? samples[s] : live,
+                                                    run->batch,
+                                                    i);
             });
             REQUIRE(touched);
         }
@@ -172,11 +181,11 @@ TEST_CASE("Register values beyond their lists draw the same pixels in both forms
 
         const FragmentPipe vector_pipe = vector->scene.compile();
         shade(vector_pipe, vector->batch);
-        write(vector_pipe, vector->batch, vector->fates);
         const FragmentPipe scalar_pipe = scalar->scene.compile();
         shade_reference(scalar_pipe, scalar->batch);
-        write_reference(scalar_pipe, scalar->batch, scalar->fates);
         REQUIRE(same_lanes(vector->batch.color, scalar->batch.color, scalar->batch.lanes()));
+        write(vector_pipe, vector->batch, vector->fates);
+        write_reference(scalar_pipe, scalar->batch, scalar->fates);
         REQUIRE((vector->scene.memory == scalar->scene.memory));
     }
 }

@@ -72,13 +72,15 @@ struct Scene {
     }
 };
 
-inline Surface place_surface(Draws& draws, Format format, std::uint32_t& end) {
+inline Surface
+place_surface(Draws& draws, Format format, std::uint8_t samples, std::uint32_t& end) {
     Surface surface{.format = format,
                     .width = static_cast<std::uint16_t>(TileSize - 1 + draws.below(3)),
                     .height = static_cast<std::uint16_t>(TileSize - 1 + draws.below(3))};
     surface.address = end + draws.below(8) * 4;
     surface.stride = row_bytes(format, surface.width) + draws.below(4) * 4;
-    end = surface.address + surface.stride * surface.height + 64;
+    surface.samples = samples;
+    end = surface.address + static_cast<std::uint32_t>(surface.bytes()) + 64;
     return surface;
 }
 
@@ -92,10 +94,12 @@ inline void place_targets(Draws& draws, Scene& scene) {
     constexpr Format DepthFormats[] = {Format::Depth24Stencil8, Format::Depth16, Format::None};
     Targets& targets = scene.registers->targets;
     std::uint32_t end = 64;
-    targets.color[0] = place_surface(draws, random_color_format(draws), end);
-    targets.color[1] =
-        draws.one_in(4) ? place_surface(draws, random_color_format(draws), end) : Surface{};
-    targets.depth = place_surface(draws, DepthFormats[draws.below(3)], end);
+    const std::uint8_t samples = draws.one_in(3) ? MaxSamples : 1;
+    const auto place = [&](Format format) { return place_surface(draws, format, samples, end); };
+    targets.color[0] = place(random_color_format(draws));
+    targets.color[1] = draws.one_in(4) ? place(random_color_format(draws)) : Surface{};
+    targets.depth = place(DepthFormats[draws.below(3)]);
+    scene.state.samples = samples;
     std::uint16_t width = TileSize, height = TileSize;
     Targets::for_each(targets, [&](const Surface& surface) {
         if (surface.format == Format::None) return;
@@ -184,6 +188,12 @@ inline void randomize(Draws& draws, Scene& scene) {
                .bounds_min = draws.below(1u << 23),
                .bounds_max = (1u << 23) + draws.below(1u << 23)};
     r.blend = random_blend(draws);
+    r.multisample = {.enable = draws.below(4) != 0,
+                     .alpha_to_coverage = draws.one_in(3),
+                     .alpha_to_one = draws.one_in(3),
+                     .sample_mask = draws.coin() ? std::uint8_t{0xf}
+                                                 : static_cast<std::uint8_t>(draws.below(16))};
+    scene.state.multisample = scene.state.samples > 1 && r.multisample.enable;
     scene.state.units = static_cast<std::uint8_t>(draws.bits());
     scene.state.early_depth = draws.one_in(3);
     scene.state.antialias = draws.one_in(3);
@@ -213,20 +223,36 @@ void place_quads(
     }
 }
 
+// Which samples the fragments cover; one fragment in a few covers all, some none.
+inline void random_samples(Draws& draws, FragmentBatch& batch) {
+    const FragmentMask candidates = batch.live;
+    batch.samples = {};
+    for (unsigned lane = 0; lane < batch.lanes(); ++lane) {
+        if (!candidates.test(lane)) continue;
+        const unsigned covered = draws.coin() ? 0xf : draws.below(16);
+        for (unsigned i = 0; i < MaxSamples; ++i)
+            if ((covered >> i & 1) != 0) batch.samples[i].set(lane);
+    }
+    batch.live = any_sample(batch.samples);
+}
+
 // Depths around what the target holds, so that each comparison goes both ways.
-inline void random_depths(Draws& draws, const Scene& scene, FragmentBatch& batch) {
-    const Surface& target = scene.registers->targets.depth;
+inline void random_depths(Draws& draws,
+                          const Scene& scene,
+                          const Surface& target,
+                          FragmentBatch& batch,
+                          std::array<std::uint32_t, BatchFragments>& depths) {
     const bool narrow = target.format == Format::Depth16;
     for (unsigned lane = 0; lane < BatchFragments; ++lane) {
-        batch.depth[lane] = draws.bits() >> (narrow ? 16 : 8);
+        depths[lane] = draws.bits() >> (narrow ? 16 : 8);
         if (target.format == Format::None || !batch.live.test(lane) || draws.coin()) continue;
         const std::size_t x = batch.x[lane / 4] + (lane & 1u),
                           y = batch.y[lane / 4] + (lane >> 1 & 1u);
         const std::byte* at = scene.memory.data() + target.address + y * target.stride;
         if (narrow)
-            batch.depth[lane] = load_word<std::uint16_t>(at + 2 * x);
+            depths[lane] = load_word<std::uint16_t>(at + 2 * x);
         else
-            batch.depth[lane] = load_word<std::uint32_t>(at + 4 * x) >> 8;
+            depths[lane] = load_word<std::uint32_t>(at + 4 * x) >> 8;
     }
 }
 
@@ -238,7 +264,14 @@ inline void randomize(Draws& draws, const Scene& scene, FragmentBatch& batch) {
     for (std::uint64_t& word : batch.front_facing)
         word = std::uint64_t{draws.bits()} << 32 | draws.bits();
     if (draws.one_in(3)) batch.front_facing.fill(draws.coin() ? ~std::uint64_t{0} : 0);
-    random_depths(draws, scene, batch);
+    const Surface& target = scene.registers->targets.depth;
+    random_depths(draws, scene, target.plane(0), batch, batch.depth);
+    if (scene.state.samples > 1) {
+        random_samples(draws, batch);
+        batch.has_sample_depths = draws.coin();
+        for (unsigned i = 0; i < MaxSamples; ++i)
+            random_depths(draws, scene, target.plane(i), batch, batch.sample_depth[i]);
+    }
     for (float& coordinate : batch.fog_coordinate)
         coordinate = random_coordinate(draws);
     for (std::uint16_t& coverage : batch.antialias)

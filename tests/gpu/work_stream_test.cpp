@@ -50,7 +50,8 @@ private:
         add(quad.covered);
         add(quad.after_depth);
         REQUIRE((quad.after_early_depth & ~quad.covered) == 0);
-        REQUIRE((quad.after_alpha & ~quad.after_early_depth) == 0);
+        REQUIRE((quad.after_coverage & ~quad.after_early_depth) == 0);
+        REQUIRE((quad.after_alpha & ~quad.after_coverage) == 0);
         REQUIRE((quad.after_stencil & ~quad.after_alpha) == 0);
         REQUIRE((quad.after_depth & ~quad.after_stencil) == 0);
         covered += static_cast<unsigned>(std::popcount(quad.covered));

@@ -168,3 +168,33 @@ TEST_CASE("A clear beyond the target or of a target beyond memory touches nothin
     clear_rectangle(bench.clear, bench.registers, bench.rectangle, bench.memory);
     REQUIRE((bench.memory == before));
 }
+
+TEST_CASE("A clear fills every sample of multisampled targets") {
+    ClearBench bench;
+    bench.clear = {
+        .color = true, .depth = true, .color_value = 0x11223344, .depth_value = 0x555555};
+    Surface& color = bench.registers.targets.color[0];
+    Surface& depth = bench.registers.targets.depth;
+    color.samples = depth.samples = MaxSamples;
+    bench.registers.stencil.front.write_mask = 0;
+    std::vector<std::byte> wanted = bench.memory;
+    for (unsigned i = 0; i < MaxSamples; ++i)
+        for (std::uint32_t y = 1; y < 5; ++y)
+            for (std::uint32_t x = 2; x < 7; ++x) {
+                store_word(pixel_address(color.plane(i), wanted, x, y), 0x11223344u);
+                store_word(pixel_address(depth.plane(i), wanted, x, y), 0x55555500u | (Old & 255));
+            }
+    clear_rectangle(bench.clear, bench.registers, bench.rectangle, bench.memory);
+    REQUIRE((bench.memory == wanted));
+}
+
+TEST_CASE("A multisampled target whose last sample leaves memory is left alone") {
+    ClearBench bench;
+    bench.clear = {.color = true, .color_value = 0x11223344};
+    Surface& color = bench.registers.targets.color[0];
+    color.samples = MaxSamples;
+    color.address = static_cast<DeviceAddress>(bench.memory.size() - color.bytes() + color.stride);
+    const std::vector<std::byte> before = bench.memory;
+    clear_rectangle(bench.clear, bench.registers, bench.rectangle, bench.memory);
+    REQUIRE((bench.memory == before));
+}

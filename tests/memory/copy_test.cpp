@@ -1,6 +1,7 @@
 #include "model/memory/copy.h"
 #include "model/memory/pixel_format.h"
 
+#include <array>
 #include <random>
 #include <vector>
 
@@ -167,4 +168,119 @@ TEST_CASE("A copy that leaves its surfaces or memory, or mixes kinds, does nothi
     const std::vector<std::byte> before = memory;
     copy_rectangle(copy, memory);
     REQUIRE((memory == before));
+}
+
+// --- Samples ------------------------------------------------------------------------------------
+
+namespace {
+
+Surface multisampled(DeviceAddress address, Format format) {
+    Surface one = surface(address, format, 12, 10);
+    one.samples = MaxSamples;
+    return one;
+}
+
+std::uint32_t
+color_at(const Surface& plane, std::vector<std::byte>& memory, unsigned x, unsigned y) {
+    return load_rgba8(plane.format, pixel_address(plane, memory, x, y));
+}
+
+CopyRectangleCommand sample_copy(const Surface& from, const Surface& to) {
+    return {.source = from,
+            .destination = to,
+            .source_x = 2,
+            .source_y = 1,
+            .destination_x = 3,
+            .destination_y = 2,
+            .width = 8,
+            .height = 7};
+}
+
+} // namespace
+
+TEST_CASE("The mean of four samples is rounded to nearest, channel by channel") {
+    REQUIRE(mean_rgba8({0, 0, 0, 0}) == 0);
+    REQUIRE(mean_rgba8({~0u, ~0u, ~0u, ~0u}) == ~0u);
+    REQUIRE(mean_rgba8({0x01000000, 0, 0, 0}) == 0);
+    REQUIRE(mean_rgba8({0x01000001, 0x01000001, 0, 0}) == 0x01000001);
+    REQUIRE(mean_rgba8({0xff, 0xff00, 0xff0000, 0xff000000}) == 0x40404040);
+    REQUIRE(mean_rgba8({0xff, 0xff, 0xff, 0}) == 0xbf);
+}
+
+TEST_CASE("Between surfaces of four samples each sample is copied") {
+    std::vector<std::byte> memory = random_memory(21);
+    std::vector<std::byte> expected = memory;
+    const CopyRectangleCommand copy =
+        sample_copy(multisampled(128, Format::Rgba8), multisampled(8192, Format::Rgb565));
+    for (unsigned i = 0; i < MaxSamples; ++i) {
+        CopyRectangleCommand one = copy;
+        one.source = copy.source.plane(i);
+        one.destination = copy.destination.plane(i);
+        expected = expected_copy(one, expected);
+    }
+    copy_rectangle(copy, memory);
+    REQUIRE((memory == expected));
+}
+
+TEST_CASE("From four samples to one colours are averaged") {
+    for (const Format to : {Format::Rgba8, Format::Rgb565}) {
+        std::vector<std::byte> memory = random_memory(22);
+        std::vector<std::byte> expected = memory;
+        const CopyRectangleCommand copy =
+            sample_copy(multisampled(128, Format::Rgba8), surface(8192, to, 20, 12));
+        for (unsigned y = 0; y < copy.height; ++y)
+            for (unsigned x = 0; x < copy.width; ++x) {
+                std::array<unsigned, 4> sums{2, 2, 2, 2};
+                for (unsigned i = 0; i < MaxSamples; ++i) {
+                    const PixelColor color =
+                        unpack_rgba8(color_at(copy.source.plane(i), memory, 2 + x, 1 + y));
+                    for (unsigned channel = 0; channel < 4; ++channel)
+                        sums[channel] += color[channel];
+                }
+                PixelColor mean{};
+                for (unsigned channel = 0; channel < 4; ++channel)
+                    mean[channel] = static_cast<std::uint8_t>(sums[channel] / 4);
+                store_rgba8(
+                    to, pack_rgba8(mean), pixel_address(copy.destination, expected, 3 + x, 2 + y));
+            }
+        copy_rectangle(copy, memory);
+        REQUIRE((memory == expected));
+    }
+}
+
+TEST_CASE("From four samples to one depth and stencil are those of sample 0") {
+    std::vector<std::byte> memory = random_memory(23);
+    CopyRectangleCommand copy = sample_copy(multisampled(128, Format::Depth24Stencil8),
+                                            surface(8192, Format::Depth24Stencil8, 20, 12));
+    CopyRectangleCommand first = copy;
+    first.source = copy.source.plane(0);
+    const std::vector<std::byte> expected = expected_copy(first, memory);
+    copy_rectangle(copy, memory);
+    REQUIRE((memory == expected));
+}
+
+TEST_CASE("From one sample to four each sample gets the pixel") {
+    std::vector<std::byte> memory = random_memory(24);
+    std::vector<std::byte> expected = memory;
+    const CopyRectangleCommand copy =
+        sample_copy(surface(128, Format::Rgba8, 12, 10), multisampled(8192, Format::Rgba8));
+    for (unsigned i = 0; i < MaxSamples; ++i) {
+        CopyRectangleCommand one = copy;
+        one.destination = copy.destination.plane(i);
+        expected = expected_copy(one, expected);
+    }
+    copy_rectangle(copy, memory);
+    REQUIRE((memory == expected));
+}
+
+TEST_CASE("Samples that meet in memory are copied as if read first") {
+    std::vector<std::byte> memory = random_memory(25);
+    const Surface from = multisampled(128, Format::Rgba8);
+    Surface to = from; // Its plane 0 is the source's plane 1.
+    to.address += static_cast<DeviceAddress>(from.plane_bytes());
+    const std::vector<std::byte> before = memory;
+    std::vector<std::byte> source = before;
+    copy_rectangle(sample_copy(from, to), memory);
+    for (unsigned i = 0; i < MaxSamples; ++i)
+        REQUIRE(color_at(to.plane(i), memory, 3, 2) == color_at(from.plane(i), source, 2, 1));
 }

@@ -98,6 +98,7 @@ inline WorkBin make_bin(const Scene& scene) {
                           .y = static_cast<std::uint16_t>(y),
                           .covered = 0,
                           .after_early_depth = 0,
+                          .after_coverage = 0,
                           .after_alpha = 0,
                           .after_stencil = 0,
                           .after_depth = 0};
@@ -131,8 +132,8 @@ inline WorkBin make_bin(const Scene& scene) {
                 if (s.trilinear && s.lambda > 0 && level + 1 < levels) read(level + 1);
             }
             if (quad.covered == 0) continue;
-            quad.after_early_depth = quad.after_alpha = quad.after_stencil = quad.after_depth =
-                quad.covered;
+            quad.after_early_depth = quad.after_coverage = quad.after_alpha = quad.after_stencil =
+                quad.after_depth = quad.covered;
             batch.quads.push_back(quad);
         }
         batch.textures.push_back(std::move(footprints));

@@ -270,6 +270,15 @@ struct Targets {
     }
     bool operator==(const Targets&) const = default;
 
+    // Of a pixel; 1 without targets.
+    unsigned samples() const {
+        unsigned most = 1;
+        for_each(*this, [&most](const Surface& surface) {
+            if (surface.format != Format::None && surface.samples > most) most = surface.samples;
+        });
+        return most;
+    }
+
     // Calls visitor(surface) for each target, those of Format::None too.
     template <class Self, class Visitor>
     static constexpr void for_each(Self& self, Visitor&& visitor) {
