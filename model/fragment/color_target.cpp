@@ -5,12 +5,40 @@
 namespace ffgpu {
 namespace {
 
-constexpr std::uint32_t OpaqueAlpha = 0xff000000;
-
+// Calls convert(word, lane) for each lane's word, in place.
 template <class Convert>
 void for_lanes(LaneWords& words, unsigned lanes, Convert&& convert) {
     for (unsigned i = 0; i < lanes; ++i)
-        words.words[i] = convert(words.words[i]);
+        words.words[i] = convert(words.words[i], i);
+}
+
+// Pixels of the format to colours.
+void unpack_colors(Format format, unsigned lanes, LaneWords& colors) {
+    if (format == Format::Rgba8) return;
+    visit_plain_color(format, [&](auto known) {
+        for_lanes(colors, lanes, [&](std::uint32_t pixel, unsigned) {
+            return unpack_pixel(known.value, pixel);
+        });
+    });
+}
+
+// Colours to pixels of the format.
+void pack_colors(Format format, const FragmentBatch& batch, bool dither, LaneWords& colors) {
+    if (format == Format::Rgba8) return;
+    const bool dithers = dither && is_narrow(format);
+    visit_plain_color(format, [&](auto known) {
+        if (!dithers) {
+            for_lanes(colors, batch.lanes(), [&](std::uint32_t color, unsigned) {
+                return pack_pixel(known.value, color);
+            });
+            return;
+        }
+        for_lanes(colors, batch.lanes(), [&](std::uint32_t color, unsigned lane) {
+            const std::uint32_t x = batch.x[lane / 4] + (lane & 1u);
+            const std::uint32_t y = batch.y[lane / 4] + (lane >> 1 & 1u);
+            return pack_pixel(known.value, color, Dithered{bayer_threshold(x, y)});
+        });
+    });
 }
 
 void load_colors(const Surface& surface,
@@ -18,20 +46,7 @@ void load_colors(const Surface& surface,
                  const FragmentBatch& batch,
                  LaneWords& colors) {
     load_quads(surface, memory, batch, colors);
-    if (surface.format == Format::Rgb565)
-        for_lanes(colors, batch.lanes(), [](std::uint32_t p) { return rgba8_from_rgb565(p); });
-    else if (surface.format == Format::Rgbx8)
-        for_lanes(colors, batch.lanes(), [](std::uint32_t c) { return c | OpaqueAlpha; });
-}
-
-// rgba8 to pixels of Rgb565.
-void quantize_colors(const FragmentBatch& batch, bool dither, LaneWords& colors) {
-    for (unsigned lane = 0; lane < batch.lanes(); ++lane) {
-        const std::uint32_t x = batch.x[lane / 4] + (lane & 1u);
-        const std::uint32_t y = batch.y[lane / 4] + (lane >> 1 & 1u);
-        const std::uint32_t color = colors.words[lane];
-        colors.words[lane] = dither ? dither_rgb565(color, x, y) : rgb565_from_rgba8(color);
-    }
+    unpack_colors(surface.format, batch.lanes(), colors);
 }
 
 void store_colors(const ColorStage& stage,
@@ -39,10 +54,7 @@ void store_colors(const ColorStage& stage,
                   const FragmentBatch& batch,
                   std::span<std::byte> memory,
                   LaneWords& colors) {
-    if (surface.format == Format::Rgb565)
-        quantize_colors(batch, stage.dither, colors);
-    else if (surface.format == Format::Rgbx8)
-        for_lanes(colors, batch.lanes(), [](std::uint32_t c) { return c | OpaqueAlpha; });
+    pack_colors(surface.format, batch, stage.dither, colors);
     store_quads(surface, memory, batch, batch.live, colors);
 }
 
@@ -54,7 +66,7 @@ std::uint32_t channel_bits(unsigned write_mask) {
 }
 
 bool writes_all_channels(const ColorTarget& target) {
-    return target.write_mask == (target.surface.format == Format::Rgba8 ? 0xf : 0x7);
+    return target.write_mask == stored_channels(target.surface.format);
 }
 
 // From what the target holds to what it will hold, in rgba8; the write mask comes later.
@@ -69,10 +81,8 @@ void apply_operation(const ColorStage& stage,
         colors = source;
         return;
     }
-    if (format == Format::Rgb565) {
-        quantize_colors(batch, stage.dither, source);
-        for_lanes(source, batch.lanes(), [](std::uint32_t p) { return rgba8_from_rgb565(p); });
-    }
+    pack_colors(format, batch, stage.dither, source);
+    unpack_colors(format, batch.lanes(), source);
     apply_logic_op(stage.state.logic_op, source, colors, batch.lanes());
 }
 

@@ -18,8 +18,8 @@ struct ColorTarget {
     std::uint8_t write_mask = 0; // one bit a channel, of those that the format has
 };
 
-// Rgb565 is dithered where the draw dithers; with a logic operation the source is brought to its
-// precision first. Rgbx8 stores 255 as its fourth byte.
+// Formats of less than 8 bits a channel are dithered where the draw dithers; with a logic operation
+// the source is brought to the format's precision and channels first.
 struct ColorStage {
     Blend state;
     ColorOperation operation = ColorOperation::Replace;

@@ -8,13 +8,8 @@
 namespace ffgpu {
 namespace {
 
-bool is_color_target(Format format) {
-    return format == Format::Rgba8 || format == Format::Rgbx8 || format == Format::Rgb565;
-}
-
 ColorTarget compile_color_target(const Surface& surface, std::uint8_t write_mask) {
-    const bool has_alpha = surface.format == Format::Rgba8;
-    return {surface, static_cast<std::uint8_t>(write_mask & (has_alpha ? 0xf : 0x7))};
+    return {surface, static_cast<std::uint8_t>(write_mask & stored_channels(surface.format))};
 }
 
 StencilDepthFates visit_depth_target(const FragmentPipe& pipe, const FragmentBatch& batch) {
@@ -44,7 +39,7 @@ FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> 
     pipe.color_stage = compile_color_stage(registers.blend, registers.fragment.dither);
     for (unsigned i = 0; i < ColorTargets; ++i) {
         const Surface& color = registers.targets.color[i];
-        if (is_color_target(color.format) && surface_fits(color, memory.size()))
+        if (is_plain_color(color.format) && surface_fits(color, memory.size()))
             pipe.color_targets[i] = compile_color_target(color, registers.blend.write_mask);
     }
     return pipe;

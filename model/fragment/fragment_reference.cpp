@@ -101,10 +101,12 @@ visit_depth_target(const FragmentPipe& pipe, const FragmentBatch& batch, Sample 
 
 // The colour in the precision of the target: as it reads once it is stored.
 PixelColor to_target(const FragmentPipe& pipe, Format format, Position at, PixelColor color) {
-    if (format != Format::Rgb565) return color;
     const std::uint32_t word = pack_rgba8(color);
-    return unpack_rgba8(rgba8_from_rgb565(pipe.color_stage.dither ? dither_rgb565(word, at.x, at.y)
-                                                                  : rgb565_from_rgba8(word)));
+    const bool dithers = pipe.color_stage.dither && is_narrow(format);
+    const Dithered dithered{bayer_threshold(at.x, at.y)};
+    const std::uint32_t pixel =
+        dithers ? pack_pixel(format, word, dithered) : pack_pixel(format, word);
+    return unpack_rgba8(unpack_pixel(format, pixel));
 }
 
 void write_color(const FragmentPipe& pipe,

@@ -36,6 +36,20 @@ struct Row<std::uint16_t> {
     }
 };
 
+template <>
+struct Row<std::uint8_t> {
+    using Word = std::uint16_t;
+    static constexpr std::array<Word, 4> Masks{0, 0xff, 0xff00, 0xffff};
+
+    static Word join(const std::uint32_t* pixels) {
+        return static_cast<Word>((pixels[0] & 0xff) | (pixels[1] & 0xff) << 8);
+    }
+    static void split(Word row, std::uint32_t* pixels) {
+        pixels[0] = row & 0xffu;
+        pixels[1] = row >> 8;
+    }
+};
+
 // A surface with pixels of one size, and the places of a batch's quads in it.
 template <class Pixel, class Byte>
 class QuadSurface {
@@ -166,6 +180,8 @@ void load_quads(const Surface& surface,
                 const FragmentBatch& batch,
                 LaneWords& pixels) {
     switch (format_info(surface.format).block_bytes) {
+    case 1:
+        return load_sized<std::uint8_t>({surface, memory, batch}, batch, pixels.data());
     case 2:
         return load_sized<std::uint16_t>({surface, memory, batch}, batch, pixels.data());
     case 4:
@@ -181,6 +197,8 @@ void store_quads(const Surface& surface,
                  const FragmentMask& mask,
                  const LaneWords& pixels) {
     switch (format_info(surface.format).block_bytes) {
+    case 1:
+        return store_sized<std::uint8_t>({surface, memory, batch}, batch, mask, pixels.data());
     case 2:
         return store_sized<std::uint16_t>({surface, memory, batch}, batch, mask, pixels.data());
     case 4:

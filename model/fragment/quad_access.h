@@ -22,7 +22,7 @@ struct LaneWords {
     const std::uint32_t* data() const { return words.data(); }
 };
 
-// Pixels of 16 or 32 bits. The words of quads without a live fragment stay as they are.
+// Pixels of 8, 16 or 32 bits. The words of quads without a live fragment stay as they are.
 void load_quads(const Surface& surface,
                 std::span<const std::byte> memory,
                 const FragmentBatch& batch,

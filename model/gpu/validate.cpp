@@ -31,11 +31,8 @@ void validate_vertex_format(const VertexFormat& format) {
 
 void validate_target(const Surface& surface, bool depth, std::uint64_t memory_size) {
     if (surface.format == Format::None) return;
-    const bool color_format = surface.format == Format::Rgba8 || surface.format == Format::Rgbx8 ||
-                              surface.format == Format::Rgb565;
-    const bool depth_format =
-        surface.format == Format::Depth16 || surface.format == Format::Depth24Stencil8;
-    require(depth ? depth_format : color_format, "a target's format is not one of targets");
+    require(depth ? is_depth_target(surface.format) : is_plain_color(surface.format),
+            "a target's format is not one of targets");
     require(surface.samples == 1 || surface.samples == MaxSamples,
             "a target has a number of samples that no target has");
     require(surface.width <= MaxSurfaceSize && surface.height <= MaxSurfaceSize,

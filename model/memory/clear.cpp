@@ -38,34 +38,23 @@ void for_rows(const Surface& surface, Rectangle rectangle, std::span<std::byte> 
                           static_cast<std::uint32_t>(y)));
 }
 
-// One mask bit a channel to one mask byte a channel.
-std::uint32_t byte_mask(unsigned channels) {
-    std::uint32_t mask = 0;
-    for (unsigned i = 0; i < 4; ++i)
-        if ((channels >> i & 1) != 0) mask |= 0xffu << 8 * i;
-    return mask;
-}
-
-std::uint16_t rgb565_mask(unsigned channels) {
-    return static_cast<std::uint16_t>(((channels & 1) != 0 ? 0xf800 : 0) |
-                                      ((channels & 2) != 0 ? 0x07e0 : 0) |
-                                      ((channels & 4) != 0 ? 0x001f : 0));
-}
-
-void clear_rgb565(const Surface& surface,
-                  std::uint32_t color,
-                  const Registers& registers,
-                  Rectangle cut,
-                  std::span<std::byte> memory) {
-    const std::uint16_t mask = rgb565_mask(registers.blend.write_mask);
+template <class Word>
+void clear_words(const Surface& surface,
+                 std::uint32_t color,
+                 const Registers& registers,
+                 Rectangle cut,
+                 std::span<std::byte> memory) {
+    const Format format = surface.format;
+    const auto mask = static_cast<Word>(pixel_bits(format, registers.blend.write_mask));
+    const MaskedFill<Word> fill{static_cast<Word>(pack_pixel(format, color)), mask};
+    const bool dithers = is_narrow(format) && registers.fragment.dither;
     for_rows(surface, cut, memory, [&](int y, std::byte* at) {
-        for (int x = cut.x0; x < cut.x1; ++x, at += 2) {
-            const std::uint16_t pixel = registers.fragment.dither
-                                            ? dither_rgb565(color,
-                                                            static_cast<std::uint32_t>(x),
-                                                            static_cast<std::uint32_t>(y))
-                                            : rgb565_from_rgba8(color);
-            MaskedFill<std::uint16_t>{pixel, mask}.row(at, 1);
+        if (!dithers) return fill.row(at, cut.width());
+        for (int x = cut.x0; x < cut.x1; ++x, at += sizeof(Word)) {
+            const Dithered rounding{
+                bayer_threshold(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y))};
+            const auto pixel = static_cast<Word>(pack_pixel(format, color, rounding));
+            MaskedFill<Word>{pixel, mask}.row(at, 1);
         }
     });
 }
@@ -76,19 +65,14 @@ void clear_color(const Surface& surface,
                  Rectangle rectangle,
                  std::span<std::byte> memory) {
     const Rectangle cut = cut_to(surface, rectangle);
-    if (cut.empty()) return;
-    MaskedFill<std::uint32_t> fill{color, byte_mask(registers.blend.write_mask)};
-    switch (surface.format) {
-    case Format::Rgb565:
-        return clear_rgb565(surface, color, registers, cut, memory);
-    case Format::Rgbx8:
-        fill = {color | 0xff000000u, fill.mask | 0xff000000u};
-        [[fallthrough]];
-    case Format::Rgba8:
-        return for_rows(
-            surface, cut, memory, [&](int, std::byte* at) { fill.row(at, cut.width()); });
+    if (cut.empty() || !is_plain_color(surface.format)) return;
+    switch (format_info(surface.format).block_bytes) {
+    case 1:
+        return clear_words<std::uint8_t>(surface, color, registers, cut, memory);
+    case 2:
+        return clear_words<std::uint16_t>(surface, color, registers, cut, memory);
     default:
-        return;
+        return clear_words<std::uint32_t>(surface, color, registers, cut, memory);
     }
 }
 

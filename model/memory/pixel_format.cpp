@@ -3,6 +3,7 @@
 #include "model/base/check.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace ffgpu {
 namespace {
@@ -14,110 +15,33 @@ void for_pixels(Count count, Address* at, Each&& each) {
         each(i, at);
 }
 
-constexpr std::uint32_t gray(std::uint32_t value) {
-    return value * 0x010101u;
-}
-
-constexpr std::uint32_t rgba8_from_rgba4(std::uint32_t pixel) {
-    return widen_bits(pixel >> 12, 4) | widen_bits(pixel >> 8 & 15, 4) << 8 |
-           widen_bits(pixel >> 4 & 15, 4) << 16 | widen_bits(pixel & 15, 4) << 24;
-}
-
-constexpr std::uint32_t rgba8_from_rgb5a1(std::uint32_t pixel) {
-    return widen_bits(pixel >> 11, 5) | widen_bits(pixel >> 6 & 31, 5) << 8 |
-           widen_bits(pixel >> 1 & 31, 5) << 16 | ((pixel & 1) != 0 ? 0xff000000u : 0u);
-}
-
-constexpr std::uint16_t rgba4_from_rgba8(std::uint32_t color) {
-    const auto level = [&](unsigned shift) { return quantize(color >> shift & 255, 15); };
-    return static_cast<std::uint16_t>(level(0) << 12 | level(8) << 8 | level(16) << 4 | level(24));
-}
-
-constexpr std::uint16_t rgb5a1_from_rgba8(std::uint32_t color) {
-    const auto level = [&](unsigned shift) { return quantize(color >> shift & 255, 31); };
-    return static_cast<std::uint16_t>(level(0) << 11 | level(8) << 6 | level(16) << 1 |
-                                      color >> 31);
-}
+// The word of memory that holds a pixel.
+template <Format Known>
+using PixelWord = std::conditional_t<
+    format_info(Known).block_bytes == 1,
+    std::uint8_t,
+    std::conditional_t<format_info(Known).block_bytes == 2, std::uint16_t, std::uint32_t>>;
 
 } // namespace
 
 void load_rgba8(Format format, const std::byte* from, std::span<std::uint32_t> colors) {
-    const auto load8 = [&](auto&& convert) {
-        for_pixels<1>(colors.size(), from, [&](std::size_t i, const std::byte* at) {
-            colors[i] = convert(load_word<std::uint8_t>(at));
+    const bool known = visit_plain_color(format, [&](auto tag) {
+        using Word = PixelWord<tag.value>;
+        for_pixels<sizeof(Word)>(colors.size(), from, [&](std::size_t i, const std::byte* at) {
+            colors[i] = unpack_pixel(tag.value, load_word<Word>(at));
         });
-    };
-    const auto load16 = [&](auto&& convert) {
-        for_pixels<2>(colors.size(), from, [&](std::size_t i, const std::byte* at) {
-            colors[i] = convert(load_word<std::uint16_t>(at));
-        });
-    };
-    const auto load32 = [&](std::uint32_t set_bits) {
-        for_pixels<4>(colors.size(), from, [&](std::size_t i, const std::byte* at) {
-            colors[i] = load_word<std::uint32_t>(at) | set_bits;
-        });
-    };
-    switch (format) {
-    case Format::Rgba8:
-        return load32(0);
-    case Format::Rgbx8:
-        return load32(0xff000000u);
-    case Format::Luminance8:
-        return load8([](std::uint32_t l) { return gray(l) | 0xff000000u; });
-    case Format::Alpha8:
-        return load8([](std::uint32_t a) { return a << 24; });
-    case Format::Intensity8:
-        return load8([](std::uint32_t i) { return gray(i) | i << 24; });
-    case Format::LuminanceAlpha8:
-        return load16([](std::uint32_t p) { return gray(p & 255) | p >> 8 << 24; });
-    case Format::Rgb565:
-        return load16(rgba8_from_rgb565);
-    case Format::Rgba4:
-        return load16(rgba8_from_rgba4);
-    case Format::Rgb5a1:
-        return load16(rgba8_from_rgb5a1);
-    default:
-        check(false, "load_rgba8: not a plain colour format");
-    }
+    });
+    check(known, "load_rgba8: not a plain colour format");
 }
 
 void store_rgba8(Format format, std::span<const std::uint32_t> colors, std::byte* to) {
-    const auto store8 = [&](unsigned shift) {
-        for_pixels<1>(colors.size(), to, [&](std::size_t i, std::byte* at) {
-            store_word(at, static_cast<std::uint8_t>(colors[i] >> shift));
+    const bool known = visit_plain_color(format, [&](auto tag) {
+        using Word = PixelWord<tag.value>;
+        for_pixels<sizeof(Word)>(colors.size(), to, [&](std::size_t i, std::byte* at) {
+            store_word(at, static_cast<Word>(pack_pixel(tag.value, colors[i])));
         });
-    };
-    const auto store16 = [&](auto&& convert) {
-        for_pixels<2>(colors.size(), to, [&](std::size_t i, std::byte* at) {
-            store_word(at, static_cast<std::uint16_t>(convert(colors[i])));
-        });
-    };
-    const auto store32 = [&](std::uint32_t set_bits) {
-        for_pixels<4>(colors.size(), to, [&](std::size_t i, std::byte* at) {
-            store_word(at, colors[i] | set_bits);
-        });
-    };
-    switch (format) {
-    case Format::Rgba8:
-        return store32(0);
-    case Format::Rgbx8:
-        return store32(0xff000000u);
-    case Format::Luminance8:
-    case Format::Intensity8:
-        return store8(0);
-    case Format::Alpha8:
-        return store8(24);
-    case Format::LuminanceAlpha8:
-        return store16([](std::uint32_t c) { return (c & 255) | c >> 24 << 8; });
-    case Format::Rgb565:
-        return store16([](std::uint32_t c) { return rgb565_from_rgba8(c); });
-    case Format::Rgba4:
-        return store16(rgba4_from_rgba8);
-    case Format::Rgb5a1:
-        return store16(rgb5a1_from_rgba8);
-    default:
-        check(false, "store_rgba8: not a plain colour format");
-    }
+    });
+    check(known, "store_rgba8: not a plain colour format");
 }
 
 std::uint32_t depth_units(Format format, float depth) {

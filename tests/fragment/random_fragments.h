@@ -85,9 +85,8 @@ place_surface(Draws& draws, Format format, std::uint8_t samples, std::uint32_t& 
 }
 
 inline Format random_color_format(Draws& draws) {
-    constexpr Format Formats[] = {
-        Format::Rgba8, Format::Rgba8, Format::Rgbx8, Format::Rgb565, Format::None};
-    return Formats[draws.below(5)];
+    if (draws.coin()) return Format::Rgba8;
+    return draws.value_below<Format>(static_cast<std::uint32_t>(Format::Rgb5a1) + 1); // or None
 }
 
 inline void place_targets(Draws& draws, Scene& scene) {

@@ -81,31 +81,60 @@ TEST_CASE("Rgbx8 stores 255 as its fourth byte whatever the mask") {
     });
 }
 
-TEST_CASE("Rgb565 is cleared under the mask, dithered if the draw is") {
+// What a pixel holds after a clear, channel by channel: the specification of the fill of words.
+std::uint32_t cleared_pixel(const Registers& registers, std::uint32_t stored, int x, int y) {
+    constexpr std::uint32_t Color = 0xb1818243;
+    const Format format = registers.targets.color[0].format;
+    const Dithered dithered{
+        bayer_threshold(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y))};
+    const std::uint32_t written =
+        unpack_pixel(format,
+                     registers.fragment.dither ? pack_pixel(format, Color, dithered)
+                                               : pack_pixel(format, Color));
+    std::uint32_t color = unpack_pixel(format, stored);
+    for (unsigned i = 0; i < 4; ++i) {
+        const std::uint32_t byte = 0xffu << 8 * i;
+        if ((registers.blend.write_mask >> i & 1) != 0) color = (color & ~byte) | (written & byte);
+    }
+    return pack_pixel(format, color);
+}
+
+template <class Word>
+void check_clear(ClearBench& bench, Format format) {
+    bench.registers.targets.color[0] = ClearBench::surface(1024, format);
+    bench.clear = {.color = true, .color_value = 0xb1818243};
+    const std::vector<std::byte> before = bench.memory;
+    const auto at = [&](int x, int y) {
+        return pixel_address(bench.registers.targets.color[0],
+                             bench.memory,
+                             static_cast<std::uint32_t>(x),
+                             static_cast<std::uint32_t>(y));
+    };
+    bench.require_pixels<Word>(bench.registers.targets.color[0], [&](int x, int y) {
+        const Word stored = load_word<Word>(before.data() + (at(x, y) - bench.memory.data()));
+        return static_cast<Word>(cleared_pixel(bench.registers, stored, x, y));
+    });
+}
+
+TEST_CASE("Every narrow and small format is cleared under the mask, dithered if the draw is") {
     for (const bool dithered : {false, true}) {
-        ClearBench bench;
-        bench.registers.targets.color[0] = ClearBench::surface(1024, Format::Rgb565);
-        bench.registers.fragment.dither = dithered;
-        bench.registers.blend.write_mask = 0x5;
-        bench.clear = {.color = true, .color_value = 0x00818283};
-        const std::uint16_t old = static_cast<std::uint16_t>(Old);
-        REQUIRE((Old >> 16) != old);
-        const auto at = [&](int x, int y) {
-            return pixel_address(bench.registers.targets.color[0],
-                                 bench.memory,
-                                 static_cast<std::uint32_t>(x),
-                                 static_cast<std::uint32_t>(y));
-        };
-        std::vector<std::byte> before = bench.memory;
-        bench.require_pixels<std::uint16_t>(bench.registers.targets.color[0], [&](int x, int y) {
-            const std::uint16_t stored =
-                load_word<std::uint16_t>(before.data() + (at(x, y) - bench.memory.data()));
-            const std::uint16_t pixel = dithered ? dither_rgb565(0x00818283,
-                                                                 static_cast<std::uint32_t>(x),
-                                                                 static_cast<std::uint32_t>(y))
-                                                 : rgb565_from_rgba8(0x00818283);
-            return (pixel & 0xf81f) | (stored & 0x07e0);
-        });
+        for (std::uint8_t mask = 0; mask < 16; ++mask) {
+            const auto bench = [&] {
+                ClearBench made;
+                made.registers.fragment.dither = dithered;
+                made.registers.blend.write_mask = mask;
+                return made;
+            };
+            for (const Format format : {Format::Luminance8, Format::Alpha8, Format::Intensity8}) {
+                ClearBench made = bench();
+                check_clear<std::uint8_t>(made, format);
+            }
+            for (const Format format :
+                 {Format::LuminanceAlpha8, Format::Rgb565, Format::Rgba4, Format::Rgb5a1}) {
+                ClearBench made = bench();
+                check_clear<std::uint16_t>(made, format);
+            }
+        }
     }
 }
 

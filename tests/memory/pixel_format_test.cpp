@@ -80,7 +80,7 @@ TEST_CASE("Quantizing is to the nearest level, with both ends exact") {
 
 TEST_CASE(
     "Dithering keeps levels, keeps ends, moves by one level at most, and is right on average") {
-    for (const unsigned bits : {5u, 6u}) {
+    for (const unsigned bits : {4u, 5u, 6u}) {
         const std::uint32_t maximum = (1u << bits) - 1;
         for (std::uint32_t level = 0; level <= maximum; ++level)
             for (std::uint32_t bayer = 0; bayer < 16; ++bayer)
@@ -93,6 +93,36 @@ TEST_CASE(
                 sum += level;
             }
             REQUIRE(std::abs(sum / 16 - value * maximum / 255.0) < 0.25);
+        }
+    }
+}
+
+TEST_CASE("Every format's dithered pixel reads as one of the two levels around each channel") {
+    for (const Format format : ColorFormats) {
+        for (std::uint32_t value = 0; value < 256; ++value) {
+            for (std::uint32_t bayer = 0; bayer < 16; ++bayer) {
+                const std::uint32_t color = value * 0x01010101u;
+                const std::uint32_t dithered =
+                    unpack_pixel(format, pack_pixel(format, color, Dithered{bayer}));
+                const std::uint32_t nearest = unpack_pixel(format, pack_pixel(format, color));
+                if (!is_narrow(format)) REQUIRE(dithered == nearest);
+                for (unsigned i = 0; i < 3; ++i)
+                    REQUIRE(std::abs(static_cast<int>(dithered >> 8 * i & 255) -
+                                     static_cast<int>(nearest >> 8 * i & 255)) <= 17);
+                if (format == Format::Rgb5a1) REQUIRE(dithered >> 24 == (value < 128 ? 0 : 255));
+            }
+        }
+    }
+}
+
+TEST_CASE("The bits of a channel in a pixel are those that the channel changes") {
+    for (const Format format : ColorFormats) {
+        for (unsigned i = 0; i < 4; ++i) {
+            const std::uint32_t changed =
+                pack_pixel(format, 0xffu << 8 * i) ^ pack_pixel(format, 0);
+            const std::uint32_t spare = format == Format::Rgbx8 ? 0xff000000u : 0;
+            REQUIRE((pixel_bits(format, 1u << i) & ~spare) == changed);
+            REQUIRE((changed != 0) == ((stored_channels(format) >> i & 1) != 0));
         }
     }
 }

@@ -221,7 +221,7 @@ struct Multisample {
     bool operator==(const Multisample&) const = default;
 };
 
-// A colour target (Format Rgba8, Rgbx8 or Rgb565) or a depth target (Depth16, Depth24Stencil8).
+// A colour target (any uncompressed colour format) or a depth target (Depth16, Depth24Stencil8).
 // Format None: there is none; its stages do nothing. Row y begins at address + y * stride.
 //
 // A multisampled surface is `samples` such planes one behind the other, stride * height bytes
