@@ -8,13 +8,16 @@
 
 namespace ffgpu::gl {
 
-constexpr std::array<std::string_view, 92> Extensions{
+constexpr std::array<std::string_view, 99> Extensions{
+    "GL_3DFX_texture_compression_FXT1",
+    "GL_APPLE_packed_pixels",
     "GL_APPLE_vertex_array_object",
     "GL_ARB_copy_buffer",
     "GL_ARB_depth_texture",
     "GL_ARB_draw_buffers",
     "GL_ARB_draw_elements_base_vertex",
     "GL_ARB_framebuffer_object",
+    "GL_ARB_half_float_pixel",
     "GL_ARB_map_buffer_range",
     "GL_ARB_multisample",
     "GL_ARB_multitexture",
@@ -72,6 +75,7 @@ constexpr std::array<std::string_view, 92> Extensions{
     "GL_EXT_subtexture",
     "GL_EXT_texture",
     "GL_EXT_texture3D",
+    "GL_EXT_texture_compression_dxt1",
     "GL_EXT_texture_compression_s3tc",
     "GL_EXT_texture_cube_map",
     "GL_EXT_texture_edge_clamp",
@@ -83,13 +87,17 @@ constexpr std::array<std::string_view, 92> Extensions{
     "GL_EXT_texture_mirror_clamp",
     "GL_EXT_texture_object",
     "GL_EXT_texture_rectangle",
+    "GL_EXT_texture_sRGB",
     "GL_EXT_vertex_array",
     "GL_EXT_vertex_array_bgra",
     "GL_GREMEDY_string_marker",
     "GL_IBM_texture_mirrored_repeat",
+    "GL_MESA_pack_invert",
     "GL_MESA_window_pos",
     "GL_NV_blend_square",
+    "GL_NV_copy_depth_to_color",
     "GL_NV_fog_distance",
+    "GL_NV_packed_depth_stencil",
     "GL_NV_primitive_restart",
     "GL_NV_texgen_reflection",
     "GL_NV_texture_env_combine4",

@@ -5,6 +5,7 @@
 
 #include "driver/gl_types.h"
 #include "driver/math/conversion.h"
+#include "driver/math/half.h"
 
 #include <bit>
 #include <cstddef>
@@ -43,7 +44,9 @@ void store_element(std::byte* at, T value, bool swap) {
 // An integer's range to [0, 1] or [-1, 1]; floats as they are.
 template <class T>
 constexpr double real_from_element(T value) {
-    if constexpr (std::is_floating_point_v<T>) {
+    if constexpr (std::is_same_v<T, Half>) {
+        return real_from_half(value);
+    } else if constexpr (std::is_floating_point_v<T>) {
         return static_cast<double>(value);
     } else if constexpr (std::is_unsigned_v<T>) {
         return value / static_cast<double>(std::numeric_limits<T>::max());
@@ -57,7 +60,9 @@ constexpr double real_from_element(T value) {
 template <class T>
 constexpr T element_from_real(double value) {
     const double real = clamp_unit(value);
-    if constexpr (std::is_floating_point_v<T>) {
+    if constexpr (std::is_same_v<T, Half>) {
+        return half_from_real(real);
+    } else if constexpr (std::is_floating_point_v<T>) {
         return static_cast<T>(real);
     } else if constexpr (std::is_unsigned_v<T>) {
         return static_cast<T>(real * static_cast<double>(std::numeric_limits<T>::max()) + 0.5);
@@ -70,8 +75,8 @@ constexpr T element_from_real(double value) {
 // Indices: the integer part; beyond the type's range, its lowest bits (GL 1.5, table 4.6).
 template <class T>
 constexpr std::int32_t index_from_element(T value) {
-    if constexpr (std::is_floating_point_v<T>) {
-        const double real = static_cast<double>(value);
+    if constexpr (std::is_floating_point_v<T> || std::is_same_v<T, Half>) {
+        const double real = real_from_element(value);
         if (!(real > -2147483648.0)) return real < 0 ? std::numeric_limits<std::int32_t>::min() : 0;
         if (real >= 2147483647.0) return std::numeric_limits<std::int32_t>::max();
         return static_cast<std::int32_t>(real);
@@ -82,7 +87,9 @@ constexpr std::int32_t index_from_element(T value) {
 
 template <class T>
 constexpr T element_from_index(std::int32_t index) {
-    if constexpr (std::is_floating_point_v<T>) {
+    if constexpr (std::is_same_v<T, Half>) {
+        return half_from_real(index);
+    } else if constexpr (std::is_floating_point_v<T>) {
         return static_cast<T>(index);
     } else {
         return static_cast<T>(index & static_cast<std::int32_t>(std::numeric_limits<T>::max()));
@@ -105,6 +112,8 @@ decltype(auto) with_element_type(GLenum type, Visitor&& visitor) {
         return visitor(std::int32_t{});
     case GL_UNSIGNED_INT:
         return visitor(std::uint32_t{});
+    case GL_HALF_FLOAT:
+        return visitor(Half{});
     default:
         return visitor(float{});
     }

@@ -78,6 +78,7 @@ unsigned type_bytes(GLenum type) {
         return 1;
     case GL_SHORT:
     case GL_UNSIGNED_SHORT:
+    case GL_HALF_FLOAT:
         return 2;
     case GL_INT:
     case GL_UNSIGNED_INT:

@@ -65,12 +65,14 @@ TEST_CASE_METHOD(FramebufferFixture, "completeness names what is wrong") {
     ReadBuffer(GL_COLOR_ATTACHMENT1);
     CHECK(status() == GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER);
     ReadBuffer(GL_NONE);
-    define(0, GL_LUMINANCE, 16, 8);
-    CHECK(status() == GL_FRAMEBUFFER_UNSUPPORTED);
-    define(0, GL_RGBA4, 16, 8);
-    CHECK(status() == GL_FRAMEBUFFER_UNSUPPORTED);
-    define(0, GL_RGB5, 16, 8);
-    CHECK(status() == GL_FRAMEBUFFER_COMPLETE);
+    for (const GLint compressed : {GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_COMPRESSED_RGB_FXT1_3DFX}) {
+        define(0, compressed, 16, 8);
+        CHECK(status() == GL_FRAMEBUFFER_UNSUPPORTED);
+    }
+    for (const GLint format : {GL_LUMINANCE, GL_ALPHA, GL_RGBA4, GL_RGB5_A1, GL_RGB5}) {
+        define(0, format, 16, 8);
+        CHECK(status() == GL_FRAMEBUFFER_COMPLETE);
+    }
     attach(GL_DEPTH_ATTACHMENT); // A colour texture.
     CHECK(status() == GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT);
 }

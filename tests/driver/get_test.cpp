@@ -92,9 +92,11 @@ TEST_CASE("The compressed formats listed are as many as their number says") {
     StateFixture f;
     GLint formats[16] = {};
     GetIntegerv(GL_COMPRESSED_TEXTURE_FORMATS, formats);
-    CHECK(get_int(GL_NUM_COMPRESSED_TEXTURE_FORMATS) == 3);
+    CHECK(get_int(GL_NUM_COMPRESSED_TEXTURE_FORMATS) == 5);
     CHECK(formats[0] == GL_COMPRESSED_RGB_S3TC_DXT1_EXT);
     CHECK(formats[2] == GL_COMPRESSED_RGBA_S3TC_DXT5_EXT);
+    CHECK(formats[4] == GL_COMPRESSED_RGBA_FXT1_3DFX);
+    CHECK(formats[5] == 0);
 }
 
 TEST_CASE("A drawable without back, alpha, depth and accumulation buffers says so") {
