@@ -481,6 +481,9 @@ package ffgpu_registers_pkg;
   localparam int unsigned TextureImageWidthWord = 0;
   localparam int unsigned TextureImageWidthLsb = 13;
   localparam int unsigned TextureImageWidthWidth = 13;
+  localparam int unsigned TextureImageSrgbWord = 0;
+  localparam int unsigned TextureImageSrgbLsb = 26;
+  localparam int unsigned TextureImageSrgbWidth = 1;
   localparam int unsigned TextureImageHeightWord = 1;
   localparam int unsigned TextureImageHeightLsb = 0;
   localparam int unsigned TextureImageHeightWidth = 13;
@@ -791,12 +794,33 @@ package ffgpu_registers_pkg;
   localparam int unsigned BlendConstantLsb = 0;
   localparam int unsigned BlendConstantWidth = 32;
 
+  // multisample
+  localparam int unsigned MultisampleAddress = 56;
+  localparam int unsigned MultisampleWords = 1;
+  localparam logic [31:0] MultisampleReset = {
+    32'h00000078
+  };
+  localparam int unsigned MultisampleEnableWord = 0;
+  localparam int unsigned MultisampleEnableLsb = 0;
+  localparam int unsigned MultisampleEnableWidth = 1;
+  localparam int unsigned MultisampleAlphaToCoverageWord = 0;
+  localparam int unsigned MultisampleAlphaToCoverageLsb = 1;
+  localparam int unsigned MultisampleAlphaToCoverageWidth = 1;
+  localparam int unsigned MultisampleAlphaToOneWord = 0;
+  localparam int unsigned MultisampleAlphaToOneLsb = 2;
+  localparam int unsigned MultisampleAlphaToOneWidth = 1;
+  localparam int unsigned MultisampleSampleMaskWord = 0;
+  localparam int unsigned MultisampleSampleMaskLsb = 3;
+  localparam int unsigned MultisampleSampleMaskWidth = 4;
+
   // targets
-  localparam int unsigned TargetsAddress = 56;
-  localparam int unsigned TargetsWords = 9;
-  localparam logic [287:0] TargetsReset = {
-    32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000,
-    32'h00000000, 32'h00000000, 32'h00000000
+  localparam int unsigned TargetsAddress = 57;
+  localparam int unsigned TargetsWords = 20;
+  localparam logic [639:0] TargetsReset = {
+    32'h00000001, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000001, 32'h00000000,
+    32'h00000000, 32'h00000000, 32'h00000001, 32'h00000000, 32'h00000000, 32'h00000000,
+    32'h00000001, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000001, 32'h00000000,
+    32'h00000000, 32'h00000000
   };
   localparam int unsigned TargetsAddress0Word = 0;
   localparam int unsigned TargetsAddress0Lsb = 0;
@@ -813,35 +837,80 @@ package ffgpu_registers_pkg;
   localparam int unsigned TargetsStride0Word = 2;
   localparam int unsigned TargetsStride0Lsb = 0;
   localparam int unsigned TargetsStride0Width = 32;
-  localparam int unsigned TargetsAddress1Word = 3;
+  localparam int unsigned TargetsSamples0Word = 3;
+  localparam int unsigned TargetsSamples0Lsb = 0;
+  localparam int unsigned TargetsSamples0Width = 3;
+  localparam int unsigned TargetsAddress1Word = 4;
   localparam int unsigned TargetsAddress1Lsb = 0;
   localparam int unsigned TargetsAddress1Width = 32;
-  localparam int unsigned TargetsFormat1Word = 4;
+  localparam int unsigned TargetsFormat1Word = 5;
   localparam int unsigned TargetsFormat1Lsb = 0;
   localparam int unsigned TargetsFormat1Width = 5;
-  localparam int unsigned TargetsWidth1Word = 4;
+  localparam int unsigned TargetsWidth1Word = 5;
   localparam int unsigned TargetsWidth1Lsb = 5;
   localparam int unsigned TargetsWidth1Width = 13;
-  localparam int unsigned TargetsHeight1Word = 4;
+  localparam int unsigned TargetsHeight1Word = 5;
   localparam int unsigned TargetsHeight1Lsb = 18;
   localparam int unsigned TargetsHeight1Width = 13;
-  localparam int unsigned TargetsStride1Word = 5;
+  localparam int unsigned TargetsStride1Word = 6;
   localparam int unsigned TargetsStride1Lsb = 0;
   localparam int unsigned TargetsStride1Width = 32;
-  localparam int unsigned TargetsAddress2Word = 6;
+  localparam int unsigned TargetsSamples1Word = 7;
+  localparam int unsigned TargetsSamples1Lsb = 0;
+  localparam int unsigned TargetsSamples1Width = 3;
+  localparam int unsigned TargetsAddress2Word = 8;
   localparam int unsigned TargetsAddress2Lsb = 0;
   localparam int unsigned TargetsAddress2Width = 32;
-  localparam int unsigned TargetsFormat2Word = 7;
+  localparam int unsigned TargetsFormat2Word = 9;
   localparam int unsigned TargetsFormat2Lsb = 0;
   localparam int unsigned TargetsFormat2Width = 5;
-  localparam int unsigned TargetsWidth2Word = 7;
+  localparam int unsigned TargetsWidth2Word = 9;
   localparam int unsigned TargetsWidth2Lsb = 5;
   localparam int unsigned TargetsWidth2Width = 13;
-  localparam int unsigned TargetsHeight2Word = 7;
+  localparam int unsigned TargetsHeight2Word = 9;
   localparam int unsigned TargetsHeight2Lsb = 18;
   localparam int unsigned TargetsHeight2Width = 13;
-  localparam int unsigned TargetsStride2Word = 8;
+  localparam int unsigned TargetsStride2Word = 10;
   localparam int unsigned TargetsStride2Lsb = 0;
   localparam int unsigned TargetsStride2Width = 32;
+  localparam int unsigned TargetsSamples2Word = 11;
+  localparam int unsigned TargetsSamples2Lsb = 0;
+  localparam int unsigned TargetsSamples2Width = 3;
+  localparam int unsigned TargetsAddress3Word = 12;
+  localparam int unsigned TargetsAddress3Lsb = 0;
+  localparam int unsigned TargetsAddress3Width = 32;
+  localparam int unsigned TargetsFormat3Word = 13;
+  localparam int unsigned TargetsFormat3Lsb = 0;
+  localparam int unsigned TargetsFormat3Width = 5;
+  localparam int unsigned TargetsWidth3Word = 13;
+  localparam int unsigned TargetsWidth3Lsb = 5;
+  localparam int unsigned TargetsWidth3Width = 13;
+  localparam int unsigned TargetsHeight3Word = 13;
+  localparam int unsigned TargetsHeight3Lsb = 18;
+  localparam int unsigned TargetsHeight3Width = 13;
+  localparam int unsigned TargetsStride3Word = 14;
+  localparam int unsigned TargetsStride3Lsb = 0;
+  localparam int unsigned TargetsStride3Width = 32;
+  localparam int unsigned TargetsSamples3Word = 15;
+  localparam int unsigned TargetsSamples3Lsb = 0;
+  localparam int unsigned TargetsSamples3Width = 3;
+  localparam int unsigned TargetsAddress4Word = 16;
+  localparam int unsigned TargetsAddress4Lsb = 0;
+  localparam int unsigned TargetsAddress4Width = 32;
+  localparam int unsigned TargetsFormat4Word = 17;
+  localparam int unsigned TargetsFormat4Lsb = 0;
+  localparam int unsigned TargetsFormat4Width = 5;
+  localparam int unsigned TargetsWidth4Word = 17;
+  localparam int unsigned TargetsWidth4Lsb = 5;
+  localparam int unsigned TargetsWidth4Width = 13;
+  localparam int unsigned TargetsHeight4Word = 17;
+  localparam int unsigned TargetsHeight4Lsb = 18;
+  localparam int unsigned TargetsHeight4Width = 13;
+  localparam int unsigned TargetsStride4Word = 18;
+  localparam int unsigned TargetsStride4Lsb = 0;
+  localparam int unsigned TargetsStride4Width = 32;
+  localparam int unsigned TargetsSamples4Word = 19;
+  localparam int unsigned TargetsSamples4Lsb = 0;
+  localparam int unsigned TargetsSamples4Width = 3;
 
 endpackage
