@@ -14,7 +14,14 @@
 namespace ffgpu::gl::api {
 namespace {
 
+// NV_copy_depth_to_color: depth and stencil are drawn as colours.
+bool shows_depth(GLenum type) {
+    return type == GL_DEPTH_STENCIL_TO_RGBA_NV || type == GL_DEPTH_STENCIL_TO_BGRA_NV;
+}
+
+// Of the pixels that are read.
 std::optional<PixelKind> kind_of(GLenum type) {
+    if (shows_depth(type)) return PixelKind::DepthStencil;
     switch (type) {
     case GL_COLOR:
         return PixelKind::Color;
@@ -84,6 +91,21 @@ public:
         return image(Format::Stencil8, std::move(encoded));
     }
 
+    // As if they were read as GL_UNSIGNED_INT_24_8 and drawn as GL_UNSIGNED_INT_8_8_8_8 of GL_RGBA
+    // or GL_BGRA: the highest byte of the depth is red or blue, the stencil index is alpha.
+    HostImage depths_as_colors(bool bgra) const {
+        const HostImage depth = depths(), stencil = stencils();
+        std::vector<std::byte> colors(4 * count_);
+        for (std::size_t i = 0; i < count_; ++i) {
+            const std::byte* const word = &depth.pixels[4 * i];
+            colors[4 * i] = word[bgra ? 1 : 3];
+            colors[4 * i + 1] = word[2];
+            colors[4 * i + 2] = word[bgra ? 3 : 1];
+            colors[4 * i + 3] = stencil.pixels[i];
+        }
+        return image(Format::Rgba8, std::move(colors));
+    }
+
 private:
     HostImage image(Format format, std::vector<std::byte> pixels) const {
         return {format, width_, height_, std::move(pixels)};
@@ -103,15 +125,16 @@ void CopyPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heigh
     if (!kind) return context.error(GL_INVALID_ENUM);
     if (width < 0 || height < 0) return context.error(GL_INVALID_VALUE);
     const ReadTarget target = find_read_target(context);
-    if (target.status != GL_FRAMEBUFFER_COMPLETE)
-        return context.error(GL_INVALID_FRAMEBUFFER_OPERATION);
+    if (const GLenum error = target.pixels_error()) return context.error(error);
     if (!has_source(target, *kind)) return context.error(GL_INVALID_OPERATION);
-    if (const GLenum error = draw_buffers_error(context, *kind)) return context.error(error);
+    const PixelKind drawn = shows_depth(type) ? PixelKind::Color : *kind;
+    if (const GLenum error = draw_buffers_error(context, drawn)) return context.error(error);
     const RasterPosition& raster = context.state.current.raster;
     if (!raster.valid || context.render_modes().takes_pixels(GL_COPY_PIXEL_TOKEN)) return;
 
     // Pixels from outside of the surface are undefined; none are drawn.
-    const Surface& surface = *kind == PixelKind::Color ? target.color : target.depth;
+    const Surface surface =
+        *kind == PixelKind::Color ? target.pixel_colors() : target.pixel_depths();
     const PixelRectangle inside = clip_to(surface, {x, y, width, height});
     if (inside.empty()) return;
     const float zoom_x = context.state.pixel.zoom_x, zoom_y = context.state.pixel.zoom_y;
@@ -120,6 +143,10 @@ void CopyPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heigh
                            zoom_x,
                            zoom_y};
     const CopiedPixels copied(context, surface, inside);
+    if (shows_depth(type)) {
+        const bool bgra = type == GL_DEPTH_STENCIL_TO_BGRA_NV;
+        return draw_image(context, copied.depths_as_colors(bgra), place);
+    }
     if (*kind == PixelKind::Color) draw_image(context, copied.colors(), place);
     if (*kind == PixelKind::Depth) draw_image(context, copied.depths(), place);
     if (*kind == PixelKind::DepthStencil) draw_depths_untested(context, copied.depths(), place);

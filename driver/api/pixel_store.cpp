@@ -35,6 +35,8 @@ Place find_parameter(PixelStoreState& state, GLenum name) {
         return {&state.pack, &PixelStore::swap_bytes};
     case GL_PACK_LSB_FIRST:
         return {&state.pack, &PixelStore::lsb_first};
+    case GL_PACK_INVERT_MESA:
+        return {&state.pack, &PixelStore::invert};
     case GL_PACK_ROW_LENGTH:
         return {&state.pack, nullptr, &PixelStore::row_length};
     case GL_PACK_IMAGE_HEIGHT:

@@ -23,7 +23,8 @@ public:
     }
 
     std::size_t byte(std::size_t x, std::size_t y) const {
-        return (to_size(store_.skip_rows) + y) * stride_ + (to_size(store_.skip_pixels) + x) / 8;
+        const std::size_t row = to_size(store_.skip_rows) + (store_.invert ? Size - 1 - y : y);
+        return row * stride_ + (to_size(store_.skip_pixels) + x) / 8;
     }
 
     std::uint8_t mask(std::size_t x) const {
@@ -31,7 +32,7 @@ public:
         return static_cast<std::uint8_t>(1u << (store_.lsb_first ? bit : 7 - bit));
     }
 
-    std::size_t bytes() const { return byte(Size - 1, Size - 1) + 1; }
+    std::size_t bytes() const { return byte(Size - 1, store_.invert ? 0 : Size - 1) + 1; }
 
 private:
     static std::size_t to_size(GLint value) { return static_cast<std::size_t>(value); }

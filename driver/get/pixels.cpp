@@ -12,6 +12,7 @@ std::span<const StateVariable> pixel_variables() {
     static constexpr std::array Table{
         FFGPU_STATE(GL_PACK_SWAP_BYTES, boolean(c.client.pixel_store.pack.swap_bytes)),
         FFGPU_STATE(GL_PACK_LSB_FIRST, boolean(c.client.pixel_store.pack.lsb_first)),
+        FFGPU_STATE(GL_PACK_INVERT_MESA, boolean(c.client.pixel_store.pack.invert)),
         FFGPU_STATE(GL_PACK_ROW_LENGTH, integer(c.client.pixel_store.pack.row_length)),
         FFGPU_STATE(GL_PACK_IMAGE_HEIGHT, integer(c.client.pixel_store.pack.image_height)),
         FFGPU_STATE(GL_PACK_SKIP_PIXELS, integer(c.client.pixel_store.pack.skip_pixels)),

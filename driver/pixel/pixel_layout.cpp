@@ -58,6 +58,10 @@ pixel_layout(const PixelStore& store, ImageSize size, GLenum format, GLenum type
         layout.end = ~std::uint64_t{0}; // The sums above may have wrapped around.
     } else if (!size.empty()) {
         layout.end = layout.row(unsigned_of(size.height) - 1, unsigned_of(size.depth) - 1) + used;
+        if (store.invert) {
+            layout.first = layout.row(unsigned_of(size.height) - 1);
+            layout.row_stride = 0 - layout.row_stride;
+        }
     }
     return layout;
 }

@@ -16,7 +16,7 @@ struct ImageSize {
 
 struct PixelLayout {
     std::uint64_t first = 0;        // byte of the first pixel, after what is skipped
-    std::uint64_t row_stride = 0;   // bytes
+    std::uint64_t row_stride = 0;   // bytes; modulo 2^64 less than 0 where rows go down in memory
     std::uint64_t image_stride = 0; // bytes
     std::uint64_t end = 0;          // bytes of memory that the image needs; 0 if it is empty
     unsigned first_bit = 0;         // GL_BITMAP: of the first byte of each row

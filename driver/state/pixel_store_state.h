@@ -15,6 +15,7 @@ struct PixelStore {
     GLint skip_rows = 0;
     GLint skip_images = 0;
     GLint alignment = 4;
+    bool invert = false; // MESA_pack_invert: rows from the top down; of pack alone
 };
 
 struct PixelStoreState {

@@ -38,6 +38,15 @@ TEST_CASE("row length, image height and skips move the first pixel") {
     CHECK(solid.end == solid.first + 280 + 40 + 16);
 }
 
+TEST_CASE("with MESA_pack_invert the last row comes first") {
+    const PixelStore store{.skip_rows = 1, .alignment = 4, .invert = true};
+    const PixelLayout layout = pixel_layout(store, {3, 4, 2}, GL_RGBA, GL_UNSIGNED_BYTE, true);
+    CHECK(layout.row(3) == 12);
+    CHECK(layout.row(0) == 4 * 12);
+    CHECK(layout.row(0, 1) == 8 * 12);
+    CHECK(layout.end == 9 * 12);
+}
+
 TEST_CASE("a bitmap's rows are bits") {
     PixelStore store{.skip_pixels = 11, .skip_rows = 1, .alignment = 2};
     const PixelLayout layout = pixel_layout(store, {10, 3, 1}, GL_COLOR_INDEX, GL_BITMAP, false);

@@ -134,6 +134,29 @@ TEST_CASE_METHOD(PixelFixture, "pixels are read as they are, and those outside a
     CHECK(packed == 31 << 11);
 }
 
+TEST_CASE_METHOD(PixelFixture, "inverted rows are read from the top, those outside left alone") {
+    PixelStorei(GL_PACK_INVERT_MESA, GL_TRUE);
+    const Surface& back = gl.drawable().back();
+    set_pixel(back, 5, 0, 0x04030201);
+    set_pixel(back, 5, 1, 0x08070605);
+    Bytes pixels(12, 99);
+    ReadPixels(5, -1, 1, 3, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    CHECK(pixels == Bytes{5, 6, 7, 8, 1, 2, 3, 4, 99, 99, 99, 99});
+}
+
+TEST_CASE_METHOD(PixelFixture, "depth and stencil are copied as colours") {
+    set_pixel(gl.drawable().depth(), 3, 4, 0xabcdef12);
+    CopyPixels(3, 4, 1, 1, GL_DEPTH_STENCIL_TO_RGBA_NV);
+    CHECK(last_image().format == Format::Rgba8);
+    CHECK(memory(last_image().address, 4) == Bytes{0xab, 0xcd, 0xef, 0x12});
+    CopyPixels(3, 4, 1, 1, GL_DEPTH_STENCIL_TO_BGRA_NV);
+    CHECK(memory(last_image().address, 4) == Bytes{0xef, 0xcd, 0xab, 0x12});
+    PixelTransferi(GL_INDEX_OFFSET, 1); // They are depth and stencil on their way, not colours.
+    PixelTransferf(GL_RED_SCALE, 0);
+    CopyPixels(3, 4, 1, 1, GL_DEPTH_STENCIL_TO_RGBA_NV);
+    CHECK(memory(last_image().address, 4) == Bytes{0xab, 0xcd, 0xef, 0x13});
+}
+
 TEST_CASE_METHOD(PixelFixture, "depth and stencil are read from their halves") {
     set_pixel(gl.drawable().depth(), 2, 3, 0xffffff'2a);
     float depth = 0;
