@@ -39,7 +39,8 @@ constexpr bool changes_current(Command id) {
     return id == Command::CallList || id == Command::CallLists || id == Command::PopAttrib;
 }
 
-constexpr bool has_compressed_image(Command id) {
+// Commands whose array may lie in the pixel unpack buffer, as it is: no pixel store applies.
+constexpr bool may_read_unpack_buffer(Command id) {
     switch (id) {
     case Command::CompressedTexImage1D:
     case Command::CompressedTexImage2D:
@@ -47,6 +48,9 @@ constexpr bool has_compressed_image(Command id) {
     case Command::CompressedTexSubImage1D:
     case Command::CompressedTexSubImage2D:
     case Command::CompressedTexSubImage3D:
+    case Command::PixelMapfv:
+    case Command::PixelMapuiv:
+    case Command::PixelMapusv:
         return true;
     default:
         return false;
@@ -72,17 +76,21 @@ std::int64_t array_elements(Arguments... arguments) {
     }
 }
 
+// Bytes of what a pointer points to; 1 for void.
+template <class Pointer>
+constexpr std::size_t element_bytes() {
+    using Element = std::remove_pointer_t<Pointer>;
+    if constexpr (std::is_void_v<Element>) {
+        return 1;
+    } else {
+        return sizeof(Element);
+    }
+}
+
 template <class Argument>
 void record_argument(RecordWriter& record, Argument argument, std::int64_t elements) {
     if constexpr (std::is_pointer_v<Argument>) {
-        using Element = std::remove_cv_t<std::remove_pointer_t<Argument>>;
-        constexpr std::size_t Size = [] {
-            if constexpr (std::is_void_v<Element>) {
-                return std::size_t{1};
-            } else {
-                return sizeof(Element);
-            }
-        }();
+        constexpr std::size_t Size = element_bytes<Argument>();
         const bool present = argument && elements >= 0 && elements <= MaxRecordedElements;
         const std::size_t bytes = present ? static_cast<std::size_t>(elements) * Size : 0;
         std::byte* const to = record.array(bytes, present);
@@ -113,11 +121,12 @@ void record_command(Context& context, Arguments... arguments) {
     RecordWriter record(context.lists().code(), operation(Id));
     if constexpr (ImageOf<Id>::Known) {
         record_image_command<Id>(context, record, arguments...);
-    } else if constexpr (has_compressed_image(Id)) {
-        const auto bytes =
-            static_cast<std::size_t>(std::max<std::int64_t>(0, array_elements<Id>(arguments...)));
+    } else if constexpr (may_read_unpack_buffer(Id)) {
+        const std::int64_t elements = array_elements<Id>(arguments...);
         const auto record_one = [&](auto argument) {
             if constexpr (std::is_pointer_v<decltype(argument)>) {
+                const auto bytes = static_cast<std::size_t>(std::max<std::int64_t>(0, elements)) *
+                                   element_bytes<decltype(argument)>();
                 const std::byte* const data = unpack_source(context, argument, bytes);
                 record_argument(record, data, static_cast<std::int64_t>(bytes));
             } else {

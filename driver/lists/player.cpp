@@ -32,7 +32,7 @@ struct PlayCommand<Id, Class, Function> {
         std::optional<RecordedUnpack> unpack;
         if constexpr (ImageOf<Id>::Known) {
             unpack.emplace(context, record.read<PixelStore>());
-        } else if constexpr (has_compressed_image(Id)) {
+        } else if constexpr (may_read_unpack_buffer(Id)) {
             unpack.emplace(context, PixelStore{});
         }
         // Braces: the arguments are read from the left to the right.

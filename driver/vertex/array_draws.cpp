@@ -158,6 +158,8 @@ void array_element(Context& context, GLint i) {
     const auto element = static_cast<std::uint32_t>(i);
     if (state.primitive_restart && element == state.restart_index)
         return context.vertices().restart();
+    // Undefined; the specification recommends this error (GL 1.5, 2.8).
+    if (i < 0) return context.error(GL_INVALID_VALUE);
     const ArrayGather arrays(*state.object);
     if (arrays.is_mapped()) return context.error(GL_INVALID_OPERATION);
     std::array<float, 4 * Attributes> vertex{};

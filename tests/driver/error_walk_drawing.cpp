@@ -59,6 +59,7 @@ constexpr RefusedCall Draws[] = {
     REFUSED(GL_INVALID_ENUM, DrawArrays, GL_POLYGON + 1, 0, 3),
     REFUSED(GL_INVALID_VALUE, DrawArrays, Tri, 0, -1),
     REFUSED(GL_INVALID_VALUE, DrawArrays, Tri, -1, 3),
+    REFUSED(GL_INVALID_VALUE, ArrayElement, -1),
     REFUSED(GL_INVALID_ENUM, DrawElements, GL_POLYGON + 1, 3, UB, bytes),
     REFUSED(GL_INVALID_VALUE, DrawElements, Tri, -1, UB, bytes),
     REFUSED(GL_INVALID_ENUM, DrawElements, Tri, 3, GL_FLOAT, bytes),

@@ -53,6 +53,26 @@ TEST_CASE_METHOD(DrawFixture, "an image is recorded with the pixel store of its 
     CHECK(error() == GL_NO_ERROR);
 }
 
+TEST_CASE_METHOD(DrawFixture, "a pixel map is recorded from the unpack buffer of its time") {
+    const GLfloat maps[4] = {9, 9, 0.25f, 0.75f};
+    const GLfloat other[4] = {1, 1, 1, 1};
+    GLuint buffer = 0;
+    entry::GenBuffers(1, &buffer);
+    entry::BindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
+    entry::BufferData(GL_PIXEL_UNPACK_BUFFER, sizeof maps, maps, GL_STATIC_DRAW);
+    entry::NewList(1, GL_COMPILE);
+    entry::PixelMapfv(GL_PIXEL_MAP_R_TO_R, 2, reinterpret_cast<const GLfloat*>(8));
+    entry::EndList();
+    entry::BufferData(GL_PIXEL_UNPACK_BUFFER, sizeof other, other, GL_STATIC_DRAW);
+    entry::CallList(1); // The record is in no buffer, though one is bound.
+    entry::BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    GLfloat got[2] = {};
+    entry::GetPixelMapfv(GL_PIXEL_MAP_R_TO_R, got);
+    CHECK(got[0] == 0.25f);
+    CHECK(got[1] == 0.75f);
+    CHECK(error() == GL_NO_ERROR);
+}
+
 TEST_CASE_METHOD(DrawFixture, "vertex arrays are read when a list is compiled") {
     GLfloat positions[] = {0, 0, 1, 0, 2, 0};
     entry::EnableClientState(GL_VERTEX_ARRAY);
