@@ -172,7 +172,8 @@ struct Fxt1Texels {
                                            static_cast<unsigned>(column[i]),
                                            static_cast<unsigned>(line[i]),
                                            unit.format == Format::Fxt1Rgba);
-            rgba[i] = color[0] | color[1] << 8 | color[2] << 16 | std::uint32_t{color[3]} << 24;
+            rgba[i] = color[0] | std::uint32_t{color[1]} << 8 | std::uint32_t{color[2]} << 16 |
+                      std::uint32_t{color[3]} << 24;
         }
         return hn::Load(DU(), rgba);
     }
