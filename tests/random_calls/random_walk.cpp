@@ -2,6 +2,7 @@
 
 #include "driver/entry_points/entry.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -108,6 +109,13 @@ void call_randomly(RandomWalk& walk, const auto& call, Result (*command)(Argumen
 }
 
 GLuint RandomWalk::enumerant(const RegistryParameter& parameter) {
+    // Few commands have an effect without a buffer, and most of the group came later.
+    constexpr GLuint Buffers[] = {
+        GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER, GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER};
+    const bool is_buffer =
+        std::find(parameter.values.begin(), parameter.values.end(), GLuint{GL_ARRAY_BUFFER}) !=
+        parameter.values.end();
+    if (is_buffer && !one_in(16)) return Buffers[below(std::size(Buffers))];
     if (parameter.values.empty() || one_in(32)) return below(0x9000);
     const auto any = [&] {
         return parameter.values[below(static_cast<unsigned>(parameter.values.size()))];
