@@ -15,7 +15,7 @@
 namespace ffgpu::capture {
 
 constexpr std::array<char, 8> Magic{'f', 'f', 'g', 'p', 'u', 'c', 'a', 'p'};
-constexpr std::uint32_t Version = 1;
+constexpr std::uint32_t Version = 2;
 
 struct Header {
     std::uint32_t version = Version;

@@ -14,6 +14,7 @@ std::shared_ptr<const PixelContext> compile_pixel_context(const DrawState& state
     pixels->units = state.units;
     pixels->needs_depth = state.needs_depth;
     pixels->antialias = state.antialias;
+    pixels->multisample = state.multisample;
     pixels->count_samples = r.fragment.count_samples;
     pixels->stipple = {r.polygon_stipple.rows,
                        r.primitive.line_stipple_pattern,

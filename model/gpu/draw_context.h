@@ -23,6 +23,7 @@ struct PixelContext {
     std::uint8_t units = 0; // DrawState::units
     bool needs_depth = false;
     bool antialias = false;
+    bool multisample = false; // DrawState::multisample
     bool count_samples = false;
     StipplePatterns stipple;
     FragmentPipe pipe;

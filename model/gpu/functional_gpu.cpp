@@ -121,7 +121,7 @@ void FunctionalGpu::draw_image(const DrawImageCommand& command) {
     bin_reads_.add(command.address, bytes);
     bin_serial_ = bin_serial_ || bin_writes_.overlaps(command.address, bytes);
     samples_pending_ = samples_pending_ || context_->pixels->count_samples;
-    bin_.insert_whole(image_bounds(command, context_->setup.clip));
+    bin_.insert_whole(image_bounds(command, context_->setup.clip, context_->setup.multisample));
 }
 
 void FunctionalGpu::copy(const CopyRectangleCommand& command) {

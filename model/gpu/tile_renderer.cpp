@@ -62,13 +62,27 @@ void TileRenderer::begin_command(const BinCommand& command) {
 }
 
 void TileRenderer::draw_record(const SetupRecord& record) {
+    if (pixels_->multisample) return draw_samples(record);
     if (record.coverage != CoverageKind::Centre) return draw_smooth(record);
-    cover_tile(record, tile_, coverage_);
+    cover_tile(edge_set(record), tile_, coverage_);
     for (unsigned i = 0; i < coverage_.count; ++i) {
         BlockCoverage& block = coverage_.blocks[i];
         if (record.stipple != StippleKind::None)
             block.mask &= stipple_mask(record, pixels_->stipple, block.x, block.y);
         if (block.mask != 0) collector_.add(record, block, nullptr, [this] { flush(); });
+    }
+}
+
+void TileRenderer::draw_samples(const SetupRecord& record) {
+    cover_tile_samples(record, tile_, sample_coverage_);
+    for (unsigned i = 0; i < sample_coverage_.count; ++i) {
+        SampleBlock& block = sample_coverage_.blocks[i];
+        if (record.stipple != StippleKind::None) {
+            const BlockMask kept = stipple_mask(record, pixels_->stipple, block.x, block.y);
+            for (BlockMask& mask : block.masks)
+                mask &= kept;
+        }
+        if (block.any() != 0) collector_.add_samples(record, block, [this] { flush(); });
     }
 }
 
@@ -111,7 +125,9 @@ void TileRenderer::draw_image(const BinCommand& command) {
         batch_.tile_x = static_cast<std::uint16_t>(tile_.x0);
         batch_.tile_y = static_cast<std::uint16_t>(tile_.y0);
         const FragmentMask covered = batch_.live;
-        if (multisampled()) cover_all_samples();
+        batch_.has_sample_depths = false;
+        if (multisampled() && !pixels_->multisample) cover_all_samples();
+        covered_samples_ = batch_.samples;
         early_depth_test(pixels_->pipe, batch_);
         if (batch_.live.any()) {
             for (unsigned unit = 0; unit < TextureUnits; ++unit)
@@ -138,8 +154,9 @@ void TileRenderer::flush() {
     const std::span<const BatchRun> runs = collector_.runs();
     const FragmentMask covered = batch_.live;
 
-    if (multisampled()) cover_all_samples();
-    if (context.needs_depth) interpolate_depth(runs, batch_);
+    if (multisampled() && !context.multisample) cover_all_samples();
+    covered_samples_ = batch_.samples;
+    if (context.needs_depth) interpolate_depths();
     early_depth_test(context.pipe, batch_);
     if (batch_.live.any()) {
         if (needs_perspective(layout, runs)) interpolate_perspective(runs, batch_, perspective_);
@@ -155,11 +172,18 @@ void TileRenderer::flush() {
     collector_.clear();
 }
 
-// Every sample of the pixels that are covered, at the pixel's depth.
+// At the samples where primitives cover samples, at the centres where they cover pixels.
+void TileRenderer::interpolate_depths() {
+    batch_.has_sample_depths = pixels_->multisample;
+    if (pixels_->multisample)
+        interpolate_sample_depths(collector_.runs(), batch_);
+    else
+        interpolate_depth(collector_.runs(), batch_);
+}
+
+// Every sample of the pixels that are covered.
 void TileRenderer::cover_all_samples() {
     batch_.samples.fill(batch_.live);
-    batch_.has_sample_depths = false;
-    covered_samples_ = batch_.samples;
 }
 
 void TileRenderer::sample_unit(unsigned unit) {

@@ -29,6 +29,7 @@ public:
 private:
     void begin_command(const BinCommand& command);
     void draw_record(const SetupRecord& record);
+    void draw_samples(const SetupRecord& record);
     void draw_smooth(const SetupRecord& record);
     void whole_command(const BinCommand& command);
     void draw_image(const BinCommand& command);
@@ -36,6 +37,7 @@ private:
     void flush();
     void sample_unit(unsigned unit);
     void finish_batch(const FragmentMask& covered);
+    void interpolate_depths();
     void cover_all_samples();
     void count(const FragmentMask& covered,
                const FragmentMask& after_early_depth,
@@ -59,6 +61,7 @@ private:
     SampleMasks covered_samples_; // of the batch, where targets are multisampled
     QuadCollector collector_{batch_};
     TileCoverage coverage_;
+    TileSampleCoverage sample_coverage_;
     PerspectivePlanes perspective_;
     TexCoordPlanes coordinates_;
     std::vector<TexelFootprints> footprints_;

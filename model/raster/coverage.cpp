@@ -71,10 +71,10 @@ BlockMask classify_block(const TileWalk& walk, const EdgeOffsets& offsets, const
     return full ? FullBlock : cover_block(walk, offsets, e);
 }
 
-void CoverTile(const SetupRecord& record, const Rectangle& tile, TileCoverage& coverage) {
+void CoverTile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
     coverage.count = 0;
     TileWalk walk;
-    if (!begin_walk(record, tile, walk)) return;
+    if (!begin_walk(edges, tile, walk)) return;
     EdgeOffsets offsets;
     prepare_offsets(walk, offsets);
     for (int y = walk.blocks.y0; y < walk.blocks.y1; y += BlockSize)
@@ -100,13 +100,13 @@ namespace ffgpu {
 
 HWY_EXPORT(CoverTile);
 
-void cover_tile(const SetupRecord& record, const Rectangle& tile, TileCoverage& coverage) {
+void cover_tile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
     // Chosen once: a call for each small triangle would feel Highway's own look-up.
     static const auto cover = [] {
         hwy::GetChosenTarget().Update(hwy::SupportedTargets());
         return HWY_DYNAMIC_DISPATCH(CoverTile);
     }();
-    cover(record, tile, coverage);
+    cover(edges, tile, coverage);
 }
 
 } // namespace ffgpu

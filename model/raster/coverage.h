@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace ffgpu {
 
@@ -38,12 +39,22 @@ struct TileCoverage {
     std::array<BlockCoverage, MaxTileBlocks> blocks;
 };
 
-// CoverageKind::Centre. `tile` begins at multiples of BlockSize and is at most MaxTileSize wide and
-// high. Stipples are not applied.
-void cover_tile(const SetupRecord& record, const Rectangle& tile, TileCoverage& coverage);
+// The pixels of a box that lie inside edges.
+struct EdgeSet {
+    Rectangle box;
+    std::span<const Edge> edges; // up to MaxEdges
+};
+
+inline EdgeSet edge_set(const SetupRecord& record) {
+    return {record.box, {record.edges.data(), record.edge_count}};
+}
+
+// Pixels whose centres lie inside. `tile` begins at multiples of BlockSize and is at most
+// MaxTileSize wide and high. Stipples are not applied.
+void cover_tile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage);
 
 // The same, pixel by pixel: the specification.
-void cover_tile_scalar(const SetupRecord& record, const Rectangle& tile, TileCoverage& coverage);
+void cover_tile_scalar(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage);
 
 // The pixels of the block at (x, y) that lie inside `rectangle`.
 BlockMask rectangle_mask(const Rectangle& rectangle, int x, int y);

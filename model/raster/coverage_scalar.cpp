@@ -5,10 +5,9 @@
 namespace ffgpu {
 namespace {
 
-bool inside(const SetupRecord& record, int x, int y) {
-    for (unsigned i = 0; i < record.edge_count; ++i)
-        if (record.edges[i].at(x, y) < 0) return false;
-    return true;
+bool inside(std::span<const Edge> edges, int x, int y) {
+    return std::all_of(
+        edges.begin(), edges.end(), [x, y](const Edge& edge) { return edge.at(x, y) >= 0; });
 }
 
 // Pixels of a block at x >= i, and at y >= i.
@@ -29,16 +28,16 @@ constexpr BlockBounds Bounds;
 
 } // namespace
 
-void cover_tile_scalar(const SetupRecord& record, const Rectangle& tile, TileCoverage& coverage) {
+void cover_tile_scalar(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
     coverage.count = 0;
-    const Rectangle area = intersect(record.box, tile);
+    const Rectangle area = intersect(edges.box, tile);
     for (int by = tile.y0; by < tile.y1; by += BlockSize)
         for (int bx = tile.x0; bx < tile.x1; bx += BlockSize) {
             BlockMask mask = 0;
             for (int y = by; y < by + BlockSize; ++y)
                 for (int x = bx; x < bx + BlockSize; ++x)
                     if (x >= area.x0 && x < area.x1 && y >= area.y0 && y < area.y1 &&
-                        inside(record, x, y))
+                        inside(edges.edges, x, y))
                         mask |= BlockMask{1} << block_bit(x - bx, y - by);
             if (mask != 0)
                 coverage.blocks[coverage.count++] = {
@@ -57,7 +56,8 @@ bool may_touch(const SetupRecord& record, const Rectangle& tile) {
     if (area.empty()) return false;
     for (unsigned i = 0; i < record.edge_count; ++i) {
         const Edge& edge = record.edges[i];
-        // An edge of a smooth polygon reaches half a pixel further in both directions.
+        // An edge of a smooth polygon, or one of samples, reaches half a pixel further in both
+        // directions.
         const std::int64_t reach =
             record.coverage == CoverageKind::Centre
                 ? 0

@@ -8,7 +8,8 @@
 // a box covers x0 <= x < x1, y0 <= y < y1. Of two polygons that share an edge, one owns it.
 //
 // From a centre to the next E changes by a multiple of 256, so that E >= 0 can be decided on
-// floor(E / 256): its steps are a and b, 23 bits with their sign.
+// floor(E / 256): its steps are a and b, 23 bits with their sign. Samples beside the centres need
+// the remainder as well.
 
 #pragma once
 
@@ -32,13 +33,31 @@ struct Edge {
     std::int64_t at(int x, int y) const { return std::int64_t{a} * x + std::int64_t{b} * y + c; }
 };
 
-inline Edge make_edge(SubPixelPoint p, SubPixelPoint q) {
+// An edge with the bits that flooring drops: E anywhere, not at centres alone.
+struct ExactEdge {
+    Edge edge;
+    std::uint8_t fraction = 0; // E at a centre is 256 edge.at() + fraction
+
+    // The edge of those points that lie `by` (1/256 pixel) beside a centre.
+    Edge moved(SubPixelPoint by) const {
+        const std::int64_t change =
+            fraction + std::int64_t{edge.a} * by.x + std::int64_t{edge.b} * by.y;
+        return {edge.a, edge.b, edge.c + (change >> SubPixelBits)};
+    }
+};
+
+inline ExactEdge make_exact_edge(SubPixelPoint p, SubPixelPoint q) {
     constexpr int Half = 1 << (SubPixelBits - 1);
     const std::int32_t a = p.y - q.y;
     const std::int32_t b = q.x - p.x;
     const bool owns_boundary = a > 0 || (a == 0 && b > 0);
     const std::int64_t at_centre = std::int64_t{a} * (Half - p.x) + std::int64_t{b} * (Half - p.y);
-    return {a, b, (at_centre - (owns_boundary ? 0 : 1)) >> SubPixelBits};
+    const std::int64_t inside = at_centre - (owns_boundary ? 0 : 1);
+    return {{a, b, inside >> SubPixelBits}, static_cast<std::uint8_t>(inside & 255)};
+}
+
+inline Edge make_edge(SubPixelPoint p, SubPixelPoint q) {
+    return make_exact_edge(p, q).edge;
 }
 
 // Twice the signed area of a triangle, in units of (1/256 pixel)^2; positive: counter-clockwise.

@@ -10,6 +10,7 @@
 #define HWY_TARGET_INCLUDE "model/raster/interpolator.cpp"
 
 #include "model/raster/interpolator.h"
+#include "model/raster/sample_positions.h"
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -120,7 +121,11 @@ void color_run(const LaneRun& run,
     });
 }
 
-void InterpolateDepth(std::span<const BatchRun> runs, FragmentBatch& batch) {
+// At the point that lies `position` (1/256 pixel) beside each centre.
+HWY_INLINE void depth_beside(SubPixelPoint position,
+                             std::span<const BatchRun> runs,
+                             const FragmentBatch& batch,
+                             std::uint32_t* out) {
     const hn::CappedTag<std::int64_t, 4> d;
     const hn::RebindToUnsigned<decltype(d)> wide;
     const hn::Rebind<std::uint32_t, decltype(d)> narrow;
@@ -128,8 +133,11 @@ void InterpolateDepth(std::span<const BatchRun> runs, FragmentBatch& batch) {
     for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
         const SetupRecord& record = run.record;
         const DepthPlane& plane = record.depth;
-        alignas(32) const std::int64_t offsets[4] = {
-            Half, Half + plane.dx, Half + plane.dy, Half + plane.dx + plane.dy};
+        const std::int64_t base_offset = Half + plane.beside(position);
+        alignas(32) const std::int64_t offsets[4] = {base_offset,
+                                                     base_offset + plane.dx,
+                                                     base_offset + plane.dy,
+                                                     base_offset + plane.dx + plane.dy};
         const auto lowest = hn::Set(d, std::int64_t{record.depth_min});
         const auto highest = hn::Set(d, std::int64_t{record.depth_max});
         for (std::size_t lane = run.first; lane < run.end; lane += 4) {
@@ -140,12 +148,20 @@ void InterpolateDepth(std::span<const BatchRun> runs, FragmentBatch& batch) {
                 const auto sum = hn::Add(base, hn::Load(d, offsets + i));
                 const auto depth = hn::ShiftRight<DepthPlane::FractionBits>(sum);
                 const auto clamped = hn::Min(hn::Max(depth, lowest), highest);
-                hn::StoreU(hn::TruncateTo(narrow, hn::BitCast(wide, clamped)),
-                           narrow,
-                           batch.depth.data() + lane + i);
+                hn::StoreU(
+                    hn::TruncateTo(narrow, hn::BitCast(wide, clamped)), narrow, out + lane + i);
             }
         }
     });
+}
+
+void InterpolateDepth(std::span<const BatchRun> runs, FragmentBatch& batch) {
+    depth_beside({}, runs, batch, batch.depth.data());
+}
+
+void InterpolateSampleDepths(std::span<const BatchRun> runs, FragmentBatch& batch) {
+    for (unsigned i = 0; i < MaxSamples; ++i)
+        depth_beside(SamplePositions[i], runs, batch, batch.sample_depth[i].data());
 }
 
 // Four quads at a time: each one's corner in all four lanes, and the lanes' own offsets.
@@ -243,12 +259,17 @@ HWY_AFTER_NAMESPACE();
 namespace ffgpu {
 
 HWY_EXPORT(InterpolateDepth);
+HWY_EXPORT(InterpolateSampleDepths);
 HWY_EXPORT(InterpolatePerspective);
 HWY_EXPORT(InterpolateColors);
 HWY_EXPORT(InterpolateTexCoords);
 
 void interpolate_depth(std::span<const BatchRun> runs, FragmentBatch& batch) {
     HWY_DYNAMIC_DISPATCH(InterpolateDepth)(runs, batch);
+}
+
+void interpolate_sample_depths(std::span<const BatchRun> runs, FragmentBatch& batch) {
+    HWY_DYNAMIC_DISPATCH(InterpolateSampleDepths)(runs, batch);
 }
 
 void interpolate_perspective(std::span<const BatchRun> runs,

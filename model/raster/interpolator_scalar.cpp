@@ -1,5 +1,6 @@
 #include "model/arith/reciprocal.h"
 #include "model/raster/interpolator.h"
+#include "model/raster/sample_positions.h"
 
 #include <algorithm>
 
@@ -29,6 +30,17 @@ void for_each_fragment(std::span<const BatchRun> runs, const FragmentBatch& batc
     }
 }
 
+// At the point that lies `position` (1/256 pixel) beside the centre.
+std::uint32_t depth_beside(const Fragment& at, SubPixelPoint position) {
+    const DepthPlane& plane = at.record.depth;
+    const auto half = std::int64_t{1} << (DepthPlane::FractionBits - 1);
+    const auto sum = static_cast<std::uint64_t>(plane.at(at.x, at.y)) +
+                     static_cast<std::uint64_t>(plane.beside(position) + half);
+    const auto rounded = static_cast<std::int64_t>(sum) >> DepthPlane::FractionBits;
+    return static_cast<std::uint32_t>(
+        std::clamp<std::int64_t>(rounded, at.record.depth_min, at.record.depth_max));
+}
+
 std::uint16_t color_value(float value) {
     const float positive = value > 0 ? value : 0; // NaN is 0.
     return static_cast<std::uint16_t>(std::min(positive, 1.0f) * 255.0f + 0.5f);
@@ -47,12 +59,14 @@ bool needs_perspective(const InterpolantLayout& layout, std::span<const BatchRun
 
 void interpolate_depth_scalar(std::span<const BatchRun> runs, FragmentBatch& batch) {
     for_each_fragment(runs, batch, [&](const Fragment& at) {
-        const auto half = std::int64_t{1} << (DepthPlane::FractionBits - 1);
-        const auto plane = static_cast<std::uint64_t>(at.record.depth.at(at.x, at.y));
-        const auto rounded =
-            static_cast<std::int64_t>(plane + std::uint64_t{half}) >> DepthPlane::FractionBits;
-        batch.depth[at.lane] = static_cast<std::uint32_t>(
-            std::clamp<std::int64_t>(rounded, at.record.depth_min, at.record.depth_max));
+        batch.depth[at.lane] = depth_beside(at, {0, 0});
+    });
+}
+
+void interpolate_sample_depths_scalar(std::span<const BatchRun> runs, FragmentBatch& batch) {
+    for_each_fragment(runs, batch, [&](const Fragment& at) {
+        for (unsigned i = 0; i < MaxSamples; ++i)
+            batch.sample_depth[i][at.lane] = depth_beside(at, SamplePositions[i]);
     });
 }
 

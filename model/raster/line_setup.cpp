@@ -3,9 +3,10 @@
 //
 // Along its major axis u a line makes one fragment a column, on the row v in which it crosses the
 // column's centre: two parallel edges. Which columns is decided at either end by the diamonds: they
-// become the box. Smooth lines are rectangles, covered by area.
+// become the box. Smooth and multisampled lines are rectangles.
 
 #include "model/raster/plane_setup.h"
+#include "model/raster/sample_positions.h"
 #include "model/raster/shape_setup.h"
 
 #include <algorithm>
@@ -110,7 +111,11 @@ bool set_up_aliased(const SetupContext& context, MajorLine line, SetupRecord& re
     return !record.box.empty();
 }
 
-bool set_up_smooth(const SetupContext& context, const Primitive& primitive, SetupRecord& record) {
+// The rectangle of the line's width around it (GL 1.5, 3.4.2): covered by area where the line is
+// smooth, sample by sample in multisampled targets (3.4.4).
+bool set_up_rectangle(const SetupContext& context,
+                      const Primitive& primitive,
+                      SetupRecord& record) {
     const WindowVertex& a = *primitive.vertices[0];
     const WindowVertex& b = *primitive.vertices[1];
     const double dx = b.x - a.x, dy = b.y - a.y;
@@ -129,20 +134,22 @@ bool set_up_smooth(const SetupContext& context, const Primitive& primitive, Setu
     Rectangle box{a.x, a.y, a.x, a.y};
     for (unsigned i = 0; i < 4; ++i) {
         const SubPixelPoint corner = record.corners[i];
-        record.edges[i] = make_edge(corner, record.corners[(i + 1) % 4]);
+        record.set_edge(i, make_exact_edge(corner, record.corners[(i + 1) % 4]));
         box = {std::min(box.x0, corner.x),
                std::min(box.y0, corner.y),
                std::max(box.x1, corner.x),
                std::max(box.y1, corner.y)};
     }
     record.edge_count = 4;
-    record.coverage = CoverageKind::SmoothPolygon;
+    record.coverage = context.multisample ? CoverageKind::Samples : CoverageKind::SmoothPolygon;
     record.stipple_start = perturbed_pixel(major_line(a, b).from.x);
-    record.box = intersect({box.x0 >> SubPixelBits,
-                            box.y0 >> SubPixelBits,
-                            (box.x1 + One - 1) >> SubPixelBits,
-                            (box.y1 + One - 1) >> SubPixelBits},
-                           context.clip);
+    const Rectangle touched = context.multisample
+                                  ? sampled_pixels({box.x0, box.y0}, {box.x1, box.y1})
+                                  : Rectangle{box.x0 >> SubPixelBits,
+                                              box.y0 >> SubPixelBits,
+                                              (box.x1 + One - 1) >> SubPixelBits,
+                                              (box.y1 + One - 1) >> SubPixelBits};
+    record.box = intersect(touched, context.clip);
     return !record.box.empty();
 }
 
@@ -152,8 +159,9 @@ bool set_up_line(const SetupContext& context, const Primitive& primitive, SetupR
     const WindowVertex& a = *primitive.vertices[0];
     const WindowVertex& b = *primitive.vertices[1];
     const MajorLine line = major_line(a, b);
-    const bool drawn = context.primitive.line_smooth ? set_up_smooth(context, primitive, record)
-                                                     : set_up_aliased(context, line, record);
+    const bool drawn = context.primitive.line_smooth || context.multisample
+                           ? set_up_rectangle(context, primitive, record)
+                           : set_up_aliased(context, line, record);
     if (!drawn) return false;
     if (context.primitive.line_stipple) {
         record.stipple = line.x_major ? StippleKind::LineX : StippleKind::LineY;

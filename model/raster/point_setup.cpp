@@ -1,6 +1,8 @@
-// Points: squares of whole pixels, circles by area, sprites.
+// Points: squares of whole pixels, circles by area, sprites; in multisampled targets circles and
+// sprites by samples (GL 1.5, 3.3.3).
 
 #include "model/raster/plane_setup.h"
+#include "model/raster/sample_positions.h"
 #include "model/raster/shape_setup.h"
 
 #include <algorithm>
@@ -14,6 +16,24 @@ constexpr float MaxPointSize = 1024;
 
 float clamped_size(float size) {
     return size > 0 ? std::min(size, MaxPointSize) : 1.0f;
+}
+
+// GL 1.5, 3.3: where multisampling is on, a point below the fade threshold is drawn in its size
+// and fades instead.
+struct PointSize {
+    float size, fade;
+};
+
+PointSize faded_size(const SetupContext& context, float size) {
+    const float threshold = context.primitive.point_fade_threshold;
+    if (!context.multisample || !(size < threshold)) return {size, 1};
+    return {clamped_size(threshold), (size / threshold) * (size / threshold)};
+}
+
+void fade_alpha(const SetupContext& context, float fade, SetupRecord& record) {
+    if (fade == 1 || context.layout.color < 0) return;
+    float& alpha = record.plane_c()[context.layout.color + 3];
+    alpha = (alpha > 0 ? std::min(alpha, 1.0f) : 0.0f) * fade;
 }
 
 // Half a size in pixels, in 1/256 pixel, to nearest.
@@ -47,6 +67,25 @@ Rectangle touched_square(const WindowVertex& vertex, std::int32_t half) {
             (vertex.y + half + One - 1) >> SubPixelBits};
 }
 
+// The square that a sprite's samples lie in.
+void set_up_sampled_square(const WindowVertex& vertex, std::int32_t half, SetupRecord& record) {
+    const std::int32_t left = vertex.x - half, right = vertex.x + half;
+    const std::int32_t bottom = vertex.y - half, top = vertex.y + half;
+    const std::array<SubPixelPoint, 4> corners{
+        {{left, bottom}, {right, bottom}, {right, top}, {left, top}}};
+    for (unsigned i = 0; i < 4; ++i)
+        record.set_edge(i, make_exact_edge(corners[i], corners[(i + 1) % 4]));
+    record.edge_count = 4;
+    record.coverage = CoverageKind::Samples;
+    record.box = sampled_pixels(corners[0], corners[2]);
+}
+
+// Corners 0 and 1.x of the record, for smooth and multisampled circles.
+void set_up_circle(const WindowVertex& vertex, std::int32_t half, SetupRecord& record) {
+    record.corners[0] = {vertex.x, vertex.y};
+    record.corners[1] = {half, 0};
+}
+
 // s = 1/2 + (X + 1/2 - x) / size, t = 1/2 -+ (Y + 1/2 - y) / size, r = 0, q = 1.
 void set_up_sprite(const SetupContext& context,
                    const WindowVertex& vertex,
@@ -76,17 +115,24 @@ void set_up_sprite(const SetupContext& context,
 
 bool set_up_point(const SetupContext& context, const Primitive& primitive, SetupRecord& record) {
     const WindowVertex& vertex = *primitive.vertices[0];
-    const float size = clamped_size(vertex.point_size);
+    const auto [size, fade] = faded_size(context, clamped_size(vertex.point_size));
     const std::int32_t half = half_size(size);
     record.edge_count = 0;
-    if (context.primitive.point_sprite) {
+    if (context.multisample && context.primitive.point_sprite) {
+        set_up_sampled_square(vertex, half, record);
+    } else if (context.multisample) {
+        // What lies on the circle is inside.
+        record.box = sampled_pixels({vertex.x - half, vertex.y - half},
+                                    {vertex.x + half + 1, vertex.y + half + 1});
+        record.coverage = CoverageKind::SamplePoint;
+        set_up_circle(vertex, half, record);
+    } else if (context.primitive.point_sprite) {
         record.box = sprite_square(vertex, half);
     } else if (context.primitive.point_smooth) {
         // The circle's edge is soft over one pixel: half a pixel more than its radius.
         record.box = touched_square(vertex, half + Half);
         record.coverage = CoverageKind::SmoothPoint;
-        record.corners[0] = {vertex.x, vertex.y};
-        record.corners[1] = {half, 0};
+        set_up_circle(vertex, half, record);
     } else {
         record.box = square(vertex, size);
     }
@@ -95,6 +141,7 @@ bool set_up_point(const SetupContext& context, const Primitive& primitive, Setup
 
     const PlaneVertices all{&vertex, &vertex, &vertex};
     set_up_planes(context, all, {}, record);
+    fade_alpha(context, fade, record);
     if (context.primitive.point_sprite) set_up_sprite(context, vertex, size, record);
     if (primitive.from_polygon && context.primitive.offset_point) {
         const bool has_slope = primitive.vertices[1] && primitive.vertices[2];

@@ -24,10 +24,13 @@ constexpr QuadOffsets Offsets;
 void QuadCollector::clear() {
     batch_.quad_count = 0;
     batch_.live = {};
+    batch_.samples = {};
     batch_.front_facing = {};
     run_count_ = 0;
     std::fill_n(live_.begin(), touched_end_, 0);
     touched_end_ = 0;
+    std::fill_n(live_samples_.begin(), touched_samples_end_, std::array<BlockMask, MaxSamples>{});
+    touched_samples_end_ = 0;
 }
 
 void QuadCollector::begin_run(const SetupRecord& record) {
@@ -43,21 +46,47 @@ QuadCollector::append(const BlockCoverage& block, BlockMask mask, const BlockAnt
         append_full(block);
         return 0;
     }
-    const SetupRecord* const record = run_count_ != 0 ? runs_[run_count_ - 1].record : nullptr;
     while (mask != 0 && batch_.quad_count < BatchQuads) {
         const unsigned quad = static_cast<unsigned>(std::countr_zero(mask)) / 4;
         const BlockMask bits = mask & (BlockMask{0xf} << (4 * quad));
         mask ^= bits;
-        const unsigned n = batch_.quad_count++;
-        batch_.x[n] = static_cast<std::uint16_t>(block.x + Offsets.x[quad]);
-        batch_.y[n] = static_cast<std::uint16_t>(block.y + Offsets.y[quad]);
-        batch_.primitive[n] = record->key;
-        batch_.front_facing[n / 64] |= std::uint64_t{record->front_facing} << (n % 64);
-        batch_.live.words[n / 16] |= bits >> (4 * quad) << (4 * (n % 16));
+        const unsigned n = append_quad(block.x + Offsets.x[quad],
+                                       block.y + Offsets.y[quad],
+                                       static_cast<unsigned>(bits >> (4 * quad)));
         for (unsigned lane = 0; antialias && lane < 4; ++lane)
             batch_.antialias[4 * n + lane] = (*antialias)[4 * quad + lane];
     }
     return mask;
+}
+
+// A quad of the last run's primitive with those lanes live; returns its number.
+unsigned QuadCollector::append_quad(unsigned x, unsigned y, unsigned lanes) {
+    const SetupRecord& record = *runs_[run_count_ - 1].record;
+    const unsigned n = batch_.quad_count++;
+    batch_.x[n] = static_cast<std::uint16_t>(x);
+    batch_.y[n] = static_cast<std::uint16_t>(y);
+    batch_.primitive[n] = record.key;
+    batch_.front_facing[n / 64] |= std::uint64_t{record.front_facing} << (n % 64);
+    batch_.live.words[n / 16] |= std::uint64_t{lanes} << (4 * (n % 16));
+    return n;
+}
+
+// Appends quads of `block` while there is room, and takes them out of it.
+void QuadCollector::append_samples(SampleBlock& block) {
+    BlockMask left = block.any();
+    while (left != 0 && batch_.quad_count < BatchQuads) {
+        const unsigned quad = static_cast<unsigned>(std::countr_zero(left)) / 4;
+        const BlockMask lanes = BlockMask{0xf} << (4 * quad);
+        const unsigned n = append_quad(block.x + Offsets.x[quad],
+                                       block.y + Offsets.y[quad],
+                                       static_cast<unsigned>((left & lanes) >> (4 * quad)));
+        left &= ~lanes;
+        for (unsigned i = 0; i < MaxSamples; ++i) {
+            const BlockMask bits = (block.masks[i] & lanes) >> (4 * quad);
+            batch_.samples[i].words[n / 16] |= bits << (4 * (n % 16));
+            block.masks[i] &= ~lanes;
+        }
+    }
 }
 
 void QuadCollector::append_full(const BlockCoverage& block) {

@@ -2,12 +2,14 @@
 // within one tile, so that small primitives make full batches.
 //
 // A batch ends when it is full, or when a pixel is covered that is live in it already: the
-// primitive that covers it later must see what the earlier one wrote.
+// primitive that covers it later must see what the earlier one wrote. Where primitives cover
+// samples, that goes for samples: neighbours in a mesh share the pixels of their edge in one batch.
 
 #pragma once
 
 #include "model/packets/fragment_batch.h"
 #include "model/raster/coverage.h"
+#include "model/raster/sample_coverage.h"
 
 #include <array>
 #include <bit>
@@ -46,18 +48,25 @@ public:
              const BlockAntialias* antialias,
              Flush&& flush);
 
+    // The same for samples; fills the batch's `samples` as well.
+    template <class Flush>
+    void add_samples(const SetupRecord& record, const SampleBlock& block, Flush&& flush);
+
     bool empty() const { return batch_.quad_count == 0; }
     std::span<const BatchRun> runs() const { return {runs_.data(), run_count_}; }
     void clear();
 
 private:
-    unsigned block_index(const BlockCoverage& block) const {
+    template <class Block>
+    unsigned block_index(const Block& block) const {
         const int x = (block.x - tile_.x0) / BlockSize, y = (block.y - tile_.y0) / BlockSize;
         return static_cast<unsigned>(y * (MaxTileSize / BlockSize) + x);
     }
     void begin_run(const SetupRecord& record);
     BlockMask append(const BlockCoverage& block, BlockMask mask, const BlockAntialias* antialias);
     void append_full(const BlockCoverage& block);
+    void append_samples(SampleBlock& block);
+    unsigned append_quad(unsigned x, unsigned y, unsigned lanes);
 
     FragmentBatch& batch_;
     Rectangle tile_;
@@ -65,6 +74,8 @@ private:
     std::array<BatchRun, BatchQuads> runs_;
     std::array<BlockMask, MaxTileBlocks> live_{}; // Pixels live in the batch, by block.
     unsigned touched_end_ = 0;                    // Blocks from here on are 0 in live_.
+    std::array<std::array<BlockMask, MaxSamples>, MaxTileBlocks> live_samples_{};
+    unsigned touched_samples_end_ = 0;
 };
 
 template <class Flush>
@@ -82,6 +93,29 @@ void QuadCollector::add(const SetupRecord& record,
         live_[index] |= before & ~left;
         touched_end_ = touched_end_ > index ? touched_end_ : index + 1;
         if (left == 0) return;
+        flush();
+    }
+}
+
+template <class Flush>
+void QuadCollector::add_samples(const SetupRecord& record,
+                                const SampleBlock& block,
+                                Flush&& flush) {
+    const unsigned index = block_index(block);
+    std::array<BlockMask, MaxSamples>& live = live_samples_[index];
+    bool recurs = false;
+    for (unsigned i = 0; i < MaxSamples; ++i)
+        recurs = recurs || (live[i] & block.masks[i]) != 0;
+    if (recurs) flush();
+    SampleBlock left = block;
+    while (true) {
+        begin_run(record);
+        const SampleBlock before = left;
+        append_samples(left);
+        for (unsigned i = 0; i < MaxSamples; ++i)
+            live[i] |= before.masks[i] & ~left.masks[i];
+        touched_samples_end_ = touched_samples_end_ > index ? touched_samples_end_ : index + 1;
+        if (left.any() == 0) return;
         flush();
     }
 }

@@ -26,9 +26,13 @@ Rectangle clip_rectangle(const Registers& registers) {
 SetupContext compile_setup(const DrawState& state) {
     const Registers& registers = state.regs();
     const bool depth16 = registers.targets.depth.format == Format::Depth16;
-    return {.primitive = registers.primitive,
+    PrimitiveSetup primitive = registers.primitive;
+    if (state.multisample)
+        primitive.point_smooth = primitive.line_smooth = primitive.polygon_smooth = false;
+    return {.primitive = primitive,
             .layout = state.layout,
             .clip = clip_rectangle(registers),
+            .multisample = state.multisample,
             .depth_scale = depth16 ? 0xffffu : 0xffffffu};
 }
 

@@ -24,6 +24,11 @@ struct DepthPlane {
 
     std::int64_t origin = 0, dx = 0, dy = 0;
 
+    // What a point `by` (1/256 pixel) beside a centre has more, to nearest.
+    std::int64_t beside(SubPixelPoint by) const {
+        return (dx * by.x + dy * by.y + (1 << (SubPixelBits - 1))) >> SubPixelBits;
+    }
+
     // Modulo 2^64; x and y are relative to the reference pixel.
     std::int64_t at(int x, int y) const {
         const auto step = [](std::int64_t by, int n) {
@@ -45,6 +50,8 @@ enum class CoverageKind : std::uint8_t {
     Centre,        // Pixels whose centre lies inside the edges.
     SmoothPolygon, // The area of each pixel that lies inside the corners.
     SmoothPoint,   // The same for a circle.
+    Samples,       // Samples that lie inside the edges: multisampled targets.
+    SamplePoint,   // Samples that lie inside a circle.
 };
 
 enum class StippleKind : std::uint8_t { None, Polygon, LineX, LineY };
@@ -63,6 +70,7 @@ struct SetupRecord {
     std::uint32_t key = 0; // PrimitiveKey::primitive
 
     int x_reference = 0, y_reference = 0;
+    std::array<std::uint8_t, MaxEdges> edge_fractions; // Samples: ExactEdge::fraction
     DepthPlane depth;
     std::uint32_t depth_min = 0, depth_max = 0; // Of the vertices: no fragment lies outside.
     AttributePlane inverse_w;                   // Scaled: the largest vertex is in [1, 2).
@@ -74,9 +82,15 @@ struct SetupRecord {
     std::int32_t stipple_direction = 1;
     std::uint16_t stipple_counter = 0;
 
-    // SmoothPolygon: corners, counter-clockwise. SmoothPoint: corner 0 the centre, corner 1.x the
-    // radius.
+    // SmoothPolygon: corners, counter-clockwise. SmoothPoint and SamplePoint: corner 0 the centre,
+    // corner 1.x the radius.
     std::array<SubPixelPoint, MaxEdges> corners;
+
+    void set_edge(unsigned i, const ExactEdge& edge) {
+        edges[i] = edge.edge;
+        edge_fractions[i] = edge.fraction;
+    }
+    ExactEdge exact_edge(unsigned i) const { return {edges[i], edge_fractions[i]}; }
 
     // Planes by InterpolantLayout, each component of all planes together: c, then dx, then dy.
     const float* plane_c() const { return reinterpret_cast<const float*>(this + 1); }

@@ -30,16 +30,15 @@ struct TileWalk {
 };
 
 // Returns false where the primitive covers nothing of the tile.
-inline bool begin_walk(const SetupRecord& record, const Rectangle& tile, TileWalk& walk) {
-    const Rectangle area = walk.area = intersect(record.box, tile);
+inline bool begin_walk(const EdgeSet& set, const Rectangle& tile, TileWalk& walk) {
+    const Rectangle area = walk.area = intersect(set.box, tile);
     if (area.empty()) return false;
     constexpr int Mask = ~(BlockSize - 1);
     walk.blocks = {area.x0 & Mask,
                    area.y0 & Mask,
                    (area.x1 + BlockSize - 1) & Mask,
                    (area.y1 + BlockSize - 1) & Mask};
-    for (unsigned i = 0; i < record.edge_count; ++i) {
-        const Edge& edge = record.edges[i];
+    for (const Edge& edge : set.edges) {
         const int right = area.x1 - 1, top = area.y1 - 1;
         const std::int64_t most = edge.at(edge.a > 0 ? right : area.x0, edge.b > 0 ? top : area.y0);
         if (most < 0) return false;

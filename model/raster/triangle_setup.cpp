@@ -2,6 +2,7 @@
 
 #include "model/base/check.h"
 #include "model/raster/plane_setup.h"
+#include "model/raster/sample_positions.h"
 #include "model/raster/shape_setup.h"
 
 #include <algorithm>
@@ -32,6 +33,17 @@ int last_touched_end(std::int32_t at) {
     return (at + 255) >> SubPixelBits;
 }
 
+// Pixels that a triangle of this extent may cover.
+Rectangle reached_pixels(const SetupContext& context, Extent x, Extent y) {
+    if (context.multisample) return sampled_pixels({x.low, y.low}, {x.high, y.high});
+    if (context.primitive.polygon_smooth)
+        return {first_touched(x.low),
+                first_touched(y.low),
+                last_touched_end(x.high),
+                last_touched_end(y.high)};
+    return {first_centre(x.low), first_centre(y.low), first_centre(x.high), first_centre(y.high)};
+}
+
 bool in_guard_band(const WindowVertex& v) {
     constexpr std::int32_t Limit = GuardBand << SubPixelBits;
     return v.x >= -Limit && v.x <= Limit && v.y >= -Limit && v.y <= Limit;
@@ -46,16 +58,7 @@ bool set_up_triangle(const SetupContext& context, const Primitive& primitive, Se
 
     const Extent x = extent(v[0]->x, v[1]->x, v[2]->x);
     const Extent y = extent(v[0]->y, v[1]->y, v[2]->y);
-    const bool smooth = context.primitive.polygon_smooth;
-    const Rectangle touched = smooth ? Rectangle{first_touched(x.low),
-                                                 first_touched(y.low),
-                                                 last_touched_end(x.high),
-                                                 last_touched_end(y.high)}
-                                     : Rectangle{first_centre(x.low),
-                                                 first_centre(y.low),
-                                                 first_centre(x.high),
-                                                 first_centre(y.high)};
-    record.box = intersect(touched, context.clip);
+    record.box = intersect(reached_pixels(context, x, y), context.clip);
     if (record.box.empty()) return false;
 
     std::array<SubPixelPoint, 3> corner{
@@ -64,9 +67,10 @@ bool set_up_triangle(const SetupContext& context, const Primitive& primitive, Se
     if (area == 0) return false;
     if (area < 0) std::swap(corner[1], corner[2]);
     for (unsigned i = 0; i < 3; ++i)
-        record.edges[i] = make_edge(corner[i], corner[(i + 1) % 3]);
+        record.set_edge(i, make_exact_edge(corner[i], corner[(i + 1) % 3]));
     record.edge_count = 3;
-    if (smooth) {
+    if (context.multisample) record.coverage = CoverageKind::Samples;
+    if (context.primitive.polygon_smooth) {
         record.coverage = CoverageKind::SmoothPolygon;
         std::copy(corner.begin(), corner.end(), record.corners.begin());
     }

@@ -109,8 +109,8 @@ TEST_CASE("the vector form covers what the scalar form covers") {
         const int size = 8 * random.between(2, 16);
         const int x = random.below(256 / size + 1) * size, y = random.below(256 / size + 1) * size;
         const Rectangle tile{x, y, x + size, y + size};
-        cover_tile(buffer.record(), tile, vector);
-        cover_tile_scalar(buffer.record(), tile, scalar);
+        cover_tile(edge_set(buffer.record()), tile, vector);
+        cover_tile_scalar(edge_set(buffer.record()), tile, scalar);
         REQUIRE(same(vector, scalar));
         if (scalar.count != 0) REQUIRE(may_touch(buffer.record(), tile));
     }
@@ -168,7 +168,7 @@ TEST_CASE("a batch never holds a pixel twice, and keeps every pixel and the orde
         const auto corner = [&] { return vertex(x + random.below(size), y + random.below(size)); };
         SetupRecord& record = buffers[key].record();
         if (!buffers[key].triangle(context(), corner(), corner(), corner(), key)) continue;
-        cover_tile(record, tile, coverage);
+        cover_tile(edge_set(record), tile, coverage);
         for_each_pixel(coverage, [&](int px, int py) { expected[{px, py}].push_back(key); });
         for (unsigned i = 0; i < coverage.count; ++i)
             collector->add(record, coverage.blocks[i], nullptr, flush);

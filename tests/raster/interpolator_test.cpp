@@ -67,7 +67,7 @@ void for_each_batch(unsigned seed, Visit&& visit) {
         setup.primitive.offset_factor = 2;
         setup.primitive.offset_units = -3;
         if (!buffers[i].triangle(setup, a, b, c, i)) continue;
-        cover_tile(buffers[i].record(), tile, coverage);
+        cover_tile(edge_set(buffers[i].record()), tile, coverage);
         for (unsigned block = 0; block < coverage.count; ++block)
             collector->add(buffers[i].record(), coverage.blocks[block], nullptr, flush);
     }
@@ -106,6 +106,10 @@ TEST_CASE("vector and scalar interpolation give the same bits") {
             interpolate_perspective_scalar(runs, *scalar_batch, *scalar);
             interpolate_colors_scalar(layout, runs, *scalar, *scalar_batch);
             REQUIRE(same_lanes(batch.depth, scalar_batch->depth, lanes));
+            interpolate_sample_depths(runs, batch);
+            interpolate_sample_depths_scalar(runs, *scalar_batch);
+            for (unsigned i = 0; i < MaxSamples; ++i)
+                REQUIRE(same_lanes(batch.sample_depth[i], scalar_batch->sample_depth[i], lanes));
             REQUIRE(same_lanes(vector->w, scalar->w, lanes));
             REQUIRE(same_colors(batch.primary, scalar_batch->primary, lanes));
             REQUIRE(same_colors(batch.secondary, scalar_batch->secondary, lanes));
@@ -165,7 +169,7 @@ TEST_CASE("depth is within one unit of the true plane, and never outside the ver
         const SetupRecord& record = buffer.record();
         QuadCollector collector(*batch);
         collector.begin_tile({0, 0, 64, 64});
-        cover_tile(record, {0, 0, 64, 64}, coverage);
+        cover_tile(edge_set(record), {0, 0, 64, 64}, coverage);
         const long double area = static_cast<long double>(v[1].x - v[0].x) * (v[2].y - v[0].y) -
                                  static_cast<long double>(v[2].x - v[0].x) * (v[1].y - v[0].y);
         const auto compare = [&] {
@@ -191,6 +195,53 @@ TEST_CASE("depth is within one unit of the true plane, and never outside the ver
     }
 }
 
+TEST_CASE("depth at a sample is within one unit of the true plane at its place") {
+    Random random(15);
+    RecordBuffer buffer;
+    SetupContext setup = context();
+    setup.multisample = true;
+    auto coverage = std::make_unique<TileSampleCoverage>();
+    auto batch = std::make_unique<FragmentBatch>();
+    auto collector = std::make_unique<QuadCollector>(*batch);
+    collector->begin_tile({0, 0, 64, 64});
+    unsigned compared = 0;
+    for (int i = 0; i < 300; ++i) {
+        WindowVertex v[3];
+        for (WindowVertex& each : v)
+            each = vertex(random.between(0, 16000), random.between(0, 16000), random.unit());
+        if (!buffer.triangle(setup, v[0], v[1], v[2])) continue;
+        const long double area = static_cast<long double>(v[1].x - v[0].x) * (v[2].y - v[0].y) -
+                                 static_cast<long double>(v[2].x - v[0].x) * (v[1].y - v[0].y);
+        const auto compare = [&] {
+            interpolate_sample_depths(collector->runs(), *batch);
+            for (unsigned lane = 0; lane < batch->lanes(); ++lane)
+                for (unsigned s = 0; s < MaxSamples; ++s) {
+                    if (!batch->samples[s].test(lane)) continue;
+                    const SubPixelPoint beside = SamplePositions[s];
+                    const long double x =
+                        (batch->x[lane / 4] + int(lane & 1)) * 256 + 128 + beside.x - v[0].x;
+                    const long double y =
+                        (batch->y[lane / 4] + int(lane >> 1 & 1)) * 256 + 128 + beside.y - v[0].y;
+                    const long double b1 = (x * (v[2].y - v[0].y) - y * (v[2].x - v[0].x)) / area;
+                    const long double b2 = (y * (v[1].x - v[0].x) - x * (v[1].y - v[0].y)) / area;
+                    const long double z =
+                        (v[0].depth + b1 * (static_cast<long double>(v[1].depth) - v[0].depth) +
+                         b2 * (static_cast<long double>(v[2].depth) - v[0].depth)) *
+                        0xffffff;
+                    ++compared;
+                    REQUIRE(std::abs(static_cast<long double>(batch->sample_depth[s][lane]) - z) <
+                            0.51L);
+                }
+            collector->clear();
+        };
+        cover_tile_samples(buffer.record(), {0, 0, 64, 64}, *coverage);
+        for (unsigned block = 0; block < coverage->count; ++block)
+            collector->add_samples(buffer.record(), coverage->blocks[block], compare);
+        compare();
+    }
+    CHECK(compared > 100000);
+}
+
 TEST_CASE("perspective texture coordinates stay within 2^-17 of the true ones") {
     Random random(14);
     auto planes = std::make_unique<PerspectivePlanes>();
@@ -211,7 +262,7 @@ TEST_CASE("perspective texture coordinates stay within 2^-17 of the true ones") 
         if (std::abs(area) < 1e8 || !buffer.triangle(setup, v[0], v[1], v[2])) continue;
         QuadCollector collector(*batch);
         collector.begin_tile({0, 0, 128, 128});
-        cover_tile(buffer.record(), {0, 0, 128, 128}, coverage);
+        cover_tile(edge_set(buffer.record()), {0, 0, 128, 128}, coverage);
         const auto compare = [&] {
             interpolate_perspective(collector.runs(), *batch, *planes);
             interpolate_tex_coords(setup.layout, 0, collector.runs(), *planes, *batch, *coords);

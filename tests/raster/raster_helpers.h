@@ -73,7 +73,7 @@ inline std::multiset<Pixel> covered_pixels(const SetupRecord& record, int tile_s
     TileCoverage coverage;
     for (int y = 0; y < 256; y += tile_size)
         for (int x = 0; x < 256; x += tile_size) {
-            cover_tile(record, {x, y, x + tile_size, y + tile_size}, coverage);
+            cover_tile(edge_set(record), {x, y, x + tile_size, y + tile_size}, coverage);
             for_each_pixel(coverage, [&](int px, int py) { pixels.emplace(px, py); });
         }
     return pixels;
