@@ -51,16 +51,19 @@ const PlacedLevel& AddressMap::surface(const Surface& surface, const CacheConfig
     const auto key = std::tuple(surface.address,
                                 surface.format,
                                 std::uint32_t{surface.width},
-                                std::uint32_t{surface.height});
+                                std::uint32_t{surface.height},
+                                std::uint32_t{surface.samples});
     const auto [entry, is_new] = surfaces_.try_emplace(key);
     if (is_new) {
         PlacedLevel& placed = entry->second;
-        placed.layout = ImageLayout::make(cache.layout,
-                                          cache.block_width,
-                                          cache.block_width,
-                                          surface.width,
-                                          surface.height,
-                                          format_info(surface.format).block_bytes);
+        placed.samples = surface.samples;
+        placed.layout =
+            ImageLayout::make(cache.layout,
+                              cache.block_width,
+                              cache.block_width,
+                              surface.width,
+                              surface.height,
+                              format_info(surface.format).block_bytes * surface.samples);
         placed.layer_bytes = placed.layout.bytes();
         placed.base = place(placed.layer_bytes);
     }

@@ -23,6 +23,7 @@ struct PlacedLevel {
     std::uint32_t block_width = 1; // texels of an element (4x4 for S3TC)
     std::uint32_t block_height = 1;
     std::uint32_t border = 0;
+    std::uint32_t samples = 1; // of a pixel; they lie together
 
     // Texel (x, y) of layer `layer`, borders counted from 0 as TexelAccess does.
     std::uint64_t address(std::uint32_t x, std::uint32_t y, std::uint32_t layer) const {
@@ -38,7 +39,7 @@ public:
     // The levels of a texture; the reference holds until the next call.
     const std::vector<PlacedLevel>& texture(const TextureImage& image);
 
-    // A colour or depth target, in the layout of its cache.
+    // A colour or depth target, in the layout of its cache; a pixel's samples lie together.
     const PlacedLevel& surface(const Surface& surface, const CacheConfig& cache);
 
     // The driver wrote [at, at + bytes) of device memory.
@@ -56,7 +57,8 @@ private:
 
     const TimingConfig& config_;
     std::map<DeviceAddress, Texture> textures_;
-    std::map<std::tuple<DeviceAddress, Format, std::uint32_t, std::uint32_t>, PlacedLevel>
+    std::map<std::tuple<DeviceAddress, Format, std::uint32_t, std::uint32_t, std::uint32_t>,
+             PlacedLevel>
         surfaces_;
     std::uint64_t next_ = std::uint64_t{1} << 32; // Above all device addresses.
 };

@@ -23,16 +23,16 @@ bool ColorTiming::look_up(Activity& reason) {
     }
     const QuadToken& token = ports_.quads_in.front();
     const PreparedDraw& draw = token.draw();
-    std::uint64_t ticket = 0;
-    if (draw.writes_color) {
+    const auto lines = token.bin->color_lines(token.quad());
+    if (draw.writes_color && !lines.empty()) {
         if (!ports_.cache.can_look_up()) {
             blame(reason, Activity::StalledRequests);
             return false;
         }
-        bool missed = false;
-        ticket = ports_.cache.lookup(token.quad().color_line, true, draw.reads_color, missed);
+        walk_.look_up(ports_.cache, lines, true, draw.reads_color);
+        if (walk_.next < lines.size()) return true;
     }
-    parked_.park(ports_.quads_in.pop(), ticket);
+    parked_.park(ports_.quads_in.pop(), walk_.end());
     return true;
 }
 

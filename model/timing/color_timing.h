@@ -39,6 +39,7 @@ private:
     InFlight& in_flight_;
     std::function<void(const QuadToken&, Cycle)> on_retire_;
     ParkedQuads parked_;
+    LineWalk walk_; // of the quad that is looked up
 };
 
 } // namespace ffgpu::timing

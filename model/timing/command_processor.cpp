@@ -119,9 +119,7 @@ void CommandProcessor::begin_copy(const WorkDraw& work) {
         is_depth ? static_cast<const CacheConfig&>(config_.depth_cache) : config_.color_cache;
     add_transfer(addresses_.surface(work.copy.source, cache), pixels, cache.line_bytes, false);
     add_transfer(addresses_.surface(work.copy.destination, cache), pixels, cache.line_bytes, true);
-    addresses_.memory_written(work.copy.destination.address,
-                              std::uint64_t{work.copy.destination.stride} *
-                                  work.copy.destination.height);
+    addresses_.memory_written(work.copy.destination.address, work.copy.destination.bytes());
 }
 
 Activity CommandProcessor::transfer() {

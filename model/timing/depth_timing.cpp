@@ -26,20 +26,22 @@ bool DepthTiming::look_up(Path path, std::uint32_t& lookups_left, Activity& reas
     const QuadToken token = in.front();
     const PreparedDraw& draw = token.draw();
     const bool tested_here = draw.uses_depth && draw.work.early_depth == (path == Path::Early);
-    std::uint64_t ticket = 0;
+    LineWalk& walk = path == Path::Early ? early_walk_ : late_walk_;
     if (tested_here) {
-        if (lookups_left == 0) return false;
-        if (!ports_.cache.can_look_up()) {
-            blame(reason, Activity::StalledRequests);
-            return false;
-        }
-        --lookups_left;
+        const auto lines = token.bin->depth_lines(token.quad());
         const bool writes = draw.writes_depth && token.quad().after_depth != 0;
-        bool missed = false;
-        ticket = ports_.cache.lookup(token.quad().depth_line, writes, true, missed);
+        const std::size_t before = walk.next;
+        while (walk.next < lines.size() && lookups_left > 0 && ports_.cache.can_look_up()) {
+            --lookups_left;
+            walk.look_up(ports_.cache, lines, writes, true);
+        }
+        if (walk.next < lines.size()) {
+            if (lookups_left > 0) blame(reason, Activity::StalledRequests);
+            return walk.next > before;
+        }
     }
     in.pop();
-    parked.park(token, ticket);
+    parked.park(token, walk.end());
     return true;
 }
 

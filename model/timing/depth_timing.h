@@ -40,6 +40,7 @@ private:
     const Ports ports_;
     InFlight& in_flight_;
     ParkedQuads early_, late_;
+    LineWalk early_walk_, late_walk_; // of the quads that are looked up
 };
 
 } // namespace ffgpu::timing

@@ -6,7 +6,10 @@
 #include "model/timing/line_cache.h"
 #include "model/timing/tokens.h"
 
+#include <algorithm>
 #include <deque>
+#include <span>
+#include <utility>
 
 namespace ffgpu::timing {
 
@@ -37,6 +40,23 @@ private:
 
     std::size_t capacity_;
     std::deque<Parked> quads_;
+};
+
+// The way through the lines of one quad, one look-up after the other.
+struct LineWalk {
+    std::size_t next = 0;     // line to look up
+    std::uint64_t ticket = 0; // of the last fill that the quad waits for
+
+    void look_up(LineCache& cache, std::span<const std::uint64_t> lines, bool write, bool fetch) {
+        bool missed = false;
+        ticket = std::max(ticket, cache.lookup(lines[next++], write, fetch, missed));
+    }
+
+    // Begins with the next quad; returns the ticket of this one.
+    std::uint64_t end() {
+        next = 0;
+        return std::exchange(ticket, 0);
+    }
 };
 
 // What a unit says of a cycle in which it did not work: the first reason stands.

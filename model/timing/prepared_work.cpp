@@ -154,12 +154,7 @@ private:
                         traversal_tile(config_.raster, before->x, before->y) !=
                             traversal_tile(config_.raster, quad.x, quad.y);
         const DrawPlaces& places = places_[quad.draw];
-        if (places.depth)
-            quad.depth_line =
-                places.depth->address(quad.x, quad.y, 0) / config_.depth_cache.line_bytes;
-        if (places.color)
-            quad.color_line =
-                places.color->address(quad.x, quad.y, 0) / config_.color_cache.line_bytes;
+        add_target_lines(places, quad);
         add_texel_lines(source, places, quad);
         PreparedDraw& draw = out_.draws[quad.draw];
         const auto number = static_cast<std::uint32_t>(out_.quads.size());
@@ -168,6 +163,42 @@ private:
         segment.quads_end = number + 1;
         if (draw.quad_count++ == 0) draw.first_quad = number;
         out_.quads.push_back(quad);
+    }
+
+    void add_target_lines(const DrawPlaces& places, PreparedQuad& quad) {
+        quad.target_lines_begin = static_cast<std::uint32_t>(out_.target_lines.size());
+        if (places.depth)
+            quad.depth_line_count = add_surface_lines(
+                *places.depth, config_.depth_cache.line_bytes, quad, quad.covered);
+        if (places.color)
+            quad.color_line_count = add_surface_lines(
+                *places.color, config_.color_cache.line_bytes, quad, quad.after_depth);
+    }
+
+    // The lines that hold the samples of `lanes`, each once, in the order of the lanes; returns
+    // their number. A quad with one sample a pixel takes one access.
+    std::uint8_t add_surface_lines(const PlacedLevel& place,
+                                   std::uint32_t line_bytes,
+                                   const PreparedQuad& quad,
+                                   std::uint8_t lanes) {
+        const std::size_t begin = out_.target_lines.size();
+        const auto add = [&](std::uint64_t line) {
+            const auto first = out_.target_lines.begin() + static_cast<std::ptrdiff_t>(begin);
+            if (std::find(first, out_.target_lines.end(), line) == out_.target_lines.end())
+                out_.target_lines.push_back(line);
+        };
+        if (place.samples == 1) {
+            add(place.address(quad.x, quad.y, 0) / line_bytes);
+            return 1;
+        }
+        for (unsigned lane = 0; lane < 4; ++lane) {
+            if ((lanes >> lane & 1) == 0) continue;
+            const std::uint64_t at = place.address(quad.x + (lane & 1u), quad.y + (lane >> 1), 0);
+            const std::uint64_t end = at + place.layout.element_bytes;
+            for (std::uint64_t line = at / line_bytes; line * line_bytes < end; ++line)
+                add(line);
+        }
+        return static_cast<std::uint8_t>(out_.target_lines.size() - begin);
     }
 
     void add_texel_lines(const QuadSource& source, const DrawPlaces& places, PreparedQuad& quad) {

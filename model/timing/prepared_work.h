@@ -25,8 +25,9 @@ struct PreparedQuad {
     std::uint16_t texel_reads = 0;
     std::uint16_t texel_line_count = 0;
     std::uint32_t texel_lines_begin = 0; // into PreparedBin::texel_lines
-    std::uint64_t depth_line = 0;        // line numbers
-    std::uint64_t color_line = 0;
+    std::uint8_t depth_line_count = 0;
+    std::uint8_t color_line_count = 0;
+    std::uint32_t target_lines_begin = 0; // into PreparedBin::target_lines: depth, then colour
 };
 
 struct PreparedDraw {
@@ -65,14 +66,25 @@ struct PreparedBin {
     std::vector<Segment> segments;
     std::vector<PreparedQuad> quads;
     std::vector<std::uint64_t> texel_lines; // line numbers
-    std::uint64_t finished_draws = 0;       // by the unit that read a draw last
-    std::uint64_t retired_quads = 0;        // counted by the unit that ends a quad
+    std::vector<std::uint64_t> target_lines;
+    std::uint64_t finished_draws = 0; // by the unit that read a draw last
+    std::uint64_t retired_quads = 0;  // counted by the unit that ends a quad
 
     // No token points in here any more.
     bool is_done() const { return finished_draws == draws.size() && retired_quads == quads.size(); }
 
     std::span<const std::uint64_t> lines_of(const PreparedQuad& quad) const {
         return std::span(texel_lines).subspan(quad.texel_lines_begin, quad.texel_line_count);
+    }
+
+    // Of the covered fragments, and of those that are written. With one sample a pixel a quad lies
+    // in one line; with several it may need a line or two for each row.
+    std::span<const std::uint64_t> depth_lines(const PreparedQuad& quad) const {
+        return std::span(target_lines).subspan(quad.target_lines_begin, quad.depth_line_count);
+    }
+    std::span<const std::uint64_t> color_lines(const PreparedQuad& quad) const {
+        return std::span(target_lines)
+            .subspan(quad.target_lines_begin + quad.depth_line_count, quad.color_line_count);
     }
 };
 

@@ -66,8 +66,9 @@ inline Scene floor_scene(unsigned texture_size) {
             }};
 }
 
-// The scene as one draw of one primitive in a work bin.
-inline WorkBin make_bin(const Scene& scene) {
+// The scene as one draw of one primitive in a work bin. With several samples a pixel depth is
+// tested and written as well.
+inline WorkBin make_bin(const Scene& scene, std::uint8_t samples = 1) {
     auto registers = std::make_shared<Registers>();
     std::uint32_t levels = 1;
     while ((scene.texture_size >> levels) > 0)
@@ -81,7 +82,14 @@ inline WorkBin make_bin(const Scene& scene) {
                                    .format = Format::Rgba8,
                                    .width = static_cast<std::uint16_t>(scene.width),
                                    .height = static_cast<std::uint16_t>(scene.height),
-                                   .stride = scene.width * 4};
+                                   .stride = scene.width * 4,
+                                   .samples = samples};
+    if (samples > 1) {
+        registers->depth = {.test_enable = true, .write_enable = true};
+        registers->targets.depth = registers->targets.color[0];
+        registers->targets.depth.address = 1 << 27;
+        registers->targets.depth.format = Format::Depth24Stencil8;
+    }
 
     WorkBin bin;
     WorkDraw& draw = bin.draws.emplace_back();
@@ -106,6 +114,8 @@ inline WorkBin make_bin(const Scene& scene) {
                 SceneSample s;
                 if (!scene.sample(x + lane % 2 + 0.5, y + lane / 2 + 0.5, s)) continue;
                 quad.covered |= static_cast<std::uint8_t>(1u << lane);
+                if (samples > 1)
+                    quad.samples_covered |= static_cast<std::uint16_t>(0xfu << 4 * lane);
                 const auto read = [&](std::uint32_t level) {
                     const std::int64_t size = scene.texture_size >> level;
                     const double scale = std::exp2(-static_cast<double>(level));
@@ -134,6 +144,7 @@ inline WorkBin make_bin(const Scene& scene) {
             if (quad.covered == 0) continue;
             quad.after_early_depth = quad.after_coverage = quad.after_alpha = quad.after_stencil =
                 quad.after_depth = quad.covered;
+            quad.samples_written = quad.samples_covered;
             batch.quads.push_back(quad);
         }
         batch.textures.push_back(std::move(footprints));

@@ -15,9 +15,9 @@ namespace {
 
 using Figures = std::map<std::string, std::uint64_t>;
 
-Figures run(const TimingConfig& config, const Scene& scene, std::uint32_t evaluation_order = 0) {
+Figures run(const TimingConfig& config, const WorkBin& bin, std::uint32_t evaluation_order = 0) {
     GpuTiming timing(config, evaluation_order);
-    timing.bin(make_bin(scene));
+    timing.bin(bin);
     timing.end_frame(0);
     Figures figures;
     for (const StatisticsGroup* group : timing.statistics()) {
@@ -31,6 +31,10 @@ Figures run(const TimingConfig& config, const Scene& scene, std::uint32_t evalua
         figures[unit + "_sum"] = sum;
     }
     return figures;
+}
+
+Figures run(const TimingConfig& config, const Scene& scene, std::uint32_t evaluation_order = 0) {
+    return run(config, make_bin(scene), evaluation_order);
 }
 
 double miss_percent(const Figures& figures) {
@@ -75,7 +79,8 @@ TEST_CASE("the perspective floor has the published miss rates") {
 }
 
 TEST_CASE("every unit accounts for every cycle, every cache for every access") {
-    const Figures figures = run(TimingConfig{}, floor_scene(1024));
+    const auto samples = GENERATE(std::uint8_t{1}, std::uint8_t{MaxSamples});
+    const Figures figures = run(TimingConfig{}, make_bin(floor_scene(1024), samples));
     for (const auto& [name, value] : figures) {
         if (name.ends_with("_sum")) {
             INFO(name);
@@ -107,6 +112,8 @@ TEST_CASE("the order in which the units are evaluated changes no figure") {
         const Figures in_pipe_order = run(config, floor_scene(256));
         for (const std::uint32_t seed : {1u, 2u, 3u, 4u, 5u})
             CHECK(run(config, floor_scene(256), seed) == in_pipe_order);
+        const WorkBin sampled = make_bin(floor_scene(256), MaxSamples);
+        CHECK(run(config, sampled, 1) == run(config, sampled, 2));
     }
 }
 
@@ -124,6 +131,38 @@ TEST_CASE("a deep fragment FIFO hides the memory's latency") {
     };
     const auto shallow = cycles(4), deep = cycles(256);
     CHECK(shallow > 2 * deep);
+}
+
+TEST_CASE("the samples of a quad lie in two lines, and all their bytes are carried") {
+    constexpr unsigned Size = 128;
+    const Figures one = run(TimingConfig{}, make_bin(planar_scene(Size)));
+    const Figures four = run(TimingConfig{}, make_bin(planar_scene(Size), MaxSamples));
+    CHECK(one.at("color_cache_accesses") == Size * Size / 4);
+    // A row of four pixels is a line: 64 bytes.
+    CHECK(four.at("color_cache_accesses") == 2 * Size * Size / 4);
+    CHECK(four.at("color_cache_written_bytes") == Size * Size * 16);
+    CHECK(four.at("depth_cache_accesses") == 2 * Size * Size / 4);
+    CHECK(four.at("depth_cache_read_bytes") == Size * Size * 16);
+    CHECK(four.at("depth_cache_written_bytes") == Size * Size * 16);
+}
+
+TEST_CASE("a resolve reads every sample and writes every pixel once") {
+    constexpr std::uint16_t Size = 64;
+    WorkBin bin;
+    WorkDraw& copy = bin.draws.emplace_back();
+    copy.kind = WorkKind::Copy;
+    copy.copy.destination = {.address = 1 << 26,
+                             .format = Format::Rgba8,
+                             .width = Size,
+                             .height = Size,
+                             .stride = Size * 4};
+    copy.copy.source = copy.copy.destination;
+    copy.copy.source.address = 1 << 27;
+    copy.copy.source.samples = MaxSamples;
+    copy.copy.width = copy.copy.height = Size;
+    const Figures figures = run(TimingConfig{}, bin);
+    CHECK(figures.at("memory_command_read_bytes") == Size * Size * 16);
+    CHECK(figures.at("memory_command_written_bytes") == Size * Size * 4);
 }
 
 TEST_CASE("a tile-based machine does the same work") {
