@@ -88,6 +88,7 @@ constexpr RefusedCall Empty[] = {
     REFUSED(GL_INVALID_VALUE, RenderbufferStorage, R, GL_RGBA8, -1, 4),
     REFUSED(GL_INVALID_VALUE, RenderbufferStorage, R, GL_RGBA8, 4, TooWide),
     REFUSED(GL_INVALID_VALUE, RenderbufferStorageMultisample, R, -1, GL_RGBA8, 4, 4),
+    REFUSED(GL_INVALID_VALUE, RenderbufferStorageMultisample, R, MaxSamples + 1, GL_RGBA8, 4, 4),
     REFUSED(GL_INVALID_ENUM, GetRenderbufferParameteriv, R, GL_TEXTURE_WIDTH, ints),
     REFUSED(GL_INVALID_OPERATION, DrawBuffer, GL_BACK),
     REFUSED(GL_INVALID_OPERATION, ReadBuffer, GL_BACK),

@@ -356,7 +356,7 @@ const Minimum Minima[] = {
     MINIMUM(MAX_RENDERBUFFER_SIZE, 1),
     MINIMUM(MAX_COLOR_ATTACHMENTS, 1),
     MINIMUM(MAX_DRAW_BUFFERS, 1),
-    MINIMUM(MAX_SAMPLES, 1),
+    MINIMUM(MAX_SAMPLES, 4),
 };
 
 } // namespace

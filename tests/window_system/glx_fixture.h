@@ -5,6 +5,7 @@
 #include "tests/window_system/x_server.h"
 
 #include <array>
+#include <memory>
 
 #include <GL/gl.h>
 #include <GL/glx.h>
@@ -24,12 +25,11 @@ inline GLXFBConfig choose(Display* display, bool double_buffer) {
 
 class TestWindow {
 public:
-    TestWindow(Display* display, GLXFBConfig config, unsigned width, unsigned height)
+    TestWindow(Display* display, const XVisualInfo& visual, unsigned width, unsigned height)
         : display_(display) {
-        XVisualInfo* const visual = glXGetVisualFromFBConfig(display, config);
         XSetWindowAttributes attributes{};
         attributes.colormap =
-            XCreateColormap(display, RootWindow(display, 0), visual->visual, AllocNone);
+            XCreateColormap(display, RootWindow(display, 0), visual.visual, AllocNone);
         window_ = XCreateWindow(display,
                                 RootWindow(display, 0),
                                 0,
@@ -37,15 +37,16 @@ public:
                                 width,
                                 height,
                                 0,
-                                visual->depth,
+                                visual.depth,
                                 InputOutput,
-                                visual->visual,
+                                visual.visual,
                                 CWColormap | CWBorderPixel,
                                 &attributes);
-        XFree(visual);
         XMapWindow(display, window_);
         XSync(display, False);
     }
+    TestWindow(Display* display, GLXFBConfig config, unsigned width, unsigned height)
+        : TestWindow(display, *visual_of(display, config), width, height) {}
     ~TestWindow() { XDestroyWindow(display_, window_); }
     TestWindow(const TestWindow&) = delete;
     TestWindow& operator=(const TestWindow&) = delete;
@@ -61,6 +62,13 @@ public:
     }
 
 private:
+    struct Free {
+        void operator()(XVisualInfo* visual) const { XFree(visual); }
+    };
+    static std::unique_ptr<XVisualInfo, Free> visual_of(Display* display, GLXFBConfig config) {
+        return std::unique_ptr<XVisualInfo, Free>(glXGetVisualFromFBConfig(display, config));
+    }
+
     Display* display_;
     Window window_ = 0;
 };

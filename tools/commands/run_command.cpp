@@ -71,6 +71,7 @@ private:
 
 struct Arguments {
     RecordingArguments recording;
+    unsigned samples = 1;
     std::vector<std::string> command;
 };
 
@@ -82,6 +83,8 @@ int run_run(const Arguments& arguments) {
     const fs::path folder = find_drop_in_folder();
     std::vector<Environment> environment{
         {"LD_LIBRARY_PATH", with_folder_first(folder, std::getenv("LD_LIBRARY_PATH"))}};
+    if (arguments.samples > 1)
+        environment.push_back({"FFGPU_SAMPLES", std::to_string(arguments.samples)});
     if (!arguments.recording.any()) return run_program(arguments.command, environment);
     RecordingOptions checked;
     resolve(arguments.recording, checked); // What is wrong is said before the program starts.
@@ -122,6 +125,7 @@ void add_run_command(CLI::App& application, Run& run) {
     CLI::App* const verb =
         application.add_subcommand("run", "Runs an OpenGL program, in its window, on ffgpu");
     add_recording_options(*verb, arguments->recording);
+    add_samples_option(*verb, arguments->samples);
     verb->add_option("program", arguments->command, "The program and its arguments, after --")
         ->required();
     verb->footer("With --frames A-B the program ends after frame B. Exit status: the program's.\n"

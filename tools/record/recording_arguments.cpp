@@ -1,6 +1,7 @@
 #include "tools/record/recording_arguments.h"
 
 #include "model/base/input_error.h"
+#include "model/device/limits.h"
 #include "tools/config/config_file.h"
 
 #include <filesystem>
@@ -53,6 +54,12 @@ void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {
     verb.add_option("--capture", arguments.capture, "Write the frames as a device capture")
         ->type_name("FILE.ffc");
     verb.add_flag("--no-images", arguments.no_images, "Write no frame_*.png");
+}
+
+void add_samples_option(CLI::App& verb, unsigned& samples) {
+    verb.add_option("--samples", samples, "4: multisample every window")
+        ->type_name("N")
+        ->check(CLI::IsMember({1u, MaxSamples}));
 }
 
 void resolve(const RecordingArguments& arguments, RecordingOptions& options) {

@@ -28,6 +28,9 @@ struct RecordingArguments {
 
 void add_recording_options(CLI::App& verb, RecordingArguments& arguments);
 
+// Of a pixel of every window: 1 or MaxSamples.
+void add_samples_option(CLI::App& verb, unsigned& samples);
+
 // Throws InputError where an argument is wrong.
 void resolve(const RecordingArguments& arguments, RecordingOptions& options);
 

@@ -17,7 +17,8 @@ public:
                   reader_,
                   {.warn = options.warn,
                    .report_errors = options.report_errors,
-                   .keep_last_frame = options.keep_last}) {}
+                   .keep_last_frame = options.keep_last,
+                   .samples = options.samples}) {}
 
     std::optional<Frame> next() override {
         const std::uint64_t before = player_.calls_played();
@@ -60,8 +61,11 @@ private:
 
 std::unique_ptr<FrameSource>
 open_frame_source(const std::string& path, Device& device, const FrameSourceOptions& options) {
-    if (capture::CaptureReader::is_capture(path))
-        return std::make_unique<CaptureSource>(path, device);
+    const bool is_capture = capture::CaptureReader::is_capture(path);
+    if (is_capture && options.samples > 1)
+        throw InputError(path + ": is a capture, whose windows are as they were: --samples is for "
+                                "traces");
+    if (is_capture) return std::make_unique<CaptureSource>(path, device);
     return std::make_unique<TraceSource>(path, device, options);
 }
 

@@ -36,6 +36,7 @@ struct FrameSourceOptions {
     std::function<void(const std::string& line)> warn;
     bool report_errors = false; // GL errors, as warnings
     bool keep_last = false;     // repeat_last() will be called.
+    unsigned samples = 1;       // of a pixel of a trace's windows
 };
 
 // Tells by its first bytes what the file is. Throws InputError.

@@ -22,7 +22,8 @@ public:
                                     recording_.device(),
                                     {.warn = options.warn,
                                      .report_errors = options.report_errors,
-                                     .keep_last = options.benchmark > 0})) {}
+                                     .keep_last = options.benchmark > 0,
+                                     .samples = options.samples})) {}
 
     std::string run() {
         try {

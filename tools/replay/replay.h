@@ -13,6 +13,7 @@ struct ReplayOptions : RecordingOptions {
     std::string input;
     bool report_errors = false;
     unsigned benchmark = 0; // times that the last frame is repeated; 0: no benchmark
+    unsigned samples = 1;   // of a pixel of a trace's windows
     std::function<void(const std::string& line)> warn = [](const std::string&) {};
 };
 

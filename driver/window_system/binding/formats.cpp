@@ -1,5 +1,10 @@
 #include "driver/window_system/binding/formats.h"
 
+#include "model/device/limits.h"
+
+#include <cstdlib>
+#include <string_view>
+
 namespace ffgpu::gl {
 namespace {
 
@@ -8,20 +13,33 @@ struct DepthStencil {
 };
 constexpr DepthStencil DepthStencils[] = {{24, 8}, {24, 0}, {16, 0}, {0, 0}};
 
+// FFGPU_SAMPLES=4: every window is multisampled, whatever the program asks for.
+bool forces_samples() {
+    const char* const text = std::getenv("FFGPU_SAMPLES");
+    return text && std::string_view(text) == "4";
+}
+static_assert(MaxSamples == 4);
+
+void add_formats(std::vector<PixelFormat>& formats, bool accumulation, unsigned samples) {
+    for (const bool alpha : {true, false})
+        for (const DepthStencil bits : DepthStencils)
+            for (const bool double_buffer : {true, false})
+                formats.push_back({.double_buffer = double_buffer,
+                                   .alpha = alpha,
+                                   .depth_bits = bits.depth,
+                                   .stencil_bits = bits.stencil,
+                                   .accumulation = accumulation,
+                                   .samples = static_cast<std::uint8_t>(samples)});
+}
+
 } // namespace
 
 std::vector<PixelFormat> offered_formats(bool with_accumulation) {
     std::vector<PixelFormat> formats;
-    for (const bool accumulation : {false, true}) {
-        if (accumulation && !with_accumulation) continue;
-        for (const bool alpha : {true, false})
-            for (const DepthStencil bits : DepthStencils)
-                for (const bool double_buffer : {true, false})
-                    formats.push_back({.double_buffer = double_buffer,
-                                       .alpha = alpha,
-                                       .depth_bits = bits.depth,
-                                       .stencil_bits = bits.stencil,
-                                       .accumulation = accumulation});
+    for (const unsigned samples : {1u, MaxSamples}) {
+        if (samples == 1 && forces_samples()) continue;
+        add_formats(formats, false, samples);
+        if (with_accumulation) add_formats(formats, true, samples);
     }
     return formats;
 }

@@ -63,7 +63,7 @@ bool matches_all(const EglConfig& config, const Wishes& wishes) {
 }
 
 // Of two configurations the one with the lesser key comes first (EGL 1.5, 3.4.1.2).
-std::array<EGLint, 5> sort_key(const EglConfig& config, const Wishes& wishes) {
+std::array<EGLint, 6> sort_key(const EglConfig& config, const Wishes& wishes) {
     EGLint wished_bits = 0;
     for (const EGLint size : {EGL_RED_SIZE, EGL_GREEN_SIZE, EGL_BLUE_SIZE, EGL_ALPHA_SIZE}) {
         const auto wish = wishes.find(size);
@@ -72,6 +72,7 @@ std::array<EGLint, 5> sort_key(const EglConfig& config, const Wishes& wishes) {
     }
     return {-wished_bits,
             *egl_config_attribute(config, EGL_BUFFER_SIZE),
+            config.format.samples,
             config.format.depth_bits,
             config.format.stencil_bits,
             config.id};
@@ -105,6 +106,10 @@ std::optional<EGLint> egl_config_attribute(const EglConfig& config, EGLint attri
         return format.depth_bits;
     case EGL_STENCIL_SIZE:
         return format.stencil_bits;
+    case EGL_SAMPLE_BUFFERS:
+        return format.samples > 1;
+    case EGL_SAMPLES:
+        return format.samples > 1 ? format.samples : 0;
     case EGL_COLOR_BUFFER_TYPE:
         return EGL_RGB_BUFFER;
     case EGL_CONFIG_CAVEAT:
@@ -134,8 +139,6 @@ std::optional<EGLint> egl_config_attribute(const EglConfig& config, EGLint attri
     case EGL_LUMINANCE_SIZE:
     case EGL_ALPHA_MASK_SIZE:
     case EGL_MIN_SWAP_INTERVAL:
-    case EGL_SAMPLE_BUFFERS:
-    case EGL_SAMPLES:
     case EGL_TRANSPARENT_RED_VALUE:
     case EGL_TRANSPARENT_GREEN_VALUE:
     case EGL_TRANSPARENT_BLUE_VALUE:

@@ -68,7 +68,7 @@ bool matches_all(const GlxConfig& config, const Wishes& wishes) {
 }
 
 // The order as numbers: of two configurations the one with the lesser key comes first.
-using Key = std::array<int, 7>;
+using Key = std::array<int, 8>;
 
 // Sum of those of the attributes that the program asked for.
 int wished_bits(const GlxConfig& config, const Wishes& wishes, std::initializer_list<int> list) {
@@ -98,6 +98,7 @@ Key sort_key(const GlxConfig& config, const Wishes& wishes) {
         -wished_bits(config, wishes, {GLX_RED_SIZE, GLX_GREEN_SIZE, GLX_BLUE_SIZE, GLX_ALPHA_SIZE}),
         *config_attribute(config, GLX_BUFFER_SIZE),
         *config_attribute(config, GLX_DOUBLEBUFFER),
+        *config_attribute(config, GLX_SAMPLES),
         larger_if_wished(config, wishes, GLX_DEPTH_SIZE),
         *config_attribute(config, GLX_STENCIL_SIZE),
         accumulation > 0 ? -accumulation : *config_attribute(config, GLX_ACCUM_RED_SIZE),

@@ -58,7 +58,7 @@ FFGPU_GLX XVisualInfo* glXGetVisualFromFBConfig(Display* dpy, GLXFBConfig config
     const Turn turn;
     GlxDisplay& display = GlxDisplay::of(dpy);
     const GlxConfig* const known = display.config_of(config);
-    return known ? display.visual_of(*known) : nullptr;
+    return known ? display.hand_out_visual(*known) : nullptr;
 }
 
 FFGPU_GLX XVisualInfo* glXChooseVisual(Display* dpy, int screen, int* attribList) {
@@ -69,8 +69,7 @@ FFGPU_GLX XVisualInfo* glXChooseVisual(Display* dpy, int screen, int* attribList
     if (!on || !wishes) return nullptr;
     const auto found = choose_configs(on->configs, *wishes);
     if (found.empty()) return nullptr;
-    on->chosen[found.front()->visual] = found.front()->id;
-    return display.visual_of(*found.front());
+    return display.hand_out_visual(*found.front());
 }
 
 FFGPU_GLX int glXGetConfig(Display* dpy, XVisualInfo* visual, int attribute, int* value) {

@@ -52,6 +52,10 @@ std::optional<int> config_attribute(const GlxConfig& config, int attribute) {
         return accumulation;
     case GLX_ACCUM_ALPHA_SIZE:
         return format.alpha ? accumulation : 0;
+    case GLX_SAMPLE_BUFFERS:
+        return format.samples > 1;
+    case GLX_SAMPLES:
+        return format.samples > 1 ? format.samples : 0;
     case GLX_DOUBLEBUFFER:
         return format.double_buffer;
     case GLX_RGBA:
@@ -75,8 +79,6 @@ std::optional<int> config_attribute(const GlxConfig& config, int attribute) {
     case GLX_LEVEL:
     case GLX_STEREO:
     case GLX_AUX_BUFFERS:
-    case GLX_SAMPLE_BUFFERS:
-    case GLX_SAMPLES:
     case GLX_TRANSPARENT_INDEX_VALUE:
     case GLX_TRANSPARENT_RED_VALUE:
     case GLX_TRANSPARENT_GREEN_VALUE:

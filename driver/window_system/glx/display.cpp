@@ -83,7 +83,8 @@ const GlxConfig* GlxDisplay::config_of(GLXFBConfig handle) {
     return nullptr;
 }
 
-XVisualInfo* GlxDisplay::visual_of(const GlxConfig& config) {
+XVisualInfo* GlxDisplay::hand_out_visual(const GlxConfig& config) {
+    if (GlxScreen* const on = screen(config.screen)) on->chosen[config.visual] = config.id;
     XVisualInfo wanted{};
     wanted.visualid = config.visual;
     wanted.screen = config.screen;

@@ -29,7 +29,7 @@ using GlxContext = __GLXcontextRec;
 struct GlxScreen {
     std::vector<XVisualInfo> visuals; // TrueColor, of the screen's depth
     std::vector<GlxConfig> configs;
-    std::map<VisualID, int> chosen; // the configuration that glXChooseVisual gave a visual for
+    std::map<VisualID, int> chosen; // the configuration that a visual was handed out for last
 };
 
 // A drawable that was made by a call of GLX, or a window that was made current as it is.
@@ -57,8 +57,9 @@ public:
     // What a visual stands for; null for one without OpenGL.
     const GlxConfig* config_of(const XVisualInfo& visual);
     const GlxConfig* config_of(GLXFBConfig handle);
-    // To be freed with XFree, as GLX demands; null where there is none.
-    XVisualInfo* visual_of(const GlxConfig& config);
+    // The configuration's visual, which from now on stands for it: several may share one. To be
+    // freed with XFree, as GLX demands; null where there is none.
+    XVisualInfo* hand_out_visual(const GlxConfig& config);
 
     std::map<GLXContext, std::shared_ptr<GlxContext>> contexts;
     std::map<XID, GlxDrawable> drawables;
