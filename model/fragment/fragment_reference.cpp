@@ -81,8 +81,8 @@ bool is_covered(const FragmentBatch& batch, const FragmentPipe& pipe, Sample sam
 }
 
 std::uint32_t depth(const FragmentBatch& batch, const FragmentPipe& pipe, Sample sample) {
-    return pipe.samples > 1 && batch.has_sample_depths
-               ? batch.sample_depth[sample.index][sample.lane]
+    return pipe.samples > 1 && batch.sample_depths
+               ? batch.sample_depths->of[sample.index][sample.lane]
                : batch.depth[sample.lane];
 }
 

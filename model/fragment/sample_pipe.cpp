@@ -10,7 +10,7 @@ namespace {
 // Makes sample i's fragments the live ones, and its depths theirs.
 void select_sample(unsigned i, FragmentBatch& batch) {
     batch.live = batch.samples[i];
-    if (batch.has_sample_depths) batch.depth = batch.sample_depth[i];
+    if (batch.sample_depths) batch.depth = batch.sample_depths->of[i];
 }
 
 StencilDepthFates test_sample(const FragmentPipe& pipe, unsigned i, FragmentBatch& batch) {

@@ -125,9 +125,7 @@ void TileRenderer::draw_image(const BinCommand& command) {
         batch_.tile_x = static_cast<std::uint16_t>(tile_.x0);
         batch_.tile_y = static_cast<std::uint16_t>(tile_.y0);
         const FragmentMask covered = batch_.live;
-        batch_.has_sample_depths = false;
-        if (multisampled() && !pixels_->multisample) cover_all_samples();
-        covered_samples_ = batch_.samples;
+        if (multisampled()) begin_samples();
         early_depth_test(pixels_->pipe, batch_);
         if (batch_.live.any()) {
             for (unsigned unit = 0; unit < TextureUnits; ++unit)
@@ -154,8 +152,7 @@ void TileRenderer::flush() {
     const std::span<const BatchRun> runs = collector_.runs();
     const FragmentMask covered = batch_.live;
 
-    if (multisampled() && !context.multisample) cover_all_samples();
-    covered_samples_ = batch_.samples;
+    if (multisampled()) begin_samples();
     if (context.needs_depth) interpolate_depths();
     early_depth_test(context.pipe, batch_);
     if (batch_.live.any()) {
@@ -174,16 +171,16 @@ void TileRenderer::flush() {
 
 // At the samples where primitives cover samples, at the centres where they cover pixels.
 void TileRenderer::interpolate_depths() {
-    batch_.has_sample_depths = pixels_->multisample;
-    if (pixels_->multisample)
-        interpolate_sample_depths(collector_.runs(), batch_);
-    else
-        interpolate_depth(collector_.runs(), batch_);
+    if (!pixels_->multisample) return interpolate_depth(collector_.runs(), batch_);
+    interpolate_sample_depths(collector_.runs(), batch_, sample_depths_);
+    batch_.sample_depths = &sample_depths_;
 }
 
-// Every sample of the pixels that are covered.
-void TileRenderer::cover_all_samples() {
-    batch_.samples.fill(batch_.live);
+// Primitives that cover pixels cover all samples of them.
+void TileRenderer::begin_samples() {
+    if (!pixels_->multisample) batch_.samples.fill(batch_.live);
+    covered_samples_ = batch_.samples;
+    batch_.sample_depths = nullptr;
 }
 
 void TileRenderer::sample_unit(unsigned unit) {

@@ -38,7 +38,7 @@ private:
     void sample_unit(unsigned unit);
     void finish_batch(const FragmentMask& covered);
     void interpolate_depths();
-    void cover_all_samples();
+    void begin_samples();
     void count(const FragmentMask& covered,
                const FragmentMask& after_early_depth,
                const FragmentFates& fates);
@@ -59,6 +59,7 @@ private:
 
     FragmentBatch batch_{};
     SampleMasks covered_samples_; // of the batch, where targets are multisampled
+    SampleDepths sample_depths_;
     QuadCollector collector_{batch_};
     TileCoverage coverage_;
     TileSampleCoverage sample_coverage_;

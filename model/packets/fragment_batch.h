@@ -81,6 +81,11 @@ inline FragmentMask any_sample(const SampleMasks& samples) {
     return any;
 }
 
+// In units of the depth target, one array a sample.
+struct SampleDepths {
+    alignas(64) std::array<std::array<std::uint32_t, BatchFragments>, MaxSamples> of;
+};
+
 struct FragmentBatch {
     unsigned quad_count = 0;
     std::uint16_t tile_x = 0, tile_y = 0; // the tile's lower left pixel
@@ -104,9 +109,8 @@ struct FragmentBatch {
     ColorPlanes color; // after the environments; then the running colour down to the blend
 
     // Multisampled targets only.
-    SampleMasks samples;            // Covered, and not killed so far; `live` is their union.
-    bool has_sample_depths = false; // False: `depth` is the depth of all samples.
-    alignas(64) std::array<std::array<std::uint32_t, BatchFragments>, MaxSamples> sample_depth;
+    SampleMasks samples; // Covered, and not killed so far; `live` is their union.
+    const SampleDepths* sample_depths = nullptr; // null: `depth` is the depth of all samples
 
     unsigned lanes() const { return 4 * quad_count; }
 };

@@ -159,9 +159,11 @@ void InterpolateDepth(std::span<const BatchRun> runs, FragmentBatch& batch) {
     depth_beside({}, runs, batch, batch.depth.data());
 }
 
-void InterpolateSampleDepths(std::span<const BatchRun> runs, FragmentBatch& batch) {
+void InterpolateSampleDepths(std::span<const BatchRun> runs,
+                             const FragmentBatch& batch,
+                             SampleDepths& depths) {
     for (unsigned i = 0; i < MaxSamples; ++i)
-        depth_beside(SamplePositions[i], runs, batch, batch.sample_depth[i].data());
+        depth_beside(SamplePositions[i], runs, batch, depths.of[i].data());
 }
 
 // Four quads at a time: each one's corner in all four lanes, and the lanes' own offsets.
@@ -268,8 +270,10 @@ void interpolate_depth(std::span<const BatchRun> runs, FragmentBatch& batch) {
     HWY_DYNAMIC_DISPATCH(InterpolateDepth)(runs, batch);
 }
 
-void interpolate_sample_depths(std::span<const BatchRun> runs, FragmentBatch& batch) {
-    HWY_DYNAMIC_DISPATCH(InterpolateSampleDepths)(runs, batch);
+void interpolate_sample_depths(std::span<const BatchRun> runs,
+                               const FragmentBatch& batch,
+                               SampleDepths& depths) {
+    HWY_DYNAMIC_DISPATCH(InterpolateSampleDepths)(runs, batch, depths);
 }
 
 void interpolate_perspective(std::span<const BatchRun> runs,

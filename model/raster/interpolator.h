@@ -27,8 +27,10 @@ struct PerspectivePlanes {
 
 void interpolate_depth(std::span<const BatchRun> runs, FragmentBatch& batch);
 
-// The same at each sample's position, into batch.sample_depth.
-void interpolate_sample_depths(std::span<const BatchRun> runs, FragmentBatch& batch);
+// The same at each sample's position.
+void interpolate_sample_depths(std::span<const BatchRun> runs,
+                               const FragmentBatch& batch,
+                               SampleDepths& depths);
 
 // False where all that the layout carries is constant in every run.
 bool needs_perspective(const InterpolantLayout& layout, std::span<const BatchRun> runs);
@@ -51,7 +53,9 @@ void interpolate_tex_coords(const InterpolantLayout& layout,
                             TexCoordPlanes& out);
 
 void interpolate_depth_scalar(std::span<const BatchRun> runs, FragmentBatch& batch);
-void interpolate_sample_depths_scalar(std::span<const BatchRun> runs, FragmentBatch& batch);
+void interpolate_sample_depths_scalar(std::span<const BatchRun> runs,
+                                      const FragmentBatch& batch,
+                                      SampleDepths& depths);
 
 void interpolate_perspective_scalar(std::span<const BatchRun> runs,
                                     const FragmentBatch& batch,

@@ -63,10 +63,12 @@ void interpolate_depth_scalar(std::span<const BatchRun> runs, FragmentBatch& bat
     });
 }
 
-void interpolate_sample_depths_scalar(std::span<const BatchRun> runs, FragmentBatch& batch) {
+void interpolate_sample_depths_scalar(std::span<const BatchRun> runs,
+                                      const FragmentBatch& batch,
+                                      SampleDepths& depths) {
     for_each_fragment(runs, batch, [&](const Fragment& at) {
         for (unsigned i = 0; i < MaxSamples; ++i)
-            batch.sample_depth[i][at.lane] = depth_beside(at, SamplePositions[i]);
+            depths.of[i][at.lane] = depth_beside(at, SamplePositions[i]);
     });
 }
 

@@ -24,7 +24,6 @@ constexpr QuadOffsets Offsets;
 void QuadCollector::clear() {
     batch_.quad_count = 0;
     batch_.live = {};
-    batch_.samples = {};
     batch_.front_facing = {};
     run_count_ = 0;
     std::fill_n(live_.begin(), touched_end_, 0);
@@ -73,6 +72,7 @@ unsigned QuadCollector::append_quad(unsigned x, unsigned y, unsigned lanes) {
 
 // Appends quads of `block` while there is room, and takes them out of it.
 void QuadCollector::append_samples(SampleBlock& block) {
+    if (batch_.quad_count == 0) batch_.samples = {};
     BlockMask left = block.any();
     while (left != 0 && batch_.quad_count < BatchQuads) {
         const unsigned quad = static_cast<unsigned>(std::countr_zero(left)) / 4;

@@ -65,6 +65,7 @@ struct Scene {
     std::vector<std::byte> memory;
     std::shared_ptr<Registers> registers = std::make_shared<Registers>();
     DrawState state;
+    std::shared_ptr<const SampleDepths> sample_depths; // of the batch
 
     FragmentPipe compile() {
         state.registers = registers;
@@ -255,7 +256,7 @@ inline void random_depths(Draws& draws,
     }
 }
 
-inline void randomize(Draws& draws, const Scene& scene, FragmentBatch& batch) {
+inline void randomize(Draws& draws, Scene& scene, FragmentBatch& batch) {
     const unsigned density = draws.below(4);
     place_quads(draws, scene.registers->scissor, draws.below(BatchQuads + 1), batch, [&] {
         return density == 3 || draws.below(3) <= density;
@@ -267,9 +268,11 @@ inline void randomize(Draws& draws, const Scene& scene, FragmentBatch& batch) {
     random_depths(draws, scene, target.plane(0), batch, batch.depth);
     if (scene.state.samples > 1) {
         random_samples(draws, batch);
-        batch.has_sample_depths = draws.coin();
+        const auto depths = std::make_shared<SampleDepths>();
         for (unsigned i = 0; i < MaxSamples; ++i)
-            random_depths(draws, scene, target.plane(i), batch, batch.sample_depth[i]);
+            random_depths(draws, scene, target.plane(i), batch, depths->of[i]);
+        scene.sample_depths = depths;
+        batch.sample_depths = draws.coin() ? depths.get() : nullptr;
     }
     for (float& coordinate : batch.fog_coordinate)
         coordinate = random_coordinate(draws);

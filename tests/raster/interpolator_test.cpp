@@ -93,6 +93,8 @@ TEST_CASE("vector and scalar interpolation give the same bits") {
     auto vector = std::make_unique<PerspectivePlanes>();
     auto scalar_coords = std::make_unique<TexCoordPlanes>();
     auto vector_coords = std::make_unique<TexCoordPlanes>();
+    auto scalar_depths = std::make_unique<SampleDepths>();
+    auto vector_depths = std::make_unique<SampleDepths>();
     for_each_batch(
         11,
         [&](const InterpolantLayout& layout, std::span<const BatchRun> runs, FragmentBatch& batch) {
@@ -106,10 +108,10 @@ TEST_CASE("vector and scalar interpolation give the same bits") {
             interpolate_perspective_scalar(runs, *scalar_batch, *scalar);
             interpolate_colors_scalar(layout, runs, *scalar, *scalar_batch);
             REQUIRE(same_lanes(batch.depth, scalar_batch->depth, lanes));
-            interpolate_sample_depths(runs, batch);
-            interpolate_sample_depths_scalar(runs, *scalar_batch);
+            interpolate_sample_depths(runs, batch, *vector_depths);
+            interpolate_sample_depths_scalar(runs, batch, *scalar_depths);
             for (unsigned i = 0; i < MaxSamples; ++i)
-                REQUIRE(same_lanes(batch.sample_depth[i], scalar_batch->sample_depth[i], lanes));
+                REQUIRE(same_lanes(vector_depths->of[i], scalar_depths->of[i], lanes));
             REQUIRE(same_lanes(vector->w, scalar->w, lanes));
             REQUIRE(same_colors(batch.primary, scalar_batch->primary, lanes));
             REQUIRE(same_colors(batch.secondary, scalar_batch->secondary, lanes));
@@ -204,6 +206,7 @@ TEST_CASE("depth at a sample is within one unit of the true plane at its place")
     auto batch = std::make_unique<FragmentBatch>();
     auto collector = std::make_unique<QuadCollector>(*batch);
     collector->begin_tile({0, 0, 64, 64});
+    auto depths = std::make_unique<SampleDepths>();
     unsigned compared = 0;
     for (int i = 0; i < 300; ++i) {
         WindowVertex v[3];
@@ -213,7 +216,7 @@ TEST_CASE("depth at a sample is within one unit of the true plane at its place")
         const long double area = static_cast<long double>(v[1].x - v[0].x) * (v[2].y - v[0].y) -
                                  static_cast<long double>(v[2].x - v[0].x) * (v[1].y - v[0].y);
         const auto compare = [&] {
-            interpolate_sample_depths(collector->runs(), *batch);
+            interpolate_sample_depths(collector->runs(), *batch, *depths);
             for (unsigned lane = 0; lane < batch->lanes(); ++lane)
                 for (unsigned s = 0; s < MaxSamples; ++s) {
                     if (!batch->samples[s].test(lane)) continue;
@@ -229,8 +232,7 @@ TEST_CASE("depth at a sample is within one unit of the true plane at its place")
                          b2 * (static_cast<long double>(v[2].depth) - v[0].depth)) *
                         0xffffff;
                     ++compared;
-                    REQUIRE(std::abs(static_cast<long double>(batch->sample_depth[s][lane]) - z) <
-                            0.51L);
+                    REQUIRE(std::abs(static_cast<long double>(depths->of[s][lane]) - z) < 0.51L);
                 }
             collector->clear();
         };
