@@ -11,6 +11,7 @@ namespace {
 
 struct Case {
     Format format = Format::Rgba8;
+    bool srgb = false;
     TextureKind kind = TextureKind::TwoD;
     Wrap wrap = Wrap::Repeat;
     bool linear = true;
@@ -46,6 +47,7 @@ void run(benchmark::State& state, const Case& c) {
     shape.depth = three_d ? 64 : 1;
     shape.levels = three_d ? 7 : 9;
     TextureMemory memory(shape);
+    memory.image.srgb = c.srgb;
     Random random(1);
     memory.fill_random(random);
     Sampler sampler = c.linear ? linear_sampler(c.wrap) : nearest_sampler(c.wrap);
@@ -79,6 +81,8 @@ BENCHMARK_CAPTURE(run, bilinear_luminance8, Case{.format = Format::Luminance8});
 BENCHMARK_CAPTURE(run, bilinear_rgb565, Case{.format = Format::Rgb565});
 BENCHMARK_CAPTURE(run, bilinear_dxt1, Case{.format = Format::Dxt1Rgb});
 BENCHMARK_CAPTURE(run, bilinear_dxt5, Case{.format = Format::Dxt5});
+BENCHMARK_CAPTURE(run, bilinear_fxt1, Case{.format = Format::Fxt1Rgb});
+BENCHMARK_CAPTURE(run, bilinear_srgb8_alpha8, Case{.srgb = true});
 BENCHMARK_CAPTURE(run, bilinear_depth24, Case{.format = Format::Depth24Stencil8});
 BENCHMARK_CAPTURE(run, bilinear_cube, Case{.kind = TextureKind::Cube});
 BENCHMARK_CAPTURE(run, linear_3d, Case{.kind = TextureKind::ThreeD});
