@@ -4,6 +4,7 @@
 #include "driver/context/context.h"
 #include "driver/entry_points/declarations.h"
 #include "driver/lower/color_material.h"
+#include "driver/vertex/immediate_vertices.h"
 
 namespace ffgpu::gl::api {
 namespace {
@@ -67,8 +68,8 @@ void set_materials(Context& context, GLenum face, GLenum name, const Number* par
             set_material(materials[i], tracked_colors(before.color_material, i), name, values);
     }
     if (materials == before.materials) return;
-    // Legal between glBegin and glEnd: the vertices so far have the old material.
-    context.flush_vertices();
+    // Vertices that wait have the old materials, which without lighting does not matter.
+    if (before.enable) context.immediate().change_materials(materials);
     context.state.lighting.materials = materials;
     context.dirty.mark(Dirty::Lighting);
 }

@@ -2,6 +2,7 @@
 
 #include "driver/context/context.h"
 #include "driver/vertex/draw_path.h"
+#include "driver/vertex/material_draw.h"
 #include "driver/vertex/primitive_cut.h"
 
 #include <algorithm>
@@ -25,6 +26,7 @@ void ImmediateVertices::end() {
     close();
     const std::uint32_t whole = whole_vertices(type_, count() - first_);
     keep_vertices(first_ + whole);
+    materials_.keep_vertices(first_ + whole);
     if (whole != 0) add_primitive(type_, whole);
     // Attributes that were set wait as well: they become current with flush().
     context_.vertex_phase = VertexPhase::Pending;
@@ -45,6 +47,7 @@ void ImmediateVertices::flush() {
     if (!primitives_.empty()) draw_primitives();
     store_current();
     reset_run();
+    materials_.clear();
     context_.vertex_phase = VertexPhase::Idle;
 }
 
@@ -65,7 +68,15 @@ void ImmediateVertices::add_primitive(PrimitiveType type, std::uint32_t count) {
 
 void ImmediateVertices::draw_primitives() {
     const std::vector<RunPrimitive> primitives = std::exchange(primitives_, {});
-    context_.draw_path().draw({format_, words(), primitives});
+    const VertexRun run{format_, words(), primitives};
+    if (materials_.empty()) return context_.draw_path().draw(run);
+    draw_with_materials(context_, run, materials_.changes());
+}
+
+void ImmediateVertices::change_materials(const Materials& materials) {
+    if (!inside_) return context_.flush_vertices();
+    if (count() == first_) cut(); // What waits is drawn with the materials of one time.
+    if (count() != first_) materials_.change(count(), context_.state.lighting.materials, materials);
 }
 
 void ImmediateVertices::cut() {
@@ -76,7 +87,9 @@ void ImmediateVertices::cut() {
 
     // The vertices that the next piece begins with.
     carried_.clear();
+    carried_from_.clear();
     const auto carry = [&](std::uint32_t i) {
+        carried_from_.push_back(i);
         carried_.insert(carried_.end(), vertex_at(i), vertex_at(i + 1));
     };
     const bool keeps_loop_start = is_loop && (was_cut_ || cut.drawn != 0);
@@ -91,6 +104,7 @@ void ImmediateVertices::cut() {
         was_cut_ = true;
     }
     if (!primitives_.empty()) draw_primitives();
+    materials_.select(carried_from_);
     std::copy(carried_.begin(), carried_.end(), vertex_at(0));
     first_ = keeps_loop_start ? 1 : 0;
     if (format_.stride != 0)
@@ -103,6 +117,7 @@ void ImmediateVertices::close_loop() {
     type_ = PrimitiveType::LineStrip;
     if (used() + format_.stride > capacity()) enlarge(capacity() + format_.stride);
     std::copy(vertex_at(first_ - 1), vertex_at(first_), vertex_at(count()));
+    materials_.repeat(first_ - 1, count());
     keep_vertices(count() + 1);
 }
 
@@ -153,6 +168,7 @@ void ImmediateVertices::make_room(unsigned stride) {
         } else {
             if (!primitives_.empty()) draw_primitives();
             keep_vertices(0);
+            materials_.clear();
         }
     }
     if (needed() > capacity()) enlarge(std::max(LeastCapacity, std::min(2 * needed(), most)));

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "driver/vertex/material_log.h"
 #include "driver/vertex/vertex_assembler.h"
 
 #include <vector>
@@ -24,9 +25,12 @@ public:
     // Draws what waits; the phase is Idle then. Not between glBegin and glEnd.
     void flush();
 
-    // Between glBegin and glEnd, before a state changes that the vertices so far were made with:
-    // they are drawn, and the primitive goes on.
+    // Between glBegin and glEnd: the vertices so far are drawn, and the primitive goes on.
     void cut();
+
+    // The vertices to come have materials that differ from the state's, which those before have.
+    // The caller then changes the state.
+    void change_materials(const Materials& materials);
 
     // A value of the vertex under construction, or the current one.
     Vec4 value_of(Attribute attribute) const;
@@ -55,6 +59,8 @@ private:
     // before first_, until the loop is closed.
     bool was_cut_ = false;
     std::vector<float> carried_;
+    std::vector<std::uint32_t> carried_from_;
+    MaterialLog materials_;
     std::vector<RunPrimitive> primitives_;
 };
 

@@ -40,6 +40,27 @@ constexpr bool is_independent(PrimitiveType type) {
            type == PrimitiveType::Triangles || type == PrimitiveType::Quads;
 }
 
+// Of one such primitive.
+constexpr std::uint32_t vertices_of_one(PrimitiveType type) {
+    switch (type) {
+    case PrimitiveType::Points:
+        return 1;
+    case PrimitiveType::Lines:
+    case PrimitiveType::LineLoop:
+    case PrimitiveType::LineStrip:
+        return 2;
+    case PrimitiveType::Triangles:
+    case PrimitiveType::TriangleStrip:
+    case PrimitiveType::TriangleFan:
+    case PrimitiveType::Polygon:
+        return 3;
+    case PrimitiveType::Quads:
+    case PrimitiveType::QuadStrip:
+        return 4;
+    }
+    return 1;
+}
+
 struct PrimitiveCut {
     std::uint32_t drawn = 0;    // vertices of the piece
     std::uint32_t carried = 0;  // last vertices that the next piece repeats

@@ -4,25 +4,6 @@
 
 namespace ffgpu::gl {
 
-namespace {
-
-// One vertex from one format to a wider one. `entering`, if it is new, gets `before`.
-void convert_vertex(const VertexFormat& from,
-                    const VertexFormat& to,
-                    const float* source,
-                    float* destination) {
-    for (std::size_t a = 0; a < Attributes; ++a) {
-        const VertexElement old = from.elements[a];
-        const VertexElement wide = to.elements[a];
-        for (unsigned c = 0; c < wide.components; ++c) {
-            destination[wide.offset + c] =
-                c < old.components ? source[old.offset + c] : MissingComponents[c];
-        }
-    }
-}
-
-} // namespace
-
 void VertexAssembler::set(Attribute attribute, unsigned components, const Vec4& v) {
     if (format_.elements[attribute_index(attribute)].components != components)
         return set_other(attribute, components, v);

@@ -18,4 +18,18 @@ VertexFormat widen(const VertexFormat& format, Attribute attribute, unsigned com
     return wide;
 }
 
+void convert_vertex(const VertexFormat& from,
+                    const VertexFormat& to,
+                    const float* source,
+                    float* destination) {
+    for (std::size_t a = 0; a < Attributes; ++a) {
+        const VertexElement old = from.elements[a];
+        const VertexElement wide = to.elements[a];
+        for (unsigned c = 0; c < wide.components; ++c) {
+            destination[wide.offset + c] =
+                c < old.components ? source[old.offset + c] : MissingComponents[c];
+        }
+    }
+}
+
 } // namespace ffgpu::gl

@@ -36,6 +36,12 @@ constexpr std::array<float, 4> MissingComponents{0, 0, 0, 1};
 // position first, without gaps.
 VertexFormat widen(const VertexFormat& format, Attribute attribute, unsigned components);
 
+// One vertex from one format to a wider one. What is not in `from` gets MissingComponents.
+void convert_vertex(const VertexFormat& from,
+                    const VertexFormat& to,
+                    const float* source,
+                    float* destination);
+
 constexpr VertexFormat EmptyVertexFormat{.stride = 0, .elements = {}};
 
 constexpr std::size_t attribute_index(Attribute attribute) {
