@@ -50,8 +50,9 @@ std::string content(const std::string& path) {
     return text.str();
 }
 
-// `frames` frames of 8x4 pixels, cleared to red, then green, then red ...
-std::string clears(unsigned frames) {
+// `frames` frames of 8x4 pixels, cleared to red, then green, then red ...; over it the lower two
+// and a half rows become white, if so wanted.
+std::string clears(unsigned frames, bool with_edge = false) {
     trace::TraceWriter writer;
     using Values = std::vector<std::function<void()>>;
     const auto integer = [&](std::int64_t value) { return [&, value] { writer.sint(value); }; };
@@ -77,6 +78,11 @@ std::string clears(unsigned frames) {
                     {"red", "green", "blue", "alpha"},
                     Values{real(red), real(1 - red), real(0), real(1)});
         writer.call(4, "glClear", {"mask"}, Values{[&] { writer.bitmask(0, 0x4000); }});
+        if (with_edge)
+            writer.call(6,
+                        "glRectf",
+                        {"x1", "y1", "x2", "y2"},
+                        Values{real(-1), real(-1), real(1), real(0.25f)});
         writer.call(5, "glXSwapBuffers", {"dpy", "drawable"}, Values{integer(0), integer(5)});
     }
     return writer.bytes;
@@ -157,6 +163,24 @@ TEST_CASE("A trace becomes pictures, and a range of its frames a capture with th
     damaged.resize(damaged.size() - 9);
     const TemporaryFile cut(damaged, ".ffc");
     CHECK(run({"replay", cut.path(), "-o", folder / "cut"}) == 2);
+}
+
+TEST_CASE("--samples smooths the edges of a trace's pictures") {
+    const Folder folder;
+    const TemporaryFile file(trace::in_snappy(clears(1, true)));
+    const auto green_of_edge = [&](const char* samples) -> int {
+        REQUIRE(run({"replay", file.path(), "-o", folder / samples, "--samples", samples}) == 0);
+        const Image picture = read_image(folder / samples + "/frame_0000.png");
+        return picture.rgb.at(3 * 8 + 1); // the second row from the top, over red
+    };
+    const int single = green_of_edge("1");
+    CHECK((single == 0 || single == 255));
+    CHECK(green_of_edge("4") == 128);
+    CHECK(run({"replay", file.path(), "-o", folder / "x", "--samples", "3"}) == 2);
+    REQUIRE(run({"replay", file.path(), "--capture", folder / "c.ffc", "--samples", "4"}) == 0);
+    REQUIRE(run({"replay", folder / "c.ffc", "-o", folder / "again"}) == 0);
+    CHECK(run({"compare", folder / "4", folder / "again"}) == 0);
+    CHECK(run({"replay", folder / "c.ffc", "-o", folder / "x", "--samples", "4"}) == 2);
 }
 
 TEST_CASE("Threads, heat maps and timing change neither pictures nor the functional figures") {

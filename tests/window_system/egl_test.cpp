@@ -1,6 +1,8 @@
 // EGL, with and without an X server.
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #define EGL_NO_X11
 #include <EGL/egl.h>
@@ -100,6 +102,59 @@ TEST_CASE("the smallest configuration that does comes first") {
     CHECK(value == 16);
     CHECK(eglGetConfigAttrib(display, choose(display, 17), EGL_DEPTH_SIZE, &value));
     CHECK(value == 24);
+}
+
+TEST_CASE("EGL finds multisampled configurations by their samples, after the others") {
+    const EGLDisplay display = surfaceless();
+    const auto choose_samples = [&](EGLint samples) {
+        const EGLint wish[] = {
+            EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_ALPHA_SIZE, 8, EGL_SAMPLES, samples, EGL_NONE};
+        std::array<EGLConfig, 64> configs{};
+        EGLint count = 0;
+        REQUIRE(eglChooseConfig(display, wish, configs.data(), 64, &count));
+        std::vector<EGLint> found;
+        for (EGLint i = 0; i < count; ++i) {
+            EGLint value = -1, buffers = -1;
+            const EGLConfig config = configs[static_cast<std::size_t>(i)];
+            REQUIRE(eglGetConfigAttrib(display, config, EGL_SAMPLES, &value));
+            REQUIRE(eglGetConfigAttrib(display, config, EGL_SAMPLE_BUFFERS, &buffers));
+            CHECK(buffers == (value > 0));
+            found.push_back(value);
+        }
+        return found;
+    };
+    const auto any = choose_samples(0);
+    CHECK(any.front() == 0);
+    CHECK(any.back() == 4);
+    CHECK(std::is_sorted(any.begin(), any.end()));
+    CHECK(choose_samples(2).size() == any.size() / 2);
+    CHECK(choose_samples(2).front() == 4);
+    CHECK(choose_samples(5).empty());
+}
+
+TEST_CASE("a multisampled pbuffer is drawn to and read") {
+    const EGLDisplay display = surfaceless();
+    const EGLint wish[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_SAMPLES, 4, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    REQUIRE(eglChooseConfig(display, wish, &config, 1, &count));
+    REQUIRE(count == 1);
+    const EGLint size[] = {EGL_WIDTH, 8, EGL_HEIGHT, 8, EGL_NONE};
+    const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+    REQUIRE(eglMakeCurrent(display, surface, surface, context));
+    GLint samples = -1;
+    glGetIntegerv(GL_SAMPLES, &samples);
+    CHECK(samples == 4);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glRectf(-1, -1, 1, 0.125f); // half of the fifth row of pixels
+    std::array<GLubyte, 4> pixel{};
+    glReadPixels(3, 4, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+    CHECK(pixel[0] == 128);
+    CHECK(glGetError() == GL_NO_ERROR);
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(display, context);
+    eglDestroySurface(display, surface);
 }
 
 TEST_CASE("a fence is passed when it is made") {
