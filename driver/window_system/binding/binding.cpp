@@ -71,7 +71,7 @@ void flush_current() {
 
 void swap_surface(WindowSurface& surface) {
     if (binding.context) binding.context->context.flush_vertices();
-    surface.swap();
+    if (surface.swaps) surface.swap();
 }
 
 void before_viewport() {

@@ -39,6 +39,7 @@ public:
     XID id = 0;
     int config_id = 0;
     bool bound = false; // to a context in some thread
+    bool swaps = true;  // false: of a pixmap, where a swap does nothing (GLX 1.4, 3.3.10)
 
 private:
     void show();

@@ -27,13 +27,13 @@ GLXContext create(
     }
 }
 
-// What glXCreateContextAttribsARB asks for, or the error that it makes.
+// What glXCreateContextAttribsARB asks for.
 struct ContextWish {
     int major = 1, minor = 0;
     int render_type = GLX_RGBA_TYPE;
-    bool valid = true;      // else BadValue
-    bool supported = true;  // else GlxBadFbConfig
-    bool consistent = true; // else BadMatch
+    int flags = 0;
+    int profile = GLX_CONTEXT_CORE_PROFILE_BIT_ARB;
+    bool all_known = true; // attributes
 };
 
 ContextWish read_context_wish(const int* attributes) {
@@ -47,22 +47,48 @@ ContextWish read_context_wish(const int* attributes) {
             wish.minor = at[1];
             break;
         case GLX_CONTEXT_FLAGS_ARB:
-            if (at[1] & ~(GLX_CONTEXT_DEBUG_BIT_ARB | GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB))
-                wish.valid = false;
-            // Only of OpenGL 3.0 and later.
-            if (at[1] & GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB) wish.consistent = false;
+            wish.flags = at[1];
+            break;
+        case GLX_CONTEXT_PROFILE_MASK_ARB:
+            wish.profile = at[1];
             break;
         case GLX_RENDER_TYPE:
             wish.render_type = at[1];
             break;
         default:
-            wish.valid = false;
+            wish.all_known = false;
         }
     }
-    wish.supported = wish.major == 1 && wish.minor >= 0 && wish.minor <= 5;
-    if (wish.major < 1 || wish.minor < 0 || (wish.major == 1 && wish.minor > 5))
-        wish.consistent = false;
     return wish;
+}
+
+// Of OpenGL: 1.0 to 1.5, 2.0 and 2.1, 3.0 to 3.3, 4.0 to 4.6.
+bool is_version(int major, int minor) {
+    constexpr int LastMinor[] = {5, 1, 3, 6};
+    return major >= 1 && major <= 4 && minor >= 0 && minor <= LastMinor[major - 1];
+}
+
+struct Refusal {
+    bool of_glx = false; // else of the core protocol
+    int error = 0; // none
+};
+
+// GLX_ARB_create_context, GLX_ARB_create_context_profile, "Errors".
+Refusal refusal(const ContextWish& wish, bool config_exists) {
+    constexpr int KnownFlags = GLX_CONTEXT_DEBUG_BIT_ARB | GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB;
+    const bool is_rgba = wish.render_type == GLX_RGBA_TYPE;
+    if (!wish.all_known || (wish.flags & ~KnownFlags) != 0) return {false, BadValue};
+    if (!is_rgba && wish.render_type != GLX_COLOR_INDEX_TYPE) return {false, BadValue};
+    if (!config_exists) return {true, GlxBadFbConfig};
+    if (wish.profile != GLX_CONTEXT_CORE_PROFILE_BIT_ARB &&
+        wish.profile != GLX_CONTEXT_COMPATIBILITY_PROFILE_BIT_ARB)
+        return {true, GlxBadProfile};
+    // Forward compatibility began with 3.0, and ended the rendering of colour indices.
+    const bool forward = (wish.flags & GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB) != 0;
+    if (!is_version(wish.major, wish.minor) || (forward && wish.major < 3) || !is_rgba)
+        return {false, BadMatch};
+    if (wish.major > 1) return {true, GlxBadFbConfig};
+    return {};
 }
 
 } // namespace
@@ -105,14 +131,12 @@ FFGPU_GLX GLXContext glXCreateContextAttribsARB(
     GlxDisplay& display = GlxDisplay::of(dpy);
     const ContextWish wish = read_context_wish(attributes);
     const GlxConfig* const config = display.config_of(handle);
-    if (!wish.valid) {
-        display.report_core(BadValue, Minor);
-    } else if (!config || (wish.consistent && !wish.supported)) {
-        display.report_glx(GlxBadFbConfig, Minor);
-    } else if (!wish.consistent || wish.render_type != GLX_RGBA_TYPE) {
-        display.report_core(BadMatch, Minor);
+    const Refusal refused = refusal(wish, config != nullptr);
+    if (refused.error == 0) return create(display, dpy, *config, share, Minor);
+    if (refused.of_glx) {
+        display.report_glx(refused.error, Minor);
     } else {
-        return create(display, dpy, *config, share, Minor);
+        display.report_core(refused.error, Minor);
     }
     return nullptr;
 }

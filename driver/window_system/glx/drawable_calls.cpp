@@ -32,11 +32,9 @@ wrap(GlxDisplay& display, Display* dpy, const GlxConfig& config, XID drawable, K
             display.report_core(kind == Kind::Pixmap ? BadPixmap : BadWindow, minor, drawable);
             return 0;
         }
-        return add(display,
-                   dpy,
-                   config,
-                   {.kind = kind,
-                    .surface = std::make_shared<WindowSurface>(config.format, std::move(target))});
+        auto surface = std::make_shared<WindowSurface>(config.format, std::move(target));
+        surface->swaps = kind != Kind::Pixmap;
+        return add(display, dpy, config, {.kind = kind, .surface = std::move(surface)});
     } catch (const std::bad_alloc&) {
         display.report_core(BadAlloc, minor, drawable);
         return 0;
@@ -71,7 +69,10 @@ void destroy(Display* dpy, GLXDrawable id, Kind kind, int error, unsigned minor)
     if (found == display.drawables.end() || found->second.kind != kind)
         return display.report_glx(error, minor, id);
     if (id == glx_current().draw) flush_current();
+    // A GLX window ends with its X window.
+    const bool gone = kind == Kind::GlxWindow && !found->second.surface->target()->size();
     display.drawables.erase(found); // A thread that has it current keeps it.
+    if (gone) display.report_glx(error, minor, id);
 }
 
 struct PbufferWish {

@@ -97,6 +97,7 @@ void compile_glyph(const GlyphReader& font, unsigned glyph, GLuint list) {
 // Bitmaps come tightly packed, whatever the program has set.
 void set_unpacking() {
     entry::PushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
+    entry::BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     entry::PixelStorei(GL_UNPACK_SWAP_BYTES, GL_FALSE);
     entry::PixelStorei(GL_UNPACK_LSB_FIRST, GL_FALSE);
     entry::PixelStorei(GL_UNPACK_ROW_LENGTH, 0);

@@ -12,6 +12,7 @@ enum GlxError : int {
     GlxBadFbConfig = 9,
     GlxBadPbuffer = 10,
     GlxBadWindow = 12,
+    GlxBadProfile = 13,
 };
 
 enum GlxRequest : unsigned {
