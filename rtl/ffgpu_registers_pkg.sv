@@ -311,26 +311,30 @@ package ffgpu_registers_pkg;
 
   // viewport
   localparam int unsigned ViewportAddress = 23;
-  localparam int unsigned ViewportWords = 6;
-  localparam logic [191:0] ViewportReset = {
-    32'h3f800000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000
+  localparam int unsigned ViewportWords = 7;
+  localparam logic [223:0] ViewportReset = {
+    32'h3f800000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000,
+    32'h00000000
   };
-  localparam int unsigned ViewportXWord = 0;
+  localparam int unsigned ViewportClampDepthWord = 0;
+  localparam int unsigned ViewportClampDepthLsb = 0;
+  localparam int unsigned ViewportClampDepthWidth = 1;
+  localparam int unsigned ViewportXWord = 1;
   localparam int unsigned ViewportXLsb = 0;
   localparam int unsigned ViewportXWidth = 32;
-  localparam int unsigned ViewportYWord = 1;
+  localparam int unsigned ViewportYWord = 2;
   localparam int unsigned ViewportYLsb = 0;
   localparam int unsigned ViewportYWidth = 32;
-  localparam int unsigned ViewportWidthWord = 2;
+  localparam int unsigned ViewportWidthWord = 3;
   localparam int unsigned ViewportWidthLsb = 0;
   localparam int unsigned ViewportWidthWidth = 32;
-  localparam int unsigned ViewportHeightWord = 3;
+  localparam int unsigned ViewportHeightWord = 4;
   localparam int unsigned ViewportHeightLsb = 0;
   localparam int unsigned ViewportHeightWidth = 32;
-  localparam int unsigned ViewportNearDepthWord = 4;
+  localparam int unsigned ViewportNearDepthWord = 5;
   localparam int unsigned ViewportNearDepthLsb = 0;
   localparam int unsigned ViewportNearDepthWidth = 32;
-  localparam int unsigned ViewportFarDepthWord = 5;
+  localparam int unsigned ViewportFarDepthWord = 6;
   localparam int unsigned ViewportFarDepthLsb = 0;
   localparam int unsigned ViewportFarDepthWidth = 32;
 
@@ -815,12 +819,14 @@ package ffgpu_registers_pkg;
 
   // targets
   localparam int unsigned TargetsAddress = 57;
-  localparam int unsigned TargetsWords = 20;
-  localparam logic [639:0] TargetsReset = {
+  localparam int unsigned TargetsWords = 36;
+  localparam logic [1151:0] TargetsReset = {
     32'h00000001, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000001, 32'h00000000,
     32'h00000000, 32'h00000000, 32'h00000001, 32'h00000000, 32'h00000000, 32'h00000000,
     32'h00000001, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000001, 32'h00000000,
-    32'h00000000, 32'h00000000
+    32'h00000000, 32'h00000000, 32'h00000001, 32'h00000000, 32'h00000000, 32'h00000000,
+    32'h00000001, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000001, 32'h00000000,
+    32'h00000000, 32'h00000000, 32'h00000001, 32'h00000000, 32'h00000000, 32'h00000000
   };
   localparam int unsigned TargetsAddress0Word = 0;
   localparam int unsigned TargetsAddress0Lsb = 0;
@@ -912,5 +918,77 @@ package ffgpu_registers_pkg;
   localparam int unsigned TargetsSamples4Word = 19;
   localparam int unsigned TargetsSamples4Lsb = 0;
   localparam int unsigned TargetsSamples4Width = 3;
+  localparam int unsigned TargetsAddress5Word = 20;
+  localparam int unsigned TargetsAddress5Lsb = 0;
+  localparam int unsigned TargetsAddress5Width = 32;
+  localparam int unsigned TargetsFormat5Word = 21;
+  localparam int unsigned TargetsFormat5Lsb = 0;
+  localparam int unsigned TargetsFormat5Width = 5;
+  localparam int unsigned TargetsWidth5Word = 21;
+  localparam int unsigned TargetsWidth5Lsb = 5;
+  localparam int unsigned TargetsWidth5Width = 13;
+  localparam int unsigned TargetsHeight5Word = 21;
+  localparam int unsigned TargetsHeight5Lsb = 18;
+  localparam int unsigned TargetsHeight5Width = 13;
+  localparam int unsigned TargetsStride5Word = 22;
+  localparam int unsigned TargetsStride5Lsb = 0;
+  localparam int unsigned TargetsStride5Width = 32;
+  localparam int unsigned TargetsSamples5Word = 23;
+  localparam int unsigned TargetsSamples5Lsb = 0;
+  localparam int unsigned TargetsSamples5Width = 3;
+  localparam int unsigned TargetsAddress6Word = 24;
+  localparam int unsigned TargetsAddress6Lsb = 0;
+  localparam int unsigned TargetsAddress6Width = 32;
+  localparam int unsigned TargetsFormat6Word = 25;
+  localparam int unsigned TargetsFormat6Lsb = 0;
+  localparam int unsigned TargetsFormat6Width = 5;
+  localparam int unsigned TargetsWidth6Word = 25;
+  localparam int unsigned TargetsWidth6Lsb = 5;
+  localparam int unsigned TargetsWidth6Width = 13;
+  localparam int unsigned TargetsHeight6Word = 25;
+  localparam int unsigned TargetsHeight6Lsb = 18;
+  localparam int unsigned TargetsHeight6Width = 13;
+  localparam int unsigned TargetsStride6Word = 26;
+  localparam int unsigned TargetsStride6Lsb = 0;
+  localparam int unsigned TargetsStride6Width = 32;
+  localparam int unsigned TargetsSamples6Word = 27;
+  localparam int unsigned TargetsSamples6Lsb = 0;
+  localparam int unsigned TargetsSamples6Width = 3;
+  localparam int unsigned TargetsAddress7Word = 28;
+  localparam int unsigned TargetsAddress7Lsb = 0;
+  localparam int unsigned TargetsAddress7Width = 32;
+  localparam int unsigned TargetsFormat7Word = 29;
+  localparam int unsigned TargetsFormat7Lsb = 0;
+  localparam int unsigned TargetsFormat7Width = 5;
+  localparam int unsigned TargetsWidth7Word = 29;
+  localparam int unsigned TargetsWidth7Lsb = 5;
+  localparam int unsigned TargetsWidth7Width = 13;
+  localparam int unsigned TargetsHeight7Word = 29;
+  localparam int unsigned TargetsHeight7Lsb = 18;
+  localparam int unsigned TargetsHeight7Width = 13;
+  localparam int unsigned TargetsStride7Word = 30;
+  localparam int unsigned TargetsStride7Lsb = 0;
+  localparam int unsigned TargetsStride7Width = 32;
+  localparam int unsigned TargetsSamples7Word = 31;
+  localparam int unsigned TargetsSamples7Lsb = 0;
+  localparam int unsigned TargetsSamples7Width = 3;
+  localparam int unsigned TargetsAddress8Word = 32;
+  localparam int unsigned TargetsAddress8Lsb = 0;
+  localparam int unsigned TargetsAddress8Width = 32;
+  localparam int unsigned TargetsFormat8Word = 33;
+  localparam int unsigned TargetsFormat8Lsb = 0;
+  localparam int unsigned TargetsFormat8Width = 5;
+  localparam int unsigned TargetsWidth8Word = 33;
+  localparam int unsigned TargetsWidth8Lsb = 5;
+  localparam int unsigned TargetsWidth8Width = 13;
+  localparam int unsigned TargetsHeight8Word = 33;
+  localparam int unsigned TargetsHeight8Lsb = 18;
+  localparam int unsigned TargetsHeight8Width = 13;
+  localparam int unsigned TargetsStride8Word = 34;
+  localparam int unsigned TargetsStride8Lsb = 0;
+  localparam int unsigned TargetsStride8Width = 32;
+  localparam int unsigned TargetsSamples8Word = 35;
+  localparam int unsigned TargetsSamples8Lsb = 0;
+  localparam int unsigned TargetsSamples8Width = 3;
 
 endpackage

@@ -36,7 +36,7 @@ void raster_position(Context& context, float x, float y, float z = 0, float w = 
     const Vec4& clip = vertex.clip;
     raster.position = {viewport.x + (clip[0] / clip[3] + 1) / 2 * viewport.width,
                        viewport.y + (clip[1] / clip[3] + 1) / 2 * viewport.height,
-                       window_depth(viewport, (clip[2] / clip[3] + 1) / 2),
+                       window_depth(viewport, clamp_unit((clip[2] / clip[3] + 1) / 2)),
                        clip[3]};
     raster.distance = takes_fog_coordinate(context) ? current.of(Attribute::FogCoordinate)[0]
                                                     : std::abs(vertex.position[2]);

@@ -8,11 +8,12 @@
 
 namespace ffgpu::gl {
 
-constexpr std::array<std::string_view, 99> Extensions{
+constexpr std::array<std::string_view, 101> Extensions{
     "GL_3DFX_texture_compression_FXT1",
     "GL_APPLE_packed_pixels",
     "GL_APPLE_vertex_array_object",
     "GL_ARB_copy_buffer",
+    "GL_ARB_depth_clamp",
     "GL_ARB_depth_texture",
     "GL_ARB_draw_buffers",
     "GL_ARB_draw_elements_base_vertex",
@@ -96,6 +97,7 @@ constexpr std::array<std::string_view, 99> Extensions{
     "GL_MESA_window_pos",
     "GL_NV_blend_square",
     "GL_NV_copy_depth_to_color",
+    "GL_NV_depth_clamp",
     "GL_NV_fog_distance",
     "GL_NV_packed_depth_stencil",
     "GL_NV_primitive_restart",

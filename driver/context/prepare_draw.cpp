@@ -94,7 +94,8 @@ void Context::lower_state() {
         registers.update<&Registers::clip_planes>();
     }
     if (any(Dirty::Viewport, Dirty::Targets)) {
-        registers.wanted.viewport = lower_viewport(state.transform.viewport);
+        registers.wanted.viewport =
+            lower_viewport(state.transform.viewport, state.transform.group.depth_clamp);
         registers.update<&Registers::viewport>();
         registers.wanted.scissor =
             lower_scissor(state.fragment.scissor, draw_target_.width, draw_target_.height);

@@ -16,6 +16,7 @@ GLuint name(const std::shared_ptr<Object>& object) {
     return object ? object->name : 0;
 }
 
+static_assert(ColorTargets == 8, "each GL_DRAW_BUFFERi has a row below");
 GLenum draw_buffer(const FramebufferState& state, unsigned i) {
     return state.draw_object ? state.draw_object->draw_buffers[i] : state.draw_buffers[i];
 }
@@ -76,6 +77,10 @@ std::span<const StateVariable> framebuffer_variables() {
         FFGPU_STATE(GL_DRAW_BUFFER1, integer(draw_buffer(s.framebuffer, 1))),
         FFGPU_STATE(GL_DRAW_BUFFER2, integer(draw_buffer(s.framebuffer, 2))),
         FFGPU_STATE(GL_DRAW_BUFFER3, integer(draw_buffer(s.framebuffer, 3))),
+        FFGPU_STATE(GL_DRAW_BUFFER4, integer(draw_buffer(s.framebuffer, 4))),
+        FFGPU_STATE(GL_DRAW_BUFFER5, integer(draw_buffer(s.framebuffer, 5))),
+        FFGPU_STATE(GL_DRAW_BUFFER6, integer(draw_buffer(s.framebuffer, 6))),
+        FFGPU_STATE(GL_DRAW_BUFFER7, integer(draw_buffer(s.framebuffer, 7))),
         FFGPU_STATE(GL_READ_BUFFER, integer(read_buffer(s.framebuffer))),
         FFGPU_STATE(GL_INDEX_WRITEMASK, integer(s.framebuffer.index_mask)),
         FFGPU_STATE(GL_COLOR_WRITEMASK, boolean(s.framebuffer.color_mask)),

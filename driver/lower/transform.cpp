@@ -58,13 +58,14 @@ UserClipPlanes lower_clip_planes(const TransformGroup& gl) {
     return registers;
 }
 
-Viewport lower_viewport(const ViewportState& gl) {
+Viewport lower_viewport(const ViewportState& gl, bool depth_clamp) {
     return {.x = static_cast<float>(gl.x),
             .y = static_cast<float>(gl.y),
             .width = static_cast<float>(gl.width),
             .height = static_cast<float>(gl.height),
             .near_depth = static_cast<float>(gl.near_depth),
-            .far_depth = static_cast<float>(gl.far_depth)};
+            .far_depth = static_cast<float>(gl.far_depth),
+            .clamp_depth = depth_clamp};
 }
 
 TexCoordSetup lower_tex_coords(const TextureUnit& unit, const Mat4& texture_matrix) {

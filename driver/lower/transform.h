@@ -10,7 +10,7 @@ namespace ffgpu::gl {
 
 Transform lower_transform(const TransformState& gl);
 UserClipPlanes lower_clip_planes(const TransformGroup& gl);
-Viewport lower_viewport(const ViewportState& gl);
+Viewport lower_viewport(const ViewportState& gl, bool depth_clamp);
 TexCoordSetup lower_tex_coords(const TextureUnit& unit, const Mat4& texture_matrix);
 
 } // namespace ffgpu::gl

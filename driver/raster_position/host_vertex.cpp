@@ -134,13 +134,14 @@ EyeVertex transform_vertex(const Registers& registers, const Vec4& object, const
 
 bool is_inside(const Registers& registers, const EyeVertex& vertex) {
     const float w = vertex.clip[3];
-    for (std::size_t i = 0; i < 3; ++i)
+    const std::size_t axes = registers.viewport.clamp_depth ? 2 : 3;
+    for (std::size_t i = 0; i < axes; ++i)
         if (!(vertex.clip[i] >= -w && vertex.clip[i] <= w)) return false;
     for (std::size_t i = 0; i < ClipPlanes; ++i) {
         const bool enabled = (registers.clip_planes.enable >> i & 1) != 0;
         if (enabled && !(dot(registers.clip_planes.planes[i], vertex.position) >= 0)) return false;
     }
-    return w != 0;
+    return registers.viewport.clamp_depth ? w > 0 : w != 0;
 }
 
 LitColors light_vertex(const Registers& registers,

@@ -47,6 +47,7 @@ constexpr std::array Table{
     FLAG(GL_COLOR_SUM, fragment.fog.color_sum, Dirty::Fragment),
     FLAG(GL_CULL_FACE, rasterization.polygon.cull, Dirty::Primitive),
     FLAG(GL_DEPTH_BOUNDS_TEST_EXT, fragment.depth.bounds_test, Dirty::Fragment),
+    FLAG(GL_DEPTH_CLAMP, transform.group.depth_clamp, Dirty::Viewport),
     FLAG(GL_DEPTH_TEST, fragment.depth.enable, Dirty::Fragment),
     FLAG(GL_DITHER, fragment.blend.dither, Dirty::Fragment),
     FLAG(GL_FOG, fragment.fog.enable, Dirty::Fragment),

@@ -62,6 +62,7 @@ struct TransformGroup { // GL_TRANSFORM_BIT
     std::array<Vec4, ClipPlanes> clip_planes{}; // in eye coordinates
     bool normalize = false;
     bool rescale_normal = false;
+    bool depth_clamp = false; // ARB_depth_clamp
 };
 
 struct TransformState {

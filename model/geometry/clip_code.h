@@ -20,6 +20,9 @@ constexpr ClipCode User = ((1u << ClipPlanes) - 1) << FirstUserBit;
 constexpr ClipCode Sides = 1u << 12;   // of the box to which polygons are clipped in x and y
 constexpr ClipCode SmallW = 1u << 13;  // w below LeastW
 constexpr ClipCode Invalid = 1u << 14; // a coordinate is not finite or too large: no primitive
+// In place of Near and Far where depth is clamped.
+constexpr ClipCode BeforeNear = 1u << 15, BeyondFar = 1u << 16;
+constexpr ClipCode Clamped = BeforeNear | BeyondFar;
 
 constexpr ClipCode Outside = View | User; // common to all: nothing is left
 constexpr ClipCode CutsPolygon = Near | Far | User | Sides | SmallW;

@@ -115,6 +115,46 @@ Clipper::clip_polygon(std::span<const ClipCorner> polygon, ClipCode codes, Bound
     return polygon_;
 }
 
+void Clipper::cut_edges(std::span<const ClipCorner> corners, const Plane& plane, ClipCode name) {
+    next_.clear();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const ClipCorner corner = corners[i];
+        const std::uint32_t following = corners[i + 1 == corners.size() ? 0 : i + 1].vertex;
+        const double here = distance(plane, corner.vertex), there = distance(plane, following);
+        next_.push_back(corner);
+        if ((here < 0) == (there < 0) || here == 0 || there == 0) continue;
+        const std::uint32_t made = here > 0 ? cut(corner.vertex, following, here, there)
+                                            : cut(following, corner.vertex, there, here);
+        vertices_[made].depth_plane = name;
+        next_.push_back({made, corner.boundary});
+    }
+    polygon_.swap(next_);
+}
+
+std::span<const ClipCorner> Clipper::cut_at_depths(std::span<const ClipCorner> corners,
+                                                   ClipCode codes) {
+    using namespace clip_code;
+    if (codes & BeforeNear) {
+        cut_edges(corners, {{0, 0, 1, 1}, 0, false}, BeforeNear);
+        corners = polygon_;
+    }
+    if (codes & BeyondFar) {
+        cut_edges(corners, {{0, 0, -1, 1}, 0, false}, BeyondFar);
+        corners = polygon_;
+    }
+    return corners;
+}
+
+bool Clipper::is_of_part(std::uint32_t number, ClipCode part) const {
+    using namespace clip_code;
+    const ClipVertex& vertex = vertices_[number];
+    if (vertex.depth_plane != 0) return part == 0 || part == vertex.depth_plane;
+    const double z = vertex.clip[2], w = vertex.clip[3];
+    if (part == BeforeNear) return z <= -w;
+    if (part == BeyondFar) return z >= w;
+    return z >= -w && z <= w;
+}
+
 bool Clipper::clip_line(std::uint32_t& a, std::uint32_t& b, ClipCode codes) {
     for (const Plane& plane : planes_for(codes, Bounds::Exact)) {
         const double at_a = distance(plane, a), at_b = distance(plane, b);
@@ -134,7 +174,8 @@ void Clipper::project(std::uint32_t number, WindowVertex& vertex) const {
     };
     vertex.x = snap(window(0, x));
     vertex.y = snap(window(1, y));
-    vertex.depth = static_cast<float>(std::clamp(window(2, z), 0.0, 1.0));
+    vertex.depth = static_cast<float>(std::clamp(
+        window(2, z), double{setup_->window.low_depth}, double{setup_->window.high_depth}));
     vertex.inverse_w = static_cast<float>(1 / w);
 }
 

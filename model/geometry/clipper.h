@@ -22,6 +22,7 @@ namespace ffgpu {
 struct ClipVertex {
     std::array<double, 4> clip;
     std::array<double, 4> eye; // valid where user planes are enabled
+    ClipCode depth_plane = 0;  // BeforeNear or BeyondFar: a cut at the plane of that name
     bool made = false;         // by a cut: from + t (to - from), numbers of vertices
     std::uint32_t slot = 0;    // else: of the vertex pool
     std::uint32_t from = 0, to = 0;
@@ -55,6 +56,13 @@ public:
     std::span<const ClipCorner>
     clip_polygon(std::span<const ClipCorner> polygon, ClipCode codes, Bounds bounds);
 
+    // Where depth is clamped: the polygon or line with a corner wherever an edge passes the near or
+    // far plane, so that clamped depth is linear along each edge. Valid as above.
+    std::span<const ClipCorner> cut_at_depths(std::span<const ClipCorner> corners, ClipCode codes);
+    // Whether the vertex is of the part before the near plane (BeforeNear), beyond the far plane
+    // (BeyondFar), or between them (0). What lies on a plane is of both sides.
+    bool is_of_part(std::uint32_t number, ClipCode part) const;
+
     // False: nothing is left.
     bool clip_line(std::uint32_t& a, std::uint32_t& b, ClipCode codes);
 
@@ -75,6 +83,7 @@ private:
     std::uint32_t
     cut(std::uint32_t inner, std::uint32_t outer, double inner_distance, double outer_distance);
     void cut_polygon(const Plane& plane);
+    void cut_edges(std::span<const ClipCorner> corners, const Plane& plane, ClipCode name);
     std::span<const Plane> planes_for(ClipCode codes, Bounds bounds);
 
     const VertexSetup* setup_ = nullptr;

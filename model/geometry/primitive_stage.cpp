@@ -47,12 +47,14 @@ void PrimitiveStage::line(std::uint32_t a, std::uint32_t b) {
         ++counts_.outside;
         return;
     }
+    if ((codes.any & clip_code::CutsLine) != 0 || codes.parts_depth())
+        return clipped_line(a, b, codes);
     batch_.reserve(1, 4);
     const Look look{.provoking = b};
-    if (!(codes.any & clip_code::CutsLine)) {
-        emit_line(*shaded(a, look), *shaded(b, look), {.key = key_});
-        return;
-    }
+    emit_line(*shaded(a, look), *shaded(b, look), {.key = key_});
+}
+
+void PrimitiveStage::clipped_line(std::uint32_t a, std::uint32_t b, const Codes& codes) {
     clipper_.clear();
     std::uint32_t from = add_to_clipper(a), to = add_to_clipper(b);
     if (!clipper_.clip_line(from, to, codes.any)) {
@@ -60,11 +62,15 @@ void PrimitiveStage::line(std::uint32_t a, std::uint32_t b) {
         return;
     }
     ++counts_.clipped;
-    batch_.reserve(1, clipper_.vertex_count() + 2);
+    // A line goes to its end and back: the cuts on its way are the corners between the two.
     const std::array<ClipCorner, 2> ends{{{from}, {to}}};
-    project_corners(ends);
-    shade_cuts(look);
-    emit_line(*shaded_[from], *shaded_[to], {.key = key_});
+    const Corners corners =
+        codes.parts_depth() ? clipper_.cut_at_depths(ends, codes.any) : Corners(ends);
+    batch_.reserve(corners.size(), clipper_.vertex_count() + 4);
+    project_corners(corners);
+    finish_corners(corners, {.provoking = b});
+    for (std::size_t i = 0; corners[i].vertex != to; ++i)
+        emit_line(*outline_[i], *outline_[i + 1], {.key = key_});
 }
 
 void PrimitiveStage::triangle(std::array<std::uint32_t, 3> slots, std::uint32_t provoking) {
@@ -77,8 +83,8 @@ void PrimitiveStage::triangle(std::array<std::uint32_t, 3> slots, std::uint32_t 
             ++counts_.outside;
             return;
         }
-        if (codes.any & clip_code::CutsPolygon)
-            return clipped_triangle(slots, provoking, codes.any);
+        if ((codes.any & clip_code::CutsPolygon) != 0 || codes.parts_depth())
+            return clipped_triangle(slots, provoking, codes);
     }
     std::array<const WindowVertex*, 3> vertices{
         &pool_.front(slots[0]), &pool_.front(slots[1]), &pool_.front(slots[2])};
@@ -112,17 +118,18 @@ void PrimitiveStage::emit_triangle(std::array<const WindowVertex*, 3> vertices, 
 
 void PrimitiveStage::clipped_triangle(std::array<std::uint32_t, 3> slots,
                                       std::uint32_t provoking,
-                                      ClipCode codes) {
+                                      const Codes& codes) {
     clipper_.clear();
     std::array<ClipCorner, 3> triangle;
     for (unsigned i = 0; i < 3; ++i)
         triangle[i] = {add_to_clipper(slots[i])};
-    const Corners corners = clipper_.clip_polygon(triangle, codes, Clipper::Bounds::Polygon);
+    Corners corners = clipper_.clip_polygon(triangle, codes.any, Clipper::Bounds::Polygon);
     if (corners.size() < 3) {
         ++counts_.outside;
         return;
     }
     ++counts_.clipped;
+    if (codes.parts_depth()) corners = clipper_.cut_at_depths(corners, codes.any);
     batch_.reserve(corners.size(), clipper_.vertex_count() + 3);
     const std::int64_t area = project_corners(corners);
     if (area == 0) {
@@ -132,10 +139,22 @@ void PrimitiveStage::clipped_triangle(std::array<std::uint32_t, 3> slots,
     const bool front_facing = (area > 0) != registers_.front_is_clockwise;
     if (culled(front_facing)) return;
     finish_corners(corners, {provoking, front_facing});
+    if (!codes.parts_depth()) return emit_outline(front_facing, area > 0);
+    const std::vector<const WindowVertex*> whole = outline_;
+    for (const ClipCode part : {clip_code::BeforeNear, ClipCode{0}, clip_code::BeyondFar}) {
+        outline_.clear();
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            if (clipper_.is_of_part(corners[i].vertex, part)) outline_.push_back(whole[i]);
+        emit_outline(front_facing, area > 0);
+    }
+}
+
+// The polygon outline_ as triangles.
+void PrimitiveStage::emit_outline(bool front_facing, bool counter_clockwise) {
     for (std::size_t i = 2; i < outline_.size(); ++i) {
         const std::int64_t piece = cross(*outline_[0], *outline_[i - 1], *outline_[i]);
         // A sliver that snapping turned over is none of the polygon.
-        if (piece != 0 && (piece > 0) == (area > 0))
+        if (piece != 0 && (piece > 0) == counter_clockwise)
             emit_triangle({outline_[0], outline_[i - 1], outline_[i]}, front_facing);
     }
 }
@@ -170,6 +189,11 @@ void PrimitiveStage::polygon(std::span<const PolygonCorner> polygon, std::uint32
     if (culled(front_facing)) return;
     const PolygonMode mode = front_facing ? registers_.front_mode : registers_.back_mode;
     if (mode == PolygonMode::Fill && !feedback_) return fill_outline(polygon, provoking);
+    if (mode == PolygonMode::Line && codes.parts_depth()) {
+        corners = clipper_.cut_at_depths(corners, codes.any);
+        batch_.reserve(2 * corners.size(), 2 * std::size_t{clipper_.vertex_count()});
+        project_corners(corners);
+    }
     finish_corners(corners, {provoking, front_facing});
     if (mode == PolygonMode::Fill) return feedback_->polygon(outline_);
     draw_outline(corners, front_facing, mode);

@@ -65,6 +65,8 @@ private:
             return (all & (clip_code::Outside | clip_code::SmallW)) != 0 ||
                    (any & clip_code::Invalid) != 0;
         }
+        // Depth is clamped in a part only.
+        bool parts_depth() const { return ((any ^ all) & clip_code::Clamped) != 0; }
     };
     struct Look { // how a primitive's vertices get their colours
         std::uint32_t provoking = 0;
@@ -73,9 +75,12 @@ private:
     using Corners = std::span<const ClipCorner>;
 
     bool culled(bool front_facing);
-    void
-    clipped_triangle(std::array<std::uint32_t, 3> slots, std::uint32_t provoking, ClipCode codes);
+    void clipped_line(std::uint32_t a, std::uint32_t b, const Codes& codes);
+    void clipped_triangle(std::array<std::uint32_t, 3> slots,
+                          std::uint32_t provoking,
+                          const Codes& codes);
     void emit_triangle(std::array<const WindowVertex*, 3> vertices, bool front_facing);
+    void emit_outline(bool front_facing, bool counter_clockwise);
 
     std::uint32_t add_to_clipper(std::uint32_t slot) {
         return clipper_.add(slot, pool_.clip(slot), pool_.eye(slot));

@@ -93,6 +93,12 @@ WindowSetup make_window_setup(const Registers& registers) {
                      (viewport.near_depth + viewport.far_depth) / 2};
     window.visible = viewport.width > 0 && viewport.height > 0;
     if (!window.visible) return window;
+    if (viewport.clamp_depth) {
+        window.low_depth = std::min(viewport.near_depth, viewport.far_depth);
+        window.high_depth = std::max(viewport.near_depth, viewport.far_depth);
+        window.near_code = clip_code::BeforeNear;
+        window.far_code = clip_code::BeyondFar;
+    }
 
     // A pixel less than the guard band: room for the rounding of what is clipped to it.
     constexpr float Guard = GuardBand - 1;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/device/registers.h"
+#include "model/geometry/clip_code.h"
 #include "model/geometry/light_setup.h"
 #include "model/geometry/vertex_batch.h"
 #include "model/packets/interpolants.h"
@@ -27,6 +28,10 @@ struct WindowSetup {
     // Polygons are clipped to x in [low_x, high_x] and y alike, in normalised device coordinates:
     // the view volume, or the guard band where no pixel outside the viewport can be drawn.
     float low_x = -1, high_x = 1, low_y = -1, high_y = 1;
+    // What window depth is clamped to; further than rounding only where depth is clamped instead of
+    // clipped.
+    float low_depth = 0, high_depth = 1;
+    ClipCode near_code = clip_code::Near, far_code = clip_code::Far; // beyond these planes
 };
 
 WindowSetup make_window_setup(const Registers& registers);

@@ -23,7 +23,7 @@ inline Integers view_codes(const Floats4& clip, const WindowSetup& window) {
     const Floats sum = (absolute(x) + absolute(y)) + (absolute(z) + absolute(w));
     return ((code_where(x < minus_w, Left) | code_where(x > w, Right)) |
             (code_where(y < minus_w, Bottom) | code_where(y > w, Top))) |
-           ((code_where(z < minus_w, Near) | code_where(z > w, Far)) |
+           ((code_where(z < minus_w, window.near_code) | code_where(z > w, window.far_code)) |
             (code_where(sides, Sides) | code_where(w < splat(LeastW), SmallW))) |
            code_where(too_large(sum), Invalid);
 }
@@ -66,7 +66,9 @@ inline void window_stage(const VertexSetup& setup, VertexBatch& batch) {
         const Floats depth = splat(scale[2]) * (z / w) + splat(offset[2]);
         store(from_bits(snap(window_x)), batch.window[0].at(lane));
         store(from_bits(snap(window_y)), batch.window[1].at(lane));
-        store(clamp_color(depth), batch.window[2].at(lane));
+        store(
+            minimum(maximum(depth, splat(setup.window.low_depth)), splat(setup.window.high_depth)),
+            batch.window[2].at(lane));
         store(splat(1.0f) / w, batch.window[3].at(lane));
     }
 }

@@ -93,7 +93,8 @@ void change_fragment_operations() {
     BlendEquationSeparateEXT(GL_MIN, GL_MAX);
     BlendColor(1, 1, 1, 1);
     LogicOp(GL_XOR);
-    DrawBuffer(GL_FRONT);
+    const GLenum buffers[] = {GL_FRONT_LEFT, GL_BACK_LEFT};
+    DrawBuffers(2, buffers);
     IndexMask(1);
     ColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
     ClearColor(1, 1, 1, 1);

@@ -180,6 +180,14 @@ TEST_CASE_METHOD(PixelFixture, "a raster position that is clipped is not valid")
     entry::RasterPos2f(-1, 5);
     entry::GetBooleanv(GL_CURRENT_RASTER_POSITION_VALID, &valid);
     CHECK_FALSE(valid);
+    entry::RasterPos3f(1, 5, 3);
+    entry::GetBooleanv(GL_CURRENT_RASTER_POSITION_VALID, &valid);
+    CHECK_FALSE(valid);
+    entry::Enable(GL_DEPTH_CLAMP); // No near and far plane.
+    entry::RasterPos3f(1, 5, 3);
+    GLfloat clamped[4] = {};
+    entry::GetFloatv(GL_CURRENT_RASTER_POSITION, clamped);
+    CHECK(clamped[2] == 1);
     entry::WindowPos3f(-1, 70, 2);
     entry::GetBooleanv(GL_CURRENT_RASTER_POSITION_VALID, &valid);
     CHECK(valid);

@@ -331,6 +331,18 @@ TEST_CASE("The scissor is cut to the target, wherever the application puts it") 
     CHECK(lower_scissor({.x = 5, .width = 1}, 64, 48) == Scissor{0, 0, 64, 48});
 }
 
+TEST_CASE("Depth is clamped instead of clipped where GL says so") {
+    StateFixture f;
+    CHECK_FALSE(f.drawn().viewport.clamp_depth);
+    entry::Enable(GL_DEPTH_CLAMP);
+    CHECK(f.drawn().viewport.clamp_depth);
+    entry::PushAttrib(GL_TRANSFORM_BIT);
+    entry::Disable(GL_DEPTH_CLAMP);
+    CHECK_FALSE(f.drawn().viewport.clamp_depth);
+    entry::PopAttrib();
+    CHECK(f.drawn().viewport.clamp_depth);
+}
+
 TEST_CASE("The draw buffers choose the colour targets") {
     StateFixture f;
     const Drawable& drawable = f.gl.drawable();
