@@ -1,7 +1,9 @@
+#include "model/raster/pixel_areas.h"
 #include "model/raster/stipple.h"
 #include "tests/raster/raster_helpers.h"
 
 #include <cmath>
+#include <numeric>
 
 #include <catch2/catch.hpp>
 
@@ -222,12 +224,52 @@ TEST_CASE("the areas of a smooth polygon's pixels add up to its area") {
                                     {random.below(8000), random.below(8000)}};
         const std::int64_t twice = double_area(p[0], p[1], p[2]);
         if (twice <= 0) continue;
+        const AreaPolygon polygon = make_area_polygon(p);
         double sum = 0;
+        RowAreas areas;
         for (int y = 0; y < 32; ++y)
-            for (int x = 0; x < 32; ++x)
-                sum += area_in_pixel(p, x, y);
+            for (int x = 0; x < 32; x += static_cast<int>(AreaRow)) {
+                row_areas(polygon, x, y, areas);
+                sum = std::accumulate(areas.begin(), areas.end(), sum);
+            }
         REQUIRE(sum == Approx(static_cast<double>(twice) / 131072).margin(1e-9));
     }
+}
+
+TEST_CASE("areas are the same pixel by pixel and row by row") {
+    Random random(23);
+    for (int i = 0; i < 2000; ++i) {
+        const int size = i % 2 == 0 ? 2048 : 1 << 20;
+        std::vector<SubPixelPoint> corners(3 + static_cast<std::size_t>(i % 2));
+        for (SubPixelPoint& corner : corners)
+            corner = {random.below(size) - size / 2, random.below(size) - size / 2};
+        if (i % 5 == 0) corners[1].y = corners[0].y; // a level edge
+        const AreaPolygon polygon = make_area_polygon(corners);
+        RowAreas areas, expected;
+        const int x = random.below(16) - 8;
+        row_areas(polygon, x, i % 8 - 4, areas);
+        row_areas_scalar(polygon, x, i % 8 - 4, expected);
+        REQUIRE(areas == expected);
+    }
+}
+
+TEST_CASE("a pixel's area is what the polygon covers of it") {
+    const auto area = [](std::vector<SubPixelPoint> corners, unsigned x, int y) {
+        RowAreas areas;
+        row_areas(make_area_polygon(corners), 0, y, areas);
+        return areas[x];
+    };
+    const std::vector<SubPixelPoint> triangle{{256, 256}, {512, 256}, {256, 512}};
+    CHECK(area(triangle, 1, 1) == 0.5);
+    CHECK(area(triangle, 0, 1) == 0);
+    CHECK(area(triangle, 2, 1) == 0);
+    CHECK(area(triangle, 1, 0) == 0);
+    const std::vector<SubPixelPoint> square{{128, 128}, {640, 128}, {640, 640}, {128, 640}};
+    CHECK(area(square, 0, 0) == 0.25);
+    CHECK(area(square, 1, 0) == 0.5);
+    CHECK(area(square, 1, 1) == 1);
+    CHECK(area(square, 2, 1) == 0.5);
+    CHECK(area(square, 3, 1) == 0);
 }
 
 TEST_CASE("neighbours along a smooth edge share each pixel without gap") {
