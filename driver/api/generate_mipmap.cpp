@@ -32,6 +32,9 @@ void GenerateMipmap(Context& context, GLenum target) {
     if (base < 0 || base >= GLint{MaxTextureLevels}) return;
     if (*wanted == TextureTarget::Cube && !is_cube_complete(texture, static_cast<unsigned>(base)))
         return context.error(GL_INVALID_OPERATION);
+    // Stencil indices have no mean.
+    if (texture.level(0, static_cast<unsigned>(base)).format.base == BaseFormat::DepthStencil)
+        return context.error(GL_INVALID_OPERATION);
     for (unsigned face = 0; face < texture.faces(); ++face)
         generate_mipmaps(device_memory(context), texture, face);
     mark_textures(context);

@@ -2,8 +2,9 @@
 //
 // Texels are kept once, in the device's format. An image that fits into the chain of levels that
 // the sampler reads lives in device memory, laid out by model/device/texture_layout.h from the base
-// level on; an image that does not (yet) is kept by the host. Residency (driver/texture/
-// residency.h) moves them; nothing else needs to know where they are.
+// level on; an image that does not (yet) is kept by the host, or, once it is drawn to, in device
+// memory of its own. Residency (driver/texture/residency.h) moves them; nothing else needs to know
+// where they are.
 
 #pragma once
 
@@ -17,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace ffgpu::gl {
@@ -28,8 +30,9 @@ struct TextureLevel {
     GLsizei width = 0, height = 0, depth = 0;
     GLint border = 0;
 
-    bool resident = false;         // in the object's block, else
-    std::vector<std::byte> texels; // layers, rows of blocks, tightly packed
+    bool resident = false;              // in the object's block, else
+    std::shared_ptr<DeviceBlock> block; // in one of its own: drawn to, but not in the chain; else
+    std::vector<std::byte> texels;      // here. Layers, rows of blocks, tightly packed
 
     bool defined() const { return format.base != BaseFormat::None && width > 0; }
 };

@@ -8,7 +8,8 @@ namespace ffgpu::gl {
 
 namespace {
 
-// A proxy takes the image's size and format if such a texture could be had, else nothing.
+// A proxy takes the image's size and format if such a texture could be had, else nothing. Half of
+// the device's memory is left to all else: targets, vertices, other textures.
 void define_proxy(Context& context, const ImageDefinition& definition) {
     const TextureTarget target = definition.target.target;
     TextureObject& proxy = *context.state.texture.proxies[static_cast<std::size_t>(target)];
@@ -16,7 +17,7 @@ void define_proxy(Context& context, const ImageDefinition& definition) {
     std::uint64_t bytes = 0;
     const bool fits = !is_too_large(definition);
     if (fits) bytes = box_bytes(level.format.format, whole_box(level));
-    const bool possible = fits && bytes * proxy.faces() <= context.device().memory_size();
+    const bool possible = fits && bytes * proxy.faces() <= context.device().memory_size() / 2;
     proxy.level(0, static_cast<unsigned>(definition.level)) = possible ? level : TextureLevel{};
 }
 

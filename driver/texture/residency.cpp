@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 namespace ffgpu::gl {
 
@@ -20,7 +21,11 @@ struct ImageStrides {
         , rows(block_rows(format, box.height)) {}
 };
 
-std::uint64_t image_address(const TextureObject& texture, ImageName name) {
+// Where the image is on the device; nothing: the host has it.
+std::optional<std::uint64_t> image_address(const TextureObject& texture, ImageName name) {
+    const TextureLevel& image = texture.level(name.face, name.level);
+    if (image.block) return image.block->address();
+    if (!image.resident) return std::nullopt;
     const auto& resident = texture.resident;
     const LevelLayout layout = level_layout(resident.shape, name.level - resident.root);
     return resident.block.address() + layout.offset +
@@ -94,7 +99,7 @@ void define_image(DeviceMemory memory,
     TextureLevel& image = texture.level(name.face, name.level);
     const bool stays = same_definition(image, definition);
     if (image.internal_format != definition.internal_format || !stays) texture.changed();
-    if (stays && image.resident) {
+    if (stays && (image.resident || image.block)) {
         image.internal_format = definition.internal_format;
         image.format = definition.format;
         if (!texels.empty()) write_texels(memory, texture, name, whole_box(image), texels);
@@ -115,13 +120,13 @@ void write_texels(DeviceMemory memory,
     TextureLevel& image = texture.level(name.face, name.level);
     const Format format = image.format.format;
     check(texels.size() >= box_bytes(format, box), "too few texels for the part of the image");
-    const std::uint64_t address = image.resident ? image_address(texture, name) : 0;
+    const std::optional<std::uint64_t> address = image_address(texture, name);
     for_each_run(
         format, whole_box(image), box, [&](std::size_t at, std::size_t from, std::size_t bytes) {
             const auto run = texels.subspan(from, bytes);
             if (run.empty()) return;
-            if (image.resident) {
-                memory.device.write_memory(static_cast<DeviceAddress>(address + at), run);
+            if (address) {
+                memory.device.write_memory(static_cast<DeviceAddress>(*address + at), run);
             } else {
                 std::memcpy(image.texels.data() + at, run.data(), bytes);
             }
@@ -135,19 +140,47 @@ std::vector<std::byte> read_texels(DeviceMemory memory,
     const TextureLevel& image = texture.level(name.face, name.level);
     const Format format = image.format.format;
     std::vector<std::byte> texels(box_bytes(format, box));
-    const std::uint64_t address = image.resident ? image_address(texture, name) : 0;
+    const std::optional<std::uint64_t> address = image_address(texture, name);
     for_each_run(
         format, whole_box(image), box, [&](std::size_t at, std::size_t to, std::size_t bytes) {
             const auto run = std::span(texels).subspan(to, bytes);
             if (run.empty()) return;
-            if (image.resident) {
-                memory.device.read_memory(static_cast<DeviceAddress>(address + at), run);
+            if (address) {
+                memory.device.read_memory(static_cast<DeviceAddress>(*address + at), run);
             } else {
                 std::memcpy(run.data(), image.texels.data() + at, bytes);
             }
         });
     return texels;
 }
+
+namespace {
+
+// The texels of an image outside of the object's block, which then has none.
+std::vector<std::byte> take_texels(DeviceMemory memory, TextureObject& texture, ImageName name) {
+    TextureLevel& image = texture.level(name.face, name.level);
+    std::vector<std::byte> texels = image.block
+                                        ? read_texels(memory, texture, name, whole_box(image))
+                                        : std::move(image.texels);
+    image.block = nullptr;
+    image.texels = {};
+    return texels;
+}
+
+// Device memory of its own for an image that is not in the chain. False: there is no room.
+bool give_block(DeviceMemory memory, TextureObject& texture, ImageName name) {
+    TextureLevel& image = texture.level(name.face, name.level);
+    if (image.block) return true;
+    const std::size_t bytes = box_bytes(image.format.format, whole_box(image));
+    DeviceBlock block = DeviceBlock::allocate(memory.allocator, bytes);
+    if (!block) return false;
+    const std::vector<std::byte> texels = take_texels(memory, texture, name);
+    image.block = std::make_shared<DeviceBlock>(std::move(block));
+    write_texels(memory, texture, name, whole_box(image), texels);
+    return true;
+}
+
+} // namespace
 
 bool make_resident(DeviceMemory memory, TextureObject& texture) {
     const TextureChain& chain = texture.chain();
@@ -163,8 +196,7 @@ bool make_resident(DeviceMemory memory, TextureObject& texture) {
         for (unsigned level = chain.root; level < chain.root + chain.shape.levels; ++level) {
             TextureLevel& image = texture.level(face, level);
             if (image.resident || !image.defined()) continue;
-            const std::vector<std::byte> texels = std::move(image.texels);
-            image.texels = {};
+            const std::vector<std::byte> texels = take_texels(memory, texture, {face, level});
             image.resident = true;
             write_texels(memory, texture, {face, level}, whole_box(image), texels);
         }
@@ -175,10 +207,12 @@ bool make_resident(DeviceMemory memory, TextureObject& texture) {
 
 Surface image_memory(DeviceMemory memory, TextureObject& texture, ImageName name, unsigned layer) {
     const TextureLevel& image = texture.level(name.face, name.level);
-    if (!image.defined() || !make_resident(memory, texture) || !image.resident) return {};
+    if (!image.defined()) return {};
+    make_resident(memory, texture);
+    if (!image.resident && !give_block(memory, texture, name)) return {};
     const ImageStrides strides(image.format.format, whole_box(image));
     return {.address =
-                static_cast<DeviceAddress>(image_address(texture, name) + layer * strides.layer),
+                static_cast<DeviceAddress>(*image_address(texture, name) + layer * strides.layer),
             .format = image.format.format,
             .width = static_cast<std::uint16_t>(image.width),
             .height = static_cast<std::uint16_t>(image.height),

@@ -55,8 +55,8 @@ read_texels(DeviceMemory memory, const TextureObject& texture, ImageName name, c
 // Brings all levels of the texture's chain into device memory. False: there is no room.
 bool make_resident(DeviceMemory memory, TextureObject& texture);
 
-// Any image of uncompressed colours or depth as memory to copy to; it becomes resident. Its border
-// is part of the surface. Format None: there is no room, or it is not in the chain.
+// Any image of uncompressed colours or depth as memory to copy to: in the chain, or, where it does
+// not fit there, in memory of its own. Its border is part of the surface. Format None: no room.
 Surface image_memory(DeviceMemory memory, TextureObject& texture, ImageName name, unsigned layer);
 
 // The same as a target of drawing: Format None as well where the device cannot draw to it.

@@ -200,3 +200,47 @@ TEST_CASE_METHOD(FormatsFixture, "renderbuffers keep the format that they were g
         DeleteRenderbuffers(1, &buffer);
     }
 }
+
+TEST_CASE_METHOD(FormatsFixture,
+                 "an image that does not fit its texture is drawn to all the same") {
+    GLuint cube = 0;
+    GenTextures(1, &cube);
+    BindTexture(GL_TEXTURE_CUBE_MAP, cube);
+    const auto define = [](GLenum face, GLsizei size) {
+        TexImage2D(face, 0, GL_RGBA, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    };
+    constexpr GLenum First = GL_TEXTURE_CUBE_MAP_POSITIVE_X;
+    for (GLenum face = First; face < First + 6; ++face)
+        define(face, face == First + 3 ? 2 * Size : Size); // One face is too large.
+    FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, First, cube, 0);
+    REQUIRE(CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    clear({200, 100, 50, 150});
+    CHECK(read() == Color{200, 100, 50, 150});
+
+    // Once all faces fit, the image moves to the others, with what it holds.
+    const auto texel = [] {
+        std::vector<GLubyte> texels(std::size_t{4} * Size * Size);
+        GetTexImage(First, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+        return Color{texels[0], texels[1], texels[2], texels[3]};
+    };
+    CHECK(texel() == Color{200, 100, 50, 150});
+    define(First + 3, Size);
+    CHECK(read() == Color{200, 100, 50, 150});
+    clear({1, 2, 3, 4});
+    CHECK(texel() == Color{1, 2, 3, 4});
+    CHECK(GetError() == GL_NO_ERROR);
+}
+
+TEST_CASE_METHOD(FormatsFixture, "depth with stencil has no mip maps made of it") {
+    TexImage2D(GL_TEXTURE_2D,
+               0,
+               GL_DEPTH24_STENCIL8,
+               4,
+               4,
+               0,
+               GL_DEPTH_STENCIL,
+               GL_UNSIGNED_INT_24_8,
+               nullptr);
+    GenerateMipmap(GL_TEXTURE_2D);
+    CHECK(GetError() == GL_INVALID_OPERATION);
+}
