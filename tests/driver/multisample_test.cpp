@@ -153,6 +153,17 @@ TEST_CASE_METHOD(MultisampleFixture, "a window that is resized keeps all samples
     CHECK(copies().size() == 1);
 }
 
+TEST_CASE_METHOD(MultisampleFixture, "a resolved picture does not outlive its buffers") {
+    const DeviceAddress before = window().back().address;
+    window().readable_back();
+    window().resize(65, 48);
+    window().resize(64, 48);
+    REQUIRE(window().back().address == before); // The memory is used again.
+    copies();
+    window().readable_back();
+    CHECK(copies().size() == 1);
+}
+
 TEST_CASE("only multisampled drawables take memory for samples") {
     RecordingDevice device;
     MemoryAllocator memory(0, device.memory_size());

@@ -51,7 +51,8 @@ void WindowSurface::show_front() {
 }
 
 void WindowSurface::show() {
-    if (target_) target_->show(ProcessGpu::instance().device(), drawable_.readable_front(), window_size_);
+    if (target_)
+        target_->show(ProcessGpu::instance().device(), drawable_.readable_front(), window_size_);
 }
 
 } // namespace ffgpu::gl

@@ -253,7 +253,8 @@ FFGPU_EGL EGLBoolean eglCopyBuffers(EGLDisplay dpy,
         const auto size = target.size();
         if (!size) throw EglError{EGL_BAD_NATIVE_PIXMAP};
         flush_current();
-        target.show(ProcessGpu::instance().device(), known.surface->drawable().readable_back(), *size);
+        target.show(
+            ProcessGpu::instance().device(), known.surface->drawable().readable_back(), *size);
         return EGL_TRUE;
     });
 }
