@@ -10,6 +10,14 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 target_include_directories(ffgpu_options INTERFACE ${PROJECT_SOURCE_DIR})
 
+# A finding ends the program. SystemC's library has no type information of its own classes to check
+# (vptr).
+if(FFGPU_SANITIZE)
+  target_compile_options(ffgpu_options INTERFACE
+    -fsanitize=${FFGPU_SANITIZE} -fno-sanitize-recover=all -fno-sanitize=vptr -fno-omit-frame-pointer)
+  target_link_options(ffgpu_options INTERFACE -fsanitize=${FFGPU_SANITIZE} -fno-sanitize=vptr)
+endif()
+
 # ffgpu_library(name folder [EXCLUDE subfolder] [LINKS ...]): a static library of all .cpp files of
 # the folder, but for those of the subfolder.
 function(ffgpu_library name folder)

@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# Builds ffgpu with AddressSanitizer (leaks included) and UndefinedBehaviorSanitizer, and runs the
+# test suite, traces, a live program and tests of piglit with it.
+#
+#   tests/sanitize/sanitize.sh [--short] [BUILD]     BUILD defaults to build-asan
+#
+# --short leaves out the programs that live in an X server. FFGPU_JOBS sets the number of compilers
+# at once. Exit status 0: nothing was found.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+short=
+[ "${1:-}" = --short ] && short=1 && shift
+readonly Build=${1:-build-asan}
+readonly Jobs=${FFGPU_JOBS:-$(nproc)}
+readonly Traces=(corridor light_maps)
+readonly Piglit=${PIGLIT_DIR:-/usr/lib/x86_64-linux-gnu/piglit}/bin
+readonly PiglitTests=(
+    'fbo-depthstencil blit default_fb' 'copyteximage 2D' texsubimage read-front vbo-map-remap copy-pixels
+    'draw-vertices user' 'primitive-restart VBO_SEPARATE_VERTEX_AND_INDICES' lodbias getteximage-formats
+    gl-1.0-blend-func 'ext_fog_coord-modes' occlusion_query degenerate-prims
+)
+
+say() { printf '\033[1m%s\033[0m\n' "$*" >&2; }
+
+launcher=()
+command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+say "Building with sanitizers in $Build/"
+cmake -S . -B "$Build" -G Ninja "${launcher[@]}" -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+    -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" -DFFGPU_SANITIZE=address,undefined >/dev/null
+cmake --build "$Build" -j "$Jobs"
+
+export ASAN_OPTIONS=${ASAN_OPTIONS:-strict_string_checks=1:detect_stack_use_after_return=1}
+export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
+
+say "Test suite"
+ctest --test-dir "$Build" --output-on-failure -j "$Jobs" --timeout 3600
+
+say "Traces"
+frames=$(mktemp -d)
+trap 'rm -rf "$frames"' EXIT
+for trace in "${Traces[@]}"; do
+    "$Build/tools/ffgpu" replay "traces/$trace.trace" -o "$frames" --frames 0-2 --timing \
+        --heatmap overdraw,cycles --capture "$frames/$trace.ffc"
+done
+
+[ -n "$short" ] && exit 0
+
+# A program that knows nothing of sanitizers: their runtime has to be there before it. What it leaks
+# itself is not ours.
+say "Programs"
+runtime=$(g++ -print-file-name=libasan.so)
+export LSAN_OPTIONS=suppressions=$PWD/tests/sanitize/leaks_of_others.txt:print_suppressions=0
+live() { # COMMAND ARGUMENTS: in an X server of its own
+    xvfb-run -a -s "-screen 0 1280x1024x24 +extension GLX" env LD_PRELOAD="$runtime" \
+        LD_LIBRARY_PATH="$(realpath "$Build")/driver/GL" "$@"
+}
+live timeout 600 "$Build/tools/ffgpu" run --frames 0-9 -o "$frames" -- glxgears
+for line in "${PiglitTests[@]}"; do
+    read -ra command <<<"$line"
+    [ -x "$Piglit/${command[0]}" ] || continue
+    say "${command[*]}"
+    PIGLIT_PLATFORM=glx live timeout 600 "$Piglit/${command[0]}" "${command[@]:1}" -auto -fbo
+done
