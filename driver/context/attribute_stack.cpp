@@ -128,6 +128,12 @@ void restore_texture(const SavedAttributes& saved, Context& context) {
     context.dirty.mark(Dirty::TexGen);
 }
 
+// An object that was deleted since has its name again (APPLE_vertex_array_object).
+void revive(NameTable<VertexArrayObject>& objects,
+            const std::shared_ptr<VertexArrayObject>& object) {
+    if (object->name != 0 && !objects.find(object->name)) objects.set(object->name, object);
+}
+
 struct Group {
     GLbitfield bit;
     void (*save)(Context& context, SavedAttributes& saved);
@@ -231,6 +237,7 @@ bool AttributeStack::pop_client(Context& context) {
     if (saved.mask & GL_CLIENT_VERTEX_ARRAY_BIT) {
         restore(context.client.arrays, *saved.arrays);
         buffers.array = saved.buffers.array;
+        revive(context.vertex_array_objects, context.client.arrays.object);
     }
     saved = {};
     return true;

@@ -299,6 +299,27 @@ TEST_CASE_METHOD(DrawFixture, "draws from a mapped buffer are errors") {
     CHECK(draws().size() == 1);
 }
 
+TEST_CASE("A deleted array object that the client stack holds has its name again when popped") {
+    DrawFixture f;
+    GLuint object = 0;
+    entry::GenVertexArrays(1, &object);
+    entry::BindVertexArray(object);
+    const GLfloat corners[3] = {};
+    entry::VertexPointer(3, GL_FLOAT, 0, corners);
+    entry::EnableClientState(GL_VERTEX_ARRAY);
+    entry::PushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+    entry::DeleteVertexArrays(1, &object);
+    CHECK_FALSE(entry::IsVertexArray(object));
+    CHECK_FALSE(entry::IsEnabled(GL_VERTEX_ARRAY));
+    entry::PopClientAttrib();
+    CHECK(entry::IsVertexArray(object));
+    CHECK(entry::IsEnabled(GL_VERTEX_ARRAY));
+    void* pointer = nullptr;
+    entry::GetPointerv(GL_VERTEX_ARRAY_POINTER, &pointer);
+    CHECK(pointer == corners);
+    CHECK(f.error() == GL_NO_ERROR);
+}
+
 TEST_CASE_METHOD(DrawFixture, "a vertex array object has pointers and enables of its own") {
     const NumberedVertices arrays(10);
     GLuint object = 0;
