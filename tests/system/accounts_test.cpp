@@ -28,13 +28,15 @@ struct Replayed {
 Replayed replayed(const std::string& trace,
                   FrameRange frames,
                   const std::vector<std::string>& settings,
-                  bool timing = true) {
+                  bool timing = true,
+                  unsigned samples = 1) {
     const TemporaryFolder folder;
     ReplayOptions options;
     options.input = trace;
     options.output = folder.path();
     options.frames = frames;
     options.timing = timing;
+    options.samples = samples;
     for (const std::string& setting : settings)
         apply_setting(setting, options.configuration);
     replay(options);
@@ -265,6 +267,21 @@ TEST_CASE("Caches and queues of any size leave the pixels alone, and their accou
     CHECK(cycles[0] > cycles[1]); // The tiny machine, the usual one, the huge one.
     CHECK(cycles[1] > cycles[2]);
     CHECK(std::set(cycles.begin(), cycles.end()).size() == 5); // They were five.
+}
+
+TEST_CASE("The accounts of a multisampled trace add up on machines of any size") {
+    const FrameRange frames{2, 2};
+    const Replayed untimed = replayed(own_trace("corridor"), frames, {}, false, MaxSamples);
+    for (const auto& settings : {Tiny, {}, Huge, TileBased}) {
+        INFO((settings.empty() ? "default" : settings.front()));
+        const Replayed run = replayed(own_trace("corridor"), frames, settings, true, MaxSamples);
+        CHECK(run.pictures == untimed.pictures);
+        check_accounts(run.statistics);
+        const TimedFrame totals(run.statistics["totals"]["functional"]);
+        CHECK(totals["samples_written"] > totals["fragments_written"]);
+        CHECK(totals["samples_covered"] <= MaxSamples * totals["fragments_covered"]);
+        CHECK(totals["samples_written"] <= totals["samples_covered"]);
+    }
 }
 
 } // namespace
