@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds ffgpu with gcc and clang, optimised and not, replays two traces with each build and with
-# several thread counts, and compares all pictures and statistics byte for byte.
+# several thread counts, single-sampled and multisampled, and compares all pictures and statistics
+# byte for byte.
 #
 #   tests/determinism/determinism.sh [OUT]     OUT defaults to out; the builds stay there for the next time
 #
@@ -28,11 +29,11 @@ build() { # NAME CC CXX LEVEL
         { tail -20 "$Out/determinism-$1.log" >&2; return 1; }
 }
 
-replay() { # NAME THREADS TRACE
-    local to="$Out/determinism-frames/$1-threads$2/$3"
+replay() { # NAME THREADS TRACE SAMPLES
+    local to="$Out/determinism-frames/$1-threads$2/$3-samples$4"
     rm -rf "$to"
     "$Out/determinism-$1/tools/ffgpu" replay "traces/$3.trace" -o "$to" --frames "$Frames" \
-        --threads "$2" --timing --heatmap overdraw,level,texture_misses,cycles 2>/dev/null
+        --threads "$2" --samples "$4" --timing --heatmap overdraw,level,texture_misses,cycles 2>/dev/null
 }
 
 # Prints the names of the files that differ or are there only once.
@@ -53,14 +54,16 @@ for line in "${Builds[@]}"; do
     build "$name" "$cc" "$cxx" "$level"
     for threads in "${ThreadCounts[@]}"; do
         for trace in "${Traces[@]}"; do
-            replay "$name" "$threads" "$trace"
+            for samples in 1 4; do
+                replay "$name" "$threads" "$trace" "$samples"
+            done
         done
         folder="$Out/determinism-frames/$name-threads$threads"
         if [ -z "$reference" ]; then
             reference=$folder
             files=$(find "$folder" -type f | wc -l)
-            # Three frames of a picture and four heat maps, and the statistics.
-            [ "$files" -eq $((${#Traces[@]} * 16)) ] || { say "$folder: $files files"; exit 1; }
+            # Three frames of a picture and four heat maps, and the statistics; of one and four samples.
+            [ "$files" -eq $((${#Traces[@]} * 2 * 16)) ] || { say "$folder: $files files"; exit 1; }
             say "$name, $threads threads: $files files, the reference"
             continue
         fi
