@@ -58,7 +58,8 @@ TEST_CASE("each advertised extension stands in docs/gl_coverage.md") {
 
 TEST_CASE("each extension in docs/gl_coverage.md is advertised") {
     const std::string page = read_source("docs/gl_coverage.md");
-    const std::regex extension(R"(\bGL_(3DFX|ARB|EXT|ATI|NV|SGIS|S3|IBM|MESA|APPLE|GREMEDY|OES)_\w+)");
+    const std::regex extension(
+        R"(\bGL_(3DFX|ARB|EXT|ATI|NV|SGIS|S3|IBM|MESA|APPLE|GREMEDY|OES)_\w+)");
     for (std::sregex_iterator i(page.begin(), page.end(), extension), end; i != end; ++i) {
         INFO(i->str());
         CHECK(std::find(gl::Extensions.begin(), gl::Extensions.end(), i->str()) !=

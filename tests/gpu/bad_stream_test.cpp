@@ -51,7 +51,8 @@ TEST_CASE("each fault in a stream is named with its word") {
 TEST_CASE("registers with values that do not exist are refused when something is drawn") {
     Scene scene(32, 32);
     scene.registers.blend.rgb_source = static_cast<BlendFactor>(15);
-    CHECK_THROWS_WITH(scene.clear(0), Catch::Contains("blend.rgb_source holds no value of its kind"));
+    CHECK_THROWS_WITH(scene.clear(0),
+                      Catch::Contains("blend.rgb_source holds no value of its kind"));
     scene.registers.blend.rgb_source = BlendFactor::One;
     scene.registers.targets.color[0].address = 0xfff00000;
     CHECK_THROWS_WITH(scene.clear(0), Catch::Contains("target does not lie in device memory"));

@@ -33,7 +33,8 @@ float random_float(Random& random) {
 TextureShape random_shape(Random& random) {
     TextureShape shape;
     shape.kind = static_cast<TextureKind>(1 + below(random, 5));
-    shape.format = static_cast<Format>(1 + below(random, static_cast<unsigned>(Format::Depth24Stencil8)));
+    shape.format =
+        static_cast<Format>(1 + below(random, static_cast<unsigned>(Format::Depth24Stencil8)));
     const std::uint32_t most = shape.kind == TextureKind::ThreeD ? 16 : 70;
     const auto size = [&] {
         const std::uint32_t any = 1 + below(random, most);

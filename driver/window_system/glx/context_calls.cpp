@@ -70,7 +70,7 @@ bool is_version(int major, int minor) {
 
 struct Refusal {
     bool of_glx = false; // else of the core protocol
-    int error = 0; // none
+    int error = 0;       // none
 };
 
 // GLX_ARB_create_context, GLX_ARB_create_context_profile, "Errors".

@@ -176,7 +176,7 @@ struct Viewport {
     float x = 0, y = 0; // lower left corner, in pixels
     float width = 0, height = 0;
     float near_depth = 0, far_depth = 1; // in [0, 1]
-    bool clamp_depth = false; // instead of clipping at near and far (ARB_depth_clamp)
+    bool clamp_depth = false;            // instead of clipping at near and far (ARB_depth_clamp)
 
     template <class Self, class Visitor>
     static constexpr void visit(Self& self, Visitor&& field) {
