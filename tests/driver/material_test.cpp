@@ -2,6 +2,7 @@
 #include "driver/entry_points/entry.h"
 #include "model/gpu/functional_gpu.h"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -202,7 +203,7 @@ TEST_CASE_METHOD(LitFixture, "materials change while another colour is the verte
 
 TEST_CASE_METHOD(LitFixture, "culled faces stay culled where the vertices are lit apart") {
     LightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
-    for (const GLenum face : {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}) {
+    for (const GLenum face : std::array<GLenum, 3>{GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}) {
         Enable(GL_CULL_FACE);
         CullFace(face);
         check_every_primitive(Changes[6]);
