@@ -51,9 +51,12 @@ done
 say "Programs"
 runtime=$(g++ -print-file-name=libasan.so)
 export LSAN_OPTIONS=suppressions=$PWD/tests/sanitize/leaks_of_others.txt:print_suppressions=0
-live() { # COMMAND ARGUMENTS: in an X server of its own
-    xvfb-run -a -s "-screen 0 1280x1024x24 +extension GLX" env LD_PRELOAD="$runtime" \
-        LD_LIBRARY_PATH="$(realpath "$Build")/driver/GL" "$@"
+exec {display}< <(exec Xvfb -displayfd 1 -screen 0 1280x1024x24 +extension GLX -noreset -nolisten tcp 2>/dev/null)
+server=$!
+trap 'kill "$server"; rm -rf "$frames"' EXIT
+read -r number <&"$display"
+live() { # COMMAND ARGUMENTS
+    env DISPLAY=":$number" LD_PRELOAD="$runtime" LD_LIBRARY_PATH="$(realpath "$Build")/driver/GL" "$@"
 }
 live timeout 600 "$Build/tools/ffgpu" run --frames 0-9 -o "$frames" -- glxgears
 for line in "${PiglitTests[@]}"; do
