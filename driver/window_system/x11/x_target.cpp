@@ -140,11 +140,18 @@ XTarget::XTarget(Display* display, XID drawable)
 
 XTarget::~XTarget() {
     pixels_.reset();
-    if (display_ && graphics_) XFreeGC(display_, graphics_);
+    free_graphics();
 }
 
+void XTarget::free_graphics() {
+    if (display_ && graphics_) XFreeGC(display_, graphics_);
+    graphics_ = nullptr;
+}
+
+// The graphics context has a part in the program's memory: a connection that closes still takes it.
 void XTarget::abandon() {
     if (pixels_) pixels_->display = nullptr;
+    free_graphics();
     display_ = nullptr;
 }
 

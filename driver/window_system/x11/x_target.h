@@ -26,7 +26,7 @@ public:
 
     Display* display() const { return display_; }
     XID drawable() const { return drawable_; }
-    // The window is gone or the connection closed: X is not called any more.
+    // The window is gone or the connection closes: from now on X is not called any more.
     void abandon();
 
     // Asks the server. Nothing: the drawable does not exist (any more).
@@ -38,6 +38,7 @@ public:
 private:
     struct Pixels; // an XImage with its memory
     Pixels& pixels(Size size);
+    void free_graphics();
 
     Display* display_; // Null once abandoned.
     XID drawable_;
