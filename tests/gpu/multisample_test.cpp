@@ -1,4 +1,4 @@
-#include "tests/gpu/scene.h"
+#include "tests/gpu/mixture.h"
 
 #include <array>
 #include <bit>
@@ -80,55 +80,14 @@ void draw_left_of(Scene& scene, float x, float z = 0) {
     scene.draw(PrimitiveType::Quads, {at(-1, -1, z), at(x, -1, z), at(x, 1, z), at(-1, 1, z)});
 }
 
-template <class S>
-void draw_mixture(S& scene) {
-    std::vector<std::uint32_t> texels;
-    for (std::uint32_t i = 0; i < 64 * 64; ++i)
-        texels.push_back(((i / 8 + i / 512) % 2 ? 0xff80ffffu : 0x80402010u) + i % 8);
-    scene.registers.depth = {.test_enable = true, .write_enable = true};
-    scene.clear(0xff402000);
-    std::mt19937 random(7);
-    const auto unit = [&] { return static_cast<float>(random() & 0xffff) / 32768.0f - 1.0f; };
-    for (int draw = 0; draw < 40; ++draw) {
-        std::vector<Vertex> vertices;
-        const float size = draw % 4 == 0 ? 1.5f : 0.2f;
-        for (int triangle = 0; triangle < 8; ++triangle) {
-            const float x = unit(), y = unit();
-            for (int i = 0; i < 3; ++i) {
-                const float w = 1.5f + unit();
-                vertices.push_back({(x + size * unit()) * w,
-                                    (y + size * unit()) * w,
-                                    unit() * w * 0.5f,
-                                    w,
-                                    unit(),
-                                    unit(),
-                                    unit(),
-                                    0.5f + 0.5f * unit(),
-                                    unit() * 4,
-                                    unit() * 4});
-            }
-        }
-        if (draw == 10) scene.texture(64, texels);
-        scene.registers.blend.enable = draw % 2 == 1;
-        scene.registers.blend.rgb_source = BlendFactor::SourceAlpha;
-        scene.registers.blend.rgb_destination = BlendFactor::OneMinusSourceAlpha;
-        scene.registers.depth.write_enable = draw % 2 == 0;
-        scene.registers.fragment.alpha_test = draw % 5 == 0;
-        scene.registers.fragment.alpha_compare = Compare::Greater;
-        scene.registers.fragment.alpha_reference = 40;
+template <class AnyScene>
+void draw_sampled_mixture(AnyScene& scene) {
+    draw_mixture(scene, [&scene](int draw) {
         scene.registers.multisample.alpha_to_coverage = draw % 7 == 0;
         scene.registers.multisample.sample_mask = draw % 11 == 0 ? 0x6 : 0xf;
         scene.registers.primitive.line_width = 2.5f;
-        scene.draw(draw % 3 == 1 ? PrimitiveType::LineStrip : PrimitiveType::Triangles, vertices);
-    }
-}
-
-std::map<std::string, std::uint64_t> counters(const FunctionalGpu& gpu) {
-    std::map<std::string, std::uint64_t> all;
-    for (const StatisticsGroup* group : gpu.statistics())
-        for (const Counter& counter : group->counters())
-            all[std::string(counter.name())] = counter.value();
-    return all;
+        return draw % 3 == 1 ? PrimitiveType::LineStrip : PrimitiveType::Triangles;
+    });
 }
 
 // Adds the samples of the quads up.
@@ -184,8 +143,8 @@ TEST_CASE("with multisampling off every sample is the picture of a single-sample
     SampledScene sampled(100, 75);
     sampled.registers.primitive = single.registers.primitive;
     sampled.registers.multisample.enable = false;
-    draw_mixture(single);
-    draw_mixture(sampled);
+    draw_sampled_mixture(single);
+    draw_sampled_mixture(sampled);
     const auto picture = single.picture();
     const auto depths = single.depth_buffer();
     for (unsigned i = 0; i < MaxSamples; ++i) {
@@ -200,7 +159,7 @@ TEST_CASE("multisampled pictures do not depend on tile size and threads") {
     for (const unsigned tile_size : {16u, 24u, 64u, 128u})
         for (const unsigned threads : {1u, 3u}) {
             SampledScene scene(200, 150, {.threads = threads, .tile_size = tile_size});
-            draw_mixture(scene);
+            draw_sampled_mixture(scene);
             hashes.push_back(scene.hash_all());
         }
     for (const std::uint64_t each : hashes)
@@ -265,8 +224,8 @@ TEST_CASE("the work stream's samples add up to the counters") {
     SampledScene scene(150, 100), plain(150, 100);
     SampleCounter counter;
     scene.gpu.set_work_sink(&counter);
-    draw_mixture(scene);
-    draw_mixture(plain);
+    draw_sampled_mixture(scene);
+    draw_sampled_mixture(plain);
     CHECK(scene.hash_all() == plain.hash_all());
     scene.gpu.finish();
     auto counts = counters(scene.gpu);

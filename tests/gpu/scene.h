@@ -5,6 +5,8 @@
 #include "model/gpu/functional_gpu.h"
 
 #include <cstring>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace ffgpu::test {
@@ -124,6 +126,15 @@ inline std::uint64_t hash(const std::vector<std::uint32_t>& words) {
     for (const std::uint32_t word : words)
         value = (value ^ word) * 0x100000001b3;
     return value;
+}
+
+// What the GPU counted, by name.
+inline std::map<std::string, std::uint64_t> counters(const FunctionalGpu& gpu) {
+    std::map<std::string, std::uint64_t> all;
+    for (const StatisticsGroup* group : gpu.statistics())
+        for (const Counter& counter : group->counters())
+            all[std::string(counter.name())] = counter.value();
+    return all;
 }
 
 } // namespace ffgpu::test

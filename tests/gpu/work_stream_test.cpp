@@ -76,14 +76,6 @@ void draw_some(Scene& scene) {
     scene.gpu.submit(stream);
 }
 
-std::map<std::string, std::uint64_t> counters(const FunctionalGpu& gpu) {
-    std::map<std::string, std::uint64_t> all;
-    for (const StatisticsGroup* group : gpu.statistics())
-        for (const Counter& counter : group->counters())
-            all[std::string(counter.name())] = counter.value();
-    return all;
-}
-
 } // namespace
 
 TEST_CASE("recording the work changes no pixel, and the work adds up to the counters") {

@@ -29,19 +29,9 @@ WindowVertex random_vertex(Random& random, int low, int high) {
 
 TEST_CASE("a mesh of random triangles covers each pixel exactly once") {
     Random random(1);
-    constexpr int Cells = 12, Step = 20 * 256;
+    constexpr int Cells = MeshCells;
     for (int round = 0; round < 20; ++round) {
-        // A grid whose inner points are moved at will, but not so far that a triangle turns over.
-        std::vector<WindowVertex> points;
-        for (int j = 0; j <= Cells; ++j)
-            for (int i = 0; i <= Cells; ++i) {
-                const bool inner = i > 0 && j > 0 && i < Cells && j < Cells;
-                const int range = inner ? Step / 4 : 0;
-                int x = i * Step + random.between(-range, range);
-                int y = j * Step + random.between(-range, range);
-                if (round % 2) x &= ~127, y &= ~127;
-                points.push_back(vertex(x, y));
-            }
+        const std::vector<WindowVertex> points = random_mesh(random, round % 2 ? 128 : 1);
         std::map<Pixel, int> times;
         RecordBuffer buffer;
         const auto add = [&](int a, int b, int c) {

@@ -93,4 +93,21 @@ private:
     std::mt19937 engine_;
 };
 
+// The points of a grid of MeshCells x MeshCells cells of 20 pixels, row by row. Inner points are
+// moved at will, but not so far that a triangle turns over, then down to multiples of `grid` / 256.
+constexpr int MeshCells = 12;
+inline std::vector<WindowVertex> random_mesh(Random& random, int grid) {
+    constexpr int Step = 20 * 256;
+    std::vector<WindowVertex> points;
+    for (int j = 0; j <= MeshCells; ++j)
+        for (int i = 0; i <= MeshCells; ++i) {
+            const bool inner = i > 0 && j > 0 && i < MeshCells && j < MeshCells;
+            const int range = inner ? Step / 4 : 0;
+            const int x = i * Step + random.between(-range, range);
+            const int y = j * Step + random.between(-range, range);
+            points.push_back(vertex(x & -grid, y & -grid));
+        }
+    return points;
+}
+
 } // namespace ffgpu::test

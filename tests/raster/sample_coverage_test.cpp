@@ -114,18 +114,9 @@ TEST_CASE("a triangle covers exactly the samples inside it") {
 
 TEST_CASE("a mesh of random triangles covers each sample exactly once") {
     Random random(32);
-    constexpr int Cells = 12, Step = 20 * 256;
+    constexpr int Cells = MeshCells;
     for (int round = 0; round < 6; ++round) {
-        std::vector<WindowVertex> points;
-        for (int j = 0; j <= Cells; ++j)
-            for (int i = 0; i <= Cells; ++i) {
-                const bool inner = i > 0 && j > 0 && i < Cells && j < Cells;
-                const int range = inner ? Step / 4 : 0;
-                int x = i * Step + random.between(-range, range);
-                int y = j * Step + random.between(-range, range);
-                if (round % 2) x &= ~31, y &= ~31;
-                points.push_back(vertex(x, y));
-            }
+        const std::vector<WindowVertex> points = random_mesh(random, round % 2 ? 32 : 1);
         std::map<Sample, int> times;
         RecordBuffer buffer;
         const auto add = [&](int a, int b, int c) {
