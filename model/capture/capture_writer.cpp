@@ -30,6 +30,8 @@ void CaptureWriter::begin(const std::string& path, std::uint32_t first_frame) {
     path_ = path;
     file_.reset(std::fopen(path.c_str(), "wb"));
     if (!file_) throw InputError(path + ": cannot be written: " + std::strerror(errno));
+    // Whole chunks are written, and a child that the process forks must have nothing to flush.
+    std::setvbuf(file_.get(), nullptr, _IONBF, 0);
     put_bytes(Magic.data(), Magic.size());
     put_u32(Version);
     put_u32(register_map_fingerprint());

@@ -2,15 +2,20 @@
 
 #include "model/base/input_error.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/unused_reason.h"
+#include "tools/files/library_folder.h"
 #include "tools/record/recording_arguments.h"
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -27,15 +32,26 @@ void pass_on(int signal) {
     if (child > 0) ::kill(child, signal);
 }
 
-// The terminal sends Ctrl-C to the program as well: it decides when it ends, and we wait.
+// The terminal sends Ctrl-C to the program as well; what somebody sent to us alone it has to be
+// told. Either way the program decides when it ends, and we wait.
+void pass_on_if_sent(int signal, siginfo_t* info, void*) {
+    const bool by_a_process = info->si_code <= 0;
+    if (by_a_process) pass_on(signal);
+}
+
 void watch_signals() {
-    std::signal(SIGINT, SIG_IGN);
+    struct sigaction action {};
+    action.sa_flags = SA_SIGINFO | SA_RESTART;
+    action.sa_sigaction = pass_on_if_sent;
+    for (const int signal : {SIGINT, SIGQUIT})
+        ::sigaction(signal, &action, nullptr);
     std::signal(SIGTERM, pass_on);
     std::signal(SIGHUP, pass_on);
 }
 
 [[noreturn]] void become(const std::vector<std::string>& command,
                          const std::vector<Environment>& environment) {
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM); // Nobody draws on where ffgpu was killed.
     for (const Environment& variable : environment)
         ::setenv(variable.name.c_str(), variable.value.c_str(), 1);
     std::vector<char*> arguments;
@@ -48,9 +64,9 @@ void watch_signals() {
 }
 
 // A file that lives as long as the program runs.
-class SettingsFile {
+class PassingFile {
 public:
-    explicit SettingsFile(const std::string& text) {
+    explicit PassingFile(const std::string& text) {
         std::string pattern = (fs::temp_directory_path() / "ffgpu_run_XXXXXX").string();
         const int file = ::mkstemp(pattern.data());
         path_ = pattern;
@@ -59,9 +75,9 @@ public:
         if (file >= 0) ::close(file);
         if (!written) throw InputError(path_ + ": cannot be written");
     }
-    ~SettingsFile() { ::unlink(path_.c_str()); }
-    SettingsFile(const SettingsFile&) = delete;
-    SettingsFile& operator=(const SettingsFile&) = delete;
+    ~PassingFile() { ::unlink(path_.c_str()); }
+    PassingFile(const PassingFile&) = delete;
+    PassingFile& operator=(const PassingFile&) = delete;
 
     const std::string& path() const { return path_; }
 
@@ -80,30 +96,29 @@ std::string with_folder_first(const fs::path& folder, const char* paths) {
 }
 
 int run_run(const Arguments& arguments) {
-    const fs::path folder = find_drop_in_folder();
+    const fs::path folder = find_library_folder();
     std::vector<Environment> environment{
         {"LD_LIBRARY_PATH", with_folder_first(folder, std::getenv("LD_LIBRARY_PATH"))}};
     if (arguments.samples > 1)
         environment.push_back({"FFGPU_SAMPLES", std::to_string(arguments.samples)});
-    if (!arguments.recording.any()) return run_program(arguments.command, environment);
-    RecordingOptions checked;
-    resolve(arguments.recording, checked); // What is wrong is said before the program starts.
-    const SettingsFile settings(to_json(arguments.recording));
-    const fs::path recorder = folder / "ffgpu_recorder.so";
-    environment.push_back({"FFGPU_RECORD", recorder.string() + ":" + settings.path()});
-    return run_program(arguments.command, environment);
+    // The library says here that it was used.
+    const PassingFile mark("");
+    environment.push_back({"FFGPU_MARK", mark.path()});
+    std::optional<PassingFile> settings;
+    if (arguments.recording.any()) {
+        RecordingOptions checked;
+        resolve(arguments.recording, checked); // What is wrong is said before the program starts.
+        settings.emplace(to_json(arguments.recording));
+        const fs::path recorder = folder / "ffgpu_recorder.so";
+        environment.push_back({"FFGPU_RECORD", recorder.string() + ":" + settings->path()});
+    }
+    const int status = run_program(arguments.command, environment);
+    if (status != CannotRun && fs::file_size(mark.path()) == 0)
+        std::fprintf(stderr, "ffgpu: warning: %s\n", unused_reason(arguments.command[0]).c_str());
+    return status;
 }
 
 } // namespace
-
-fs::path find_drop_in_folder() {
-    const fs::path above = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
-    for (const char* place : {FFGPU_INSTALLED_LIBRARIES, FFGPU_BUILT_LIBRARIES})
-        if (fs::exists(above / place / "libGL.so.1")) return above / place;
-    throw InputError("run: libGL.so.1 of ffgpu is neither in " +
-                     (above / FFGPU_INSTALLED_LIBRARIES).string() + " nor in " +
-                     (above / FFGPU_BUILT_LIBRARIES).string());
-}
 
 int run_program(const std::vector<std::string>& command,
                 const std::vector<Environment>& environment) {

@@ -2,15 +2,10 @@
 
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace ffgpu::tools {
-
-// The folder of the drop-in libraries that belongs to this program, in an installation or in the
-// build tree. Throws InputError where there is none.
-std::filesystem::path find_drop_in_folder();
 
 struct Environment {
     std::string name, value;

@@ -1,47 +1,38 @@
 #include "tools/image/image.h"
 
 #include "model/base/input_error.h"
+#include "tools/files/library_folder.h"
+#include "tools/image/picture_formats.h"
+#include "tools/image/png_file.h"
 
-#include <OpenImageIO/imageio.h>
+#include <filesystem>
+
+#include <dlfcn.h>
 
 namespace ffgpu::tools {
 namespace {
 
-constexpr int CompressionLevel = 1; // zlib's quickest: writing must not take longer than drawing.
-constexpr std::size_t MaxPixels = std::size_t{1} << 28;
+// OpenImageIO with all that it brings, loaded where a picture is no PNG.
+ReadPicture load_picture_reader(const std::string& path) {
+    const std::string library = (find_library_folder() / "ffgpu_pictures.so").string();
+    void* const handle = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* const symbol = handle ? ::dlsym(handle, ReadPictureName) : nullptr;
+    if (!symbol)
+        throw InputError(path + ": is no PNG, and what reads other pictures is not there: " +
+                         std::string(::dlerror()));
+    return reinterpret_cast<ReadPicture>(symbol);
+}
 
 } // namespace
 
 Image read_image(const std::string& path) {
-    const auto file = OIIO::ImageInput::open(path);
-    if (!file) {
-        const std::string why = OIIO::geterror();
-        throw InputError(path + ": is no picture that can be read" +
-                         (why.empty() ? "" : ": " + why.substr(0, why.find('\n'))));
-    }
-    const OIIO::ImageSpec& spec = file->spec();
-    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 ||
-        spec.image_pixels() > MaxPixels)
-        throw InputError(path + ": its size is not that of a picture");
-    const auto channels = static_cast<std::size_t>(spec.nchannels);
-    Image image(static_cast<unsigned>(spec.width), static_cast<unsigned>(spec.height));
-    std::vector<std::uint8_t> pixels(image.pixels() * channels);
-    if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data()))
-        throw InputError(path + ": is damaged: " + file->geterror());
-    for (std::size_t i = 0; i < image.pixels(); ++i)
-        for (std::size_t c = 0; c < 3; ++c)
-            image.rgb[3 * i + c] = pixels[i * channels + (channels >= 3 ? c : 0)];
+    if (!std::filesystem::exists(path)) throw InputError(path + ": does not exist");
+    if (is_png(path)) return read_png(path);
+    static const ReadPicture read = load_picture_reader(path);
+    Image image;
+    std::string why;
+    if (!read(path, image, why)) throw InputError(path + ": " + why);
     return image;
-}
-
-void write_png(const std::string& path, const Image& image) {
-    const auto file = OIIO::ImageOutput::create("png");
-    OIIO::ImageSpec spec(
-        static_cast<int>(image.width), static_cast<int>(image.height), 3, OIIO::TypeDesc::UINT8);
-    spec.attribute("png:compressionLevel", CompressionLevel);
-    if (!file || !file->open(path, spec) ||
-        !file->write_image(OIIO::TypeDesc::UINT8, image.rgb.data()) || !file->close())
-        throw InputError(path + ": cannot be written" + (file ? ": " + file->geterror() : ""));
 }
 
 } // namespace ffgpu::tools

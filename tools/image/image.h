@@ -22,10 +22,12 @@ struct Image {
     std::size_t pixels() const { return std::size_t{width} * height; }
 };
 
-// Any file that OpenImageIO reads; alpha is dropped, grey spread. Throws InputError.
+constexpr std::size_t MaxImagePixels = std::size_t{1} << 28;
+
+// A PNG, or any file that OpenImageIO reads; alpha is dropped, grey spread. Throws InputError.
 Image read_image(const std::string& path);
 
-// Throws InputError if the file cannot be written.
+// The file is there whole or not at all. Throws InputError if it cannot be written.
 void write_png(const std::string& path, const Image& image);
 
 } // namespace ffgpu::tools

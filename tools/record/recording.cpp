@@ -1,11 +1,11 @@
 #include "tools/record/recording.h"
 
 #include "model/base/input_error.h"
+#include "tools/files/whole_file.h"
 #include "tools/replay/frame_image.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <thread>
 
 #include <fmt/format.h>
@@ -104,9 +104,9 @@ void Recording::finish() {
     capture_.end();
     if (options_.output.empty()) return;
     const auto path = (std::filesystem::path(options_.output) / "stats.json").string();
-    std::ofstream file(path, std::ios::binary);
-    report_.write(file);
-    if (!file.flush()) throw InputError(path + ": cannot be written");
+    WholeFile file(path);
+    report_.write([&file](std::string_view text) { file.write(text); });
+    file.commit();
 }
 
 } // namespace ffgpu::tools

@@ -52,7 +52,7 @@ public:
     Device& device() override { return recording_.device(); }
 
     void frame_shown(const Surface& picture) override {
-        if (finished_) return;
+        if (finished_ || !is_own_process()) return;
         guarded([&] {
             recording_.after_frame({.number = number_, .picture = picture, .api_calls = 0});
             if (interrupted) end_by_signal(interrupted);
@@ -62,7 +62,7 @@ public:
     }
 
     void finish() override {
-        if (finished_) return;
+        if (finished_ || !is_own_process()) return;
         finished_ = true;
         guarded([&] { recording_.finish(); });
         std::fputs(recording_.summary().c_str(), stderr);
@@ -98,6 +98,11 @@ private:
         std::raise(signal);
     }
 
+    // A child that the program forked carries a copy of all this, and ends like it: the files are
+    // the parent's.
+    bool is_own_process() const { return ::getpid() == process_; }
+
+    const pid_t process_ = ::getpid();
     const RecordingOptions options_;
     Recording recording_;
     std::uint64_t number_ = 0;

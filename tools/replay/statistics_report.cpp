@@ -1,7 +1,6 @@
 #include "tools/replay/statistics_report.h"
 
 #include "tools/replay/summary.h"
-#include "tools/replay/text_spool.h"
 
 #include <map>
 #include <sstream>
@@ -143,16 +142,17 @@ void StatisticsReport::end_frame(const Frame& frame,
     content_->frames.append((content_->frame_count++ == 0 ? "\n" : ",\n") + indented(json));
 }
 
-void StatisticsReport::write(std::ostream& out) const {
+void StatisticsReport::write(const TextSink& out) const {
     Json json = Json::object();
     json["schema_version"] = SchemaVersion;
     json["configuration"] = content_->configuration;
     json["frame_count"] = content_->frame_count;
     json["totals"] = content_->totals;
     const std::string head = json.dump(1);
-    out << std::string_view(head).substr(0, head.size() - 2) << ",\n \"frames\": [";
+    out(std::string_view(head).substr(0, head.size() - 2));
+    out(",\n \"frames\": [");
     content_->frames.copy_to(out);
-    out << (content_->frame_count == 0 ? "]\n}\n" : "\n ]\n}\n");
+    out(content_->frame_count == 0 ? "]\n}\n" : "\n ]\n}\n");
 }
 
 std::string StatisticsReport::summary() const {

@@ -8,11 +8,11 @@
 #include "model/timing/gpu_timing.h"
 #include "tools/config/configuration.h"
 #include "tools/replay/frame_source.h"
+#include "tools/replay/text_spool.h"
 
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -35,7 +35,7 @@ public:
                    const std::optional<timing::FrameTiming>& cycles);
 
     // The whole file so far.
-    void write(std::ostream& out) const;
+    void write(const TextSink& out) const;
 
     // A few lines for people.
     std::string summary() const;

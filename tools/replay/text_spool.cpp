@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include <unistd.h>
+
 namespace ffgpu::tools {
 namespace {
 
@@ -19,16 +21,24 @@ TextSpool::TextSpool()
 }
 
 void TextSpool::append(std::string_view text) {
-    require(std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size());
+    while (!text.empty()) {
+        const ssize_t written =
+            ::pwrite(::fileno(file_.get()), text.data(), text.size(), static_cast<off_t>(size_));
+        require(written > 0);
+        size_ += static_cast<std::uint64_t>(written);
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
 }
 
-void TextSpool::copy_to(std::ostream& out) const {
-    std::FILE* const file = file_.get();
-    require(std::fflush(file) == 0 && std::fseek(file, 0, SEEK_SET) == 0);
+void TextSpool::copy_to(const TextSink& out) const {
     std::array<char, 65536> buffer;
-    while (const std::size_t read = std::fread(buffer.data(), 1, buffer.size(), file))
-        out.write(buffer.data(), static_cast<std::streamsize>(read));
-    require(std::ferror(file) == 0 && std::fseek(file, 0, SEEK_END) == 0);
+    for (std::uint64_t at = 0; at < size_;) {
+        const ssize_t read =
+            ::pread(::fileno(file_.get()), buffer.data(), buffer.size(), static_cast<off_t>(at));
+        require(read > 0);
+        out({buffer.data(), static_cast<std::size_t>(read)});
+        at += static_cast<std::uint64_t>(read);
+    }
 }
 
 } // namespace ffgpu::tools

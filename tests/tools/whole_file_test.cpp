@@ -1,0 +1,108 @@
+// Files are there whole or not at all, whatever happens to the disk.
+
+#include "model/base/input_error.h"
+#include "tools/files/whole_file.h"
+#include "tools/image/image.h"
+#include "tools/image/png_file.h"
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace ffgpu::tools {
+namespace {
+
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("ffgpu_whole_" + std::to_string(::getpid()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+    std::size_t files() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(path), fs::directory_iterator()));
+    }
+};
+
+// As on a full disk: no file may grow beyond `bytes`.
+class FileSizeLimit {
+public:
+    explicit FileSizeLimit(rlim_t bytes) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    }
+    ~FileSizeLimit() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+private:
+    rlimit before_{};
+    void (*handler_)(int) = nullptr;
+};
+
+// Bytes that do not compress.
+Image noise(unsigned size) {
+    Image image(size, size);
+    std::uint32_t state = 1;
+    for (std::uint8_t& value : image.rgb) {
+        state = state * 1664525u + 1013904223u;
+        value = static_cast<std::uint8_t>(state >> 24);
+    }
+    return image;
+}
+
+} // namespace
+
+TEST_CASE("a picture that finds no room leaves the older one, and nothing else") {
+    const Folder folder;
+    const std::string path = (folder.path / "a.png").string();
+    write_png(path, noise(8));
+    {
+        const FileSizeLimit limit(4096);
+        CHECK_THROWS_WITH(write_png(path, noise(64)), Contains(path + ": cannot be written"));
+    }
+    CHECK(folder.files() == 1);
+    CHECK(read_png(path).rgb == noise(8).rgb);
+    write_png(path, noise(64));
+    CHECK(read_png(path).rgb == noise(64).rgb);
+}
+
+TEST_CASE("a file that is not committed was never there") {
+    const Folder folder;
+    const std::string path = (folder.path / "text").string();
+    { WholeFile(path).write("lost"); }
+    CHECK(folder.files() == 0);
+    WholeFile file(path);
+    file.write("kept");
+    CHECK_FALSE(fs::exists(path));
+    file.commit();
+    CHECK(fs::file_size(path) == 4);
+}
+
+TEST_CASE("a file in a folder that is not there is an error with its name") {
+    CHECK_THROWS_WITH(WholeFile("/no/such/folder/x"),
+                      Contains("/no/such/folder/x: cannot be written: No such file"));
+}
+
+TEST_CASE("a damaged PNG is an error, not a picture") {
+    const Folder folder;
+    const std::string path = (folder.path / "cut.png").string();
+    write_png(path, noise(64));
+    fs::resize_file(path, fs::file_size(path) / 2);
+    CHECK_THROWS_WITH(read_image(path), Contains(path + ": is a damaged PNG"));
+}
+
+} // namespace ffgpu::tools

@@ -1,0 +1,114 @@
+// `ffgpu run` around programs that do what programs do: fork, never draw, end by signals.
+
+#include "tests/window_system/x_server.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace ffgpu {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int status = 0;
+    std::string text; // of both streams
+};
+
+Outcome shell(const std::string& command) {
+    Outcome outcome;
+    std::FILE* const pipe = ::popen((command + " 2>&1").c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe))
+        outcome.text += static_cast<char>(c);
+    const int status = ::pclose(pipe);
+    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return outcome;
+}
+
+Outcome ffgpu_run(const std::string& arguments) {
+    return shell("timeout 60 " FFGPU_BINARY " run " + arguments);
+}
+
+struct OutputFolder {
+    fs::path path = fs::temp_directory_path() / ("ffgpu_run_test_" + std::to_string(::getpid()));
+    ~OutputFolder() {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+};
+
+std::size_t count_of(const std::string& text, const std::string& word) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+        ++count;
+    return count;
+}
+
+TEST_CASE("children that a recorded program forks leave its files alone") {
+    Display* const display = tests::XServer::display();
+    if (!display) return;
+    ::setenv("DISPLAY", DisplayString(display), 1);
+    const OutputFolder out;
+    const std::string capture = (out.path / "all.ffc").string();
+    fs::create_directories(out.path);
+    const Outcome run =
+        ffgpu_run("-o " + out.path.string() + " --capture " + capture + " -- " FFGPU_FORKS);
+    INFO(run.text);
+    CHECK(run.status == 0);
+    CHECK(count_of(run.text, "10 frames") == 1); // Nobody but the program itself sums up.
+
+    std::ifstream file(out.path / "stats.json");
+    std::stringstream text;
+    text << file.rdbuf();
+    CHECK(count_of(text.str(), "\"frame_count\": 10") == 1);
+    CHECK(count_of(text.str(), "\"api_calls\"") == 11); // ten frames, and the totals
+
+    const fs::path again = out.path / "again";
+    const Outcome replay =
+        shell(FFGPU_BINARY " replay " + capture + " --no-images -o " + again.string());
+    INFO(replay.text);
+    CHECK(replay.status == 0);
+}
+
+TEST_CASE("a program that never drew on ffgpu is told of") {
+    const Outcome run = ffgpu_run("-- /bin/true");
+    INFO(run.text);
+    CHECK(run.status == 0);
+    CHECK(run.text.find("/bin/true made no OpenGL context on ffgpu") != std::string::npos);
+}
+
+// `ffgpu run -- PROGRAM SECONDS`, which gets `signal` after a while; its wait status.
+int run_and_signal(const char* seconds, int signal) {
+    const pid_t process = ::fork();
+    if (process == 0) {
+        std::signal(SIGINT, SIG_DFL);
+        ::setpgid(0, 0);
+        ::execl(FFGPU_BINARY, FFGPU_BINARY, "run", "--", "sleep", seconds, nullptr);
+        std::_Exit(127);
+    }
+    ::usleep(500'000);
+    ::kill(process, signal);
+    int status = 0;
+    ::waitpid(process, &status, 0);
+    return status;
+}
+
+TEST_CASE("a signal sent to ffgpu alone reaches the program") {
+    const int status = run_and_signal("50", SIGINT);
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 128 + SIGINT);
+}
+
+TEST_CASE("the program ends where ffgpu was killed") {
+    const int status = run_and_signal("51.25", SIGKILL);
+    CHECK(WIFSIGNALED(status));
+    ::usleep(200'000);
+    CHECK(shell("pgrep -f '^sleep 51[.]25'").text.empty());
+}
+
+} // namespace
+} // namespace ffgpu

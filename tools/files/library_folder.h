@@ -1,0 +1,13 @@
+// Where the shared objects that belong to this program lie.
+
+#pragma once
+
+#include <filesystem>
+
+namespace ffgpu::tools {
+
+// The folder of the drop-in libraries and of what ffgpu loads on demand, in an installation or in
+// the build tree. Throws InputError where there is none.
+std::filesystem::path find_library_folder();
+
+} // namespace ffgpu::tools

@@ -1,0 +1,69 @@
+#include "tools/image/png_file.h"
+
+#include "model/base/input_error.h"
+#include "tools/files/whole_file.h"
+
+#include <array>
+#include <fstream>
+
+#include <png.h>
+
+namespace ffgpu::tools {
+namespace {
+
+constexpr std::size_t Rgba = 4;
+
+// libpng's control structure, freed in the end.
+struct Control : png_image {
+    Control()
+        : png_image{} {
+        version = PNG_IMAGE_VERSION;
+    }
+    ~Control() { png_image_free(this); }
+    Control(const Control&) = delete;
+    Control& operator=(const Control&) = delete;
+};
+
+} // namespace
+
+bool is_png(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::array<char, 8> signature{};
+    file.read(signature.data(), signature.size());
+    return file && png_sig_cmp(reinterpret_cast<png_const_bytep>(signature.data()),
+                               0,
+                               signature.size()) == 0;
+}
+
+Image read_png(const std::string& path) {
+    Control control;
+    const auto fail = [&] {
+        throw InputError(path + ": is a damaged PNG: " + std::string(control.message));
+    };
+    if (!png_image_begin_read_from_file(&control, path.c_str())) fail();
+    if (std::size_t{control.width} * control.height > MaxImagePixels)
+        throw InputError(path + ": its size is not that of a picture");
+    control.format = PNG_FORMAT_RGBA;
+    control.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
+    Image image(control.width, control.height);
+    std::vector<png_byte> pixels(Rgba * image.pixels());
+    if (!png_image_finish_read(&control, nullptr, pixels.data(), 0, nullptr)) fail();
+    for (std::size_t i = 0; i < image.pixels(); ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            image.rgb[3 * i + c] = pixels[Rgba * i + c];
+    return image;
+}
+
+void write_png(const std::string& path, const Image& image) {
+    WholeFile file(path);
+    Control control;
+    control.width = image.width;
+    control.height = image.height;
+    control.format = PNG_FORMAT_RGB;
+    control.flags = PNG_IMAGE_FLAG_FAST; // Writing must not take longer than drawing.
+    if (!png_image_write_to_stdio(&control, file.stream(), 0, image.rgb.data(), 0, nullptr))
+        throw InputError(path + ": cannot be written: " + std::string(control.message));
+    file.commit();
+}
+
+} // namespace ffgpu::tools
