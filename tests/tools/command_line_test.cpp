@@ -194,6 +194,21 @@ TEST_CASE("Threads, heat maps and timing change neither pictures nor the functio
     CHECK(run({"replay", file.path(), "-o", folder / "x", "--heatmap", "cycles"}) == 2);
 }
 
+TEST_CASE("--set takes one assignment, and leaves the input its place") {
+    const Folder folder;
+    const TemporaryFile file(trace::in_snappy(clears(1)));
+    CHECK(run({"replay", "-o", folder / "x", "--set", "gpu.tile_size=32", file.path()}) == 0);
+    CHECK(run({"replay", file.path(), "-o", folder / "x", "--set", "gpu.threads=1", "foo"}) == 2);
+}
+
+TEST_CASE("An empty file is a configuration without changes") {
+    const TemporaryFile file("", ".toml");
+    Configuration configuration;
+    read_config_file(file.path(), configuration);
+    CHECK(to_toml(configuration) == to_toml(Configuration{}));
+    CHECK_THROWS_AS(read_config_file("/no/such/file.toml", configuration), InputError);
+}
+
 TEST_CASE("compare measures, and fails above its limit") {
     const Folder folder;
     Image a(4, 2), b(4, 2);

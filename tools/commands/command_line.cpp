@@ -2,9 +2,13 @@
 
 #include "model/base/input_error.h"
 #include "tools/commands/commands.h"
+#include "tools/config/nearest_name.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <new>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -16,6 +20,25 @@ constexpr int Done = 0, BadInput = 2;
 int fail(const char* message) {
     std::fprintf(stderr, "ffgpu: %s\n", message);
     return BadInput;
+}
+
+// A first word that is no verb: CLI11 would only say that one is missing.
+void check_verb(const CLI::App& application, const char* word) {
+    if (word[0] == '-') return;
+    std::vector<std::string> verbs;
+    for (const CLI::App* const verb : application.get_subcommands({}))
+        verbs.push_back(verb->get_name());
+    if (std::find(verbs.begin(), verbs.end(), word) == verbs.end())
+        throw InputError("there is no verb '" + std::string(word) + "'; did you mean '" +
+                         nearest_name(word, verbs) + "'? (ffgpu --help lists the verbs)");
+}
+
+// CLI11 counts the "--" before a program among what it did not expect.
+std::string unexpected(const CLI::ExtrasError& error) {
+    std::string text = error.what();
+    const std::size_t dashes = text.find(": -- ");
+    if (dashes != std::string::npos) text.erase(dashes + 2, 3);
+    return text;
 }
 
 } // namespace
@@ -32,8 +55,11 @@ int run_command_line(int count, const char* const* arguments, const char* versio
     add_compare_command(application, run);
     add_config_command(application, run);
     try {
+        if (count > 1) check_verb(application, arguments[1]);
         application.parse(count, arguments);
         return run();
+    } catch (const CLI::ExtrasError& error) {
+        return fail((unexpected(error) + " (ffgpu --help lists the verbs)").c_str());
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == Done) return application.exit(error); // --help, --version
         return fail((std::string(error.what()) + " (ffgpu --help lists the verbs)").c_str());

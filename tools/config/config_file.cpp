@@ -161,9 +161,9 @@ std::string written(const Field& field, const ParameterInfo& info) {
 
 void read_config_file(const std::string& path, Configuration& configuration) {
     std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (!file || !(text << file.rdbuf())) throw InputError(path + ": cannot be read");
-    apply(parse(text.str(), path), path, configuration);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (!file.is_open() || file.bad()) throw InputError(path + ": cannot be read");
+    apply(parse(text, path), path, configuration);
 }
 
 void apply_setting(const std::string& setting, Configuration& configuration) {

@@ -30,9 +30,9 @@ bool is_png(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::array<char, 8> signature{};
     file.read(signature.data(), signature.size());
-    return file && png_sig_cmp(reinterpret_cast<png_const_bytep>(signature.data()),
-                               0,
-                               signature.size()) == 0;
+    return file &&
+           png_sig_cmp(reinterpret_cast<png_const_bytep>(signature.data()), 0, signature.size()) ==
+               0;
 }
 
 Image read_png(const std::string& path) {

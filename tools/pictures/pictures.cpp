@@ -39,8 +39,8 @@ bool read(const std::string& path, Image& image, std::string& why) {
 } // namespace
 } // namespace ffgpu::tools
 
-extern "C" __attribute__((visibility("default"))) bool ffgpu_read_picture(
-    const std::string& path, ffgpu::tools::Image& image, std::string& why) {
+extern "C" __attribute__((visibility("default"))) bool
+ffgpu_read_picture(const std::string& path, ffgpu::tools::Image& image, std::string& why) {
     try {
         return ffgpu::tools::read(path, image, why);
     } catch (const std::exception& error) {

@@ -45,7 +45,8 @@ void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {
     verb.add_option("--config", arguments.config, "Parameters; ffgpu config prints them")
         ->type_name("F.toml");
     verb.add_option("--set", arguments.settings, "Change a parameter: texel_cache.ways=8")
-        ->type_name("NAME=VALUE");
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false); // What follows the first is no other setting.
     verb.add_option("--threads", arguments.threads, "Threads that draw (gpu.threads)")
         ->type_name("N");
     verb.add_flag("--timing", arguments.timing, "Run the timing model: cycles, caches, memory");
