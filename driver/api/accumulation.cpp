@@ -2,10 +2,10 @@
 
 #include "driver/framebuffer/accumulation.h"
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/feedback/render_modes.h"
-#include "driver/pixel/read_target.h"
+#include "driver/images/read_target.h"
 
 namespace ffgpu::gl::api {
 namespace {

@@ -1,7 +1,7 @@
 // Saving and restoring state (GL 1.5, 6.1.14).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 
 namespace ffgpu::gl::api {
 

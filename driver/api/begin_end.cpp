@@ -1,7 +1,7 @@
 // glBegin and glEnd (GL 1.5, 2.6), and the restart within them (NV_primitive_restart).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/vertex/vertex_assembler.h"
 
 namespace ffgpu::gl::api {

@@ -1,11 +1,11 @@
 // glBitmap (GL 1.5, 3.7).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/feedback/render_modes.h"
-#include "driver/pixel/draw_buffers.h"
-#include "driver/pixel/draw_image.h"
-#include "driver/pixel/pixel_memory.h"
+#include "driver/images/draw_buffers.h"
+#include "driver/images/draw_image.h"
+#include "driver/images/pixel_memory.h"
 #include "model/device/limits.h"
 
 #include <cmath>

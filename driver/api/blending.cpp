@@ -1,7 +1,7 @@
 // Blending and logical operations (GL 1.5, 4.1.8 and 4.1.10).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/math/conversion.h"
 
 namespace ffgpu::gl::api {

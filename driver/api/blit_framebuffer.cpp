@@ -1,10 +1,10 @@
 // glBlitFramebuffer (EXT_framebuffer_blit, ARB_framebuffer_object).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
+#include "driver/images/blit.h"
 #include "driver/objects/device_block.h"
 #include "driver/objects/shared_objects.h"
-#include "driver/pixel/blit.h"
 
 namespace ffgpu::gl::api {
 namespace {

@@ -1,8 +1,8 @@
 // Buffer objects in the application's address space (GL 1.5, 2.9.1; ARB_map_buffer_range).
 
 #include "driver/api/buffer_target.h"
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 
 namespace ffgpu::gl::api {
 namespace {

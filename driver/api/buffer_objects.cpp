@@ -1,8 +1,8 @@
 // Buffer objects (GL 1.5, 2.9; ARB_pixel_buffer_object, ARB_copy_buffer).
 
 #include "driver/api/buffer_target.h"
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/objects/buffer_object.h"
 #include "driver/objects/shared_objects.h"
 

@@ -1,11 +1,12 @@
 // Clearing buffers (GL 1.5, 4.2.3).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/feedback/render_modes.h"
 #include "driver/framebuffer/accumulation.h"
 #include "driver/lower/fragment.h"
 #include "driver/math/conversion.h"
+#include "driver/pixel/rgba8.h"
 
 #include <algorithm>
 

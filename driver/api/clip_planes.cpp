@@ -1,7 +1,7 @@
 // User clip planes (GL 1.5, 2.12).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/math/matrix.h"
 
 namespace ffgpu::gl::api {

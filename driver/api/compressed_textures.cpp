@@ -1,10 +1,10 @@
 // Texture images in S3TC blocks (GL 1.5, 3.8.3; EXT_texture_compression_s3tc). The blocks go to the
 // device as they are.
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
-#include "driver/pixel/pixel_memory.h"
-#include "driver/texture/image_commands.h"
+#include "driver/images/image_commands.h"
+#include "driver/images/pixel_memory.h"
 
 #include <cstring>
 
@@ -70,7 +70,7 @@ void change_compressed(Context& context,
     if (part.size.empty()) return;
     const auto memory = source_memory(context, blocks.data, bytes, 1);
     if (!memory || !*memory) return;
-    write_texels(device_memory(context),
+    write_texels(context.device_memory(),
                  texture,
                  name,
                  box_of(image, *target, part),
@@ -189,7 +189,7 @@ void GetCompressedTexImage(Context& context, GLenum token, GLint level, void* im
     const std::size_t bytes = box_bytes(image.format.format, whole_box(image));
     const auto memory = destination_memory(context, img, bytes, 1);
     if (!memory || !*memory) return;
-    const auto blocks = read_texels(device_memory(context), texture, name, whole_box(image));
+    const auto blocks = read_texels(context.device_memory(), texture, name, whole_box(image));
     std::memcpy(*memory, blocks.data(), bytes);
 }
 

@@ -1,13 +1,13 @@
 // glCopyPixels (GL 1.5, 4.3.3): the framebuffer's pixels through pixel transfer and the fragment
 // pipe.
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/feedback/render_modes.h"
-#include "driver/pixel/draw_buffers.h"
-#include "driver/pixel/draw_image.h"
-#include "driver/pixel/read_target.h"
-#include "driver/texture/texel_codec.h"
+#include "driver/images/draw_buffers.h"
+#include "driver/images/draw_image.h"
+#include "driver/images/read_target.h"
+#include "driver/texel/texel_codec.h"
 
 #include <optional>
 

@@ -1,12 +1,12 @@
 // Texture images from the framebuffer (GL 1.5, 3.8.2). Where no pixel transfer changes them, the
 // device copies the pixels; else they take the way of glReadPixels and glTexSubImage.
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
-#include "driver/pixel/read_target.h"
-#include "driver/texture/block_codec.h"
-#include "driver/texture/image_commands.h"
-#include "driver/texture/texel_codec.h"
+#include "driver/images/image_commands.h"
+#include "driver/images/read_target.h"
+#include "driver/texel/block_codec.h"
+#include "driver/texel/texel_codec.h"
 
 namespace ffgpu::gl::api {
 namespace {
@@ -46,7 +46,7 @@ bool copy_on_device(Context& context, TextureObject& texture, ImageName name, co
     if (is_compressed(format) || (depth ? !keeps_depths(transfer) : !keeps_colors(transfer)))
         return false;
     if (is_red_alone(copy.source.format) && copy.source.format != format) return false;
-    const Surface destination = image_memory(device_memory(context), texture, name, copy.box.z);
+    const Surface destination = image_memory(context.device_memory(), texture, name, copy.box.z);
     if (destination.format == Format::None) return false;
     CommandStream commands;
     commands.add(CopyRectangleCommand{.source = copy.source,
@@ -106,14 +106,14 @@ void copy_texels(Context& context,
                  const PixelRectangle& asked,
                  const TexelBox& box) {
     // First, because the source may be another level of the texture, which then moves with it.
-    make_resident(device_memory(context), texture);
+    make_resident(context.device_memory(), texture);
     const InternalFormat format = texture.level(name.face, name.level).format;
     const auto source = find_source(context, format.base);
     if (!source) return;
     const Copy copy = clip_copy(*source, asked, box);
     if (copy.pixels.empty() || copy_on_device(context, texture, name, copy)) return;
     const auto pixels = read_surface(context.device(), copy.source, copy.pixels);
-    write_texels(device_memory(context),
+    write_texels(context.device_memory(),
                  texture,
                  name,
                  copy.box,
@@ -138,7 +138,7 @@ void copy_image(Context& context,
 
     TextureObject& texture = bound_texture(context, *target);
     const ImageName name{target->face, static_cast<unsigned>(definition.level)};
-    define_image(device_memory(context), texture, name, level_of(definition), {});
+    define_image(context.device_memory(), texture, name, level_of(definition), {});
     const PixelRectangle asked{x, y, definition.size.width, definition.size.height};
     copy_texels(context, texture, name, asked, whole_box(texture.level(name.face, name.level)));
     finish_image_change(context, texture, name, true);

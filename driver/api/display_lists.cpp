@@ -1,7 +1,8 @@
 // Display lists (GL 1.5, 5.4).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
+#include "driver/entry_points/list_player.h"
 #include "driver/lists/array_length.h"
 #include "driver/lists/list_compiler.h"
 #include "driver/objects/shared_objects.h"
@@ -71,14 +72,14 @@ void EndList(Context& context) {
 
 void CallList(Context& context, GLuint list) {
     if (list == 0) return context.error(GL_INVALID_VALUE);
-    context.lists().call(list);
+    call_list(context, list);
 }
 
 void CallLists(Context& context, GLsizei n, GLenum type, const void* lists) {
     if (list_name_bytes(type) == 0) return context.error(GL_INVALID_ENUM);
     if (n < 0) return context.error(GL_INVALID_VALUE);
     for (GLsizei i = 0; i < n; ++i)
-        context.lists().call(context.lists().base + list_offset(lists, type, i));
+        call_list(context, context.lists().base + list_offset(lists, type, i));
 }
 
 void ListBase(Context& context, GLuint base) {

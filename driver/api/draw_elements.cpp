@@ -1,7 +1,7 @@
 // The commands that draw from vertex arrays (GL 1.5, 2.8).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/vertex/array_draws.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // glEnable, glDisable, glIsEnabled. The client arrays' commands are with the arrays.
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/get/client_arrays.h"
 #include "driver/lower/color_material.h"
 #include "driver/state/capabilities.h"

@@ -1,7 +1,7 @@
 // The maps and grids of evaluators (GL 1.5, 5.1 and 6.1.3).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/evaluators/map_points.h"
 #include "driver/math/conversion.h"
 

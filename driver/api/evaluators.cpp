@@ -1,7 +1,7 @@
 // Evaluators: vertices on Bezier curves and surfaces (GL 1.5, 5.1).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/evaluators/evaluate_vertex.h"
 #include "driver/vertex/immediate_vertices.h"
 

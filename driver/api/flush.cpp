@@ -1,7 +1,7 @@
 // glFlush and glFinish (GL 1.5, 5.5).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 
 namespace ffgpu::gl::api {
 

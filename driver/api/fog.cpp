@@ -1,8 +1,8 @@
 // Fog (GL 1.5, 3.10), with NV_fog_distance.
 
 #include "driver/api/parameters.h"
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 
 namespace ffgpu::gl::api {
 namespace {

@@ -1,8 +1,8 @@
 // Per-fragment tests (GL 1.5, 4.1.2 to 4.1.6), with EXT_stencil_two_side, ATI_separate_stencil and
 // EXT_depth_bounds_test.
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/math/conversion.h"
 
 namespace ffgpu::gl::api {

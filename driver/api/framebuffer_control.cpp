@@ -1,7 +1,7 @@
 // Selecting buffers and masking writes (GL 1.5, 4.2.1, 4.2.2 and 4.3.2).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/framebuffer/drawable.h"
 #include "driver/objects/framebuffer_object.h"
 

@@ -1,8 +1,8 @@
 // Framebuffer objects: names, bindings, attachments (EXT_framebuffer_object, EXT_framebuffer_blit,
 // ARB_framebuffer_object).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/framebuffer/drawable.h"
 #include "driver/objects/framebuffer_object.h"
 #include "driver/objects/shared_objects.h"

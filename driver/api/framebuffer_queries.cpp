@@ -1,7 +1,7 @@
 // glGetFramebufferAttachmentParameter (EXT_framebuffer_object; ARB_framebuffer_object, table 6.28).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/framebuffer/drawable.h"
 #include "driver/objects/framebuffer_object.h"
 #include "driver/texture/texture_target.h"

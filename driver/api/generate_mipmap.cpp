@@ -1,8 +1,8 @@
 // glGenerateMipmap (EXT_framebuffer_object, 4.4.7; ARB_framebuffer_object).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
-#include "driver/texture/image_commands.h"
+#include "driver/images/image_commands.h"
 #include "driver/texture/mipmap.h"
 
 namespace ffgpu::gl::api {
@@ -36,7 +36,7 @@ void GenerateMipmap(Context& context, GLenum target) {
     if (texture.level(0, static_cast<unsigned>(base)).format.base == BaseFormat::DepthStencil)
         return context.error(GL_INVALID_OPERATION);
     for (unsigned face = 0; face < texture.faces(); ++face)
-        generate_mipmaps(device_memory(context), texture, face);
+        generate_mipmaps(context.device_memory(), texture, face);
     mark_textures(context);
 }
 

@@ -1,7 +1,7 @@
 // State queries (GL 1.5, 6.1.1, 6.1.2 and 6.1.11) and glGetError (2.5).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/feedback/render_modes.h"
 #include "driver/get/client_arrays.h"
 #include "driver/get/state_variable.h"

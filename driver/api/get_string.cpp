@@ -1,8 +1,8 @@
 // glGetString (GL 1.5, 6.1.11).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
 #include "driver/context/extensions.h"
-#include "driver/entry_points/declarations.h"
 
 namespace ffgpu::gl::api {
 namespace {

@@ -1,7 +1,7 @@
 // Hints (GL 1.5, 5.6).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 
 namespace ffgpu::gl::api {
 namespace {

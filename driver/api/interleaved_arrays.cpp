@@ -1,7 +1,7 @@
 // glInterleavedArrays (GL 1.5, 2.8, table 2.5).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 
 #include <array>
 

@@ -1,8 +1,8 @@
 // Lights and the light model (GL 1.5, 2.14.1 and 2.14.2), shade model (2.14.7).
 
 #include "driver/api/parameters.h"
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/math/matrix.h"
 
 #include <algorithm>

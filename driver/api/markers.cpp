@@ -1,7 +1,7 @@
 // Markers for debuggers (GREMEDY_string_marker): they change nothing.
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 
 namespace ffgpu::gl::api {
 

@@ -1,8 +1,8 @@
 // Materials (GL 1.5, 2.14.2), and their tracking of the current colour (2.14.3).
 
 #include "driver/api/parameters.h"
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/lower/color_material.h"
 #include "driver/vertex/immediate_vertices.h"
 

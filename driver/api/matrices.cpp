@@ -1,7 +1,7 @@
 // Matrices (GL 1.5, 2.11.2).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/math/matrix.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // glPixelStore (GL 1.5, 3.6.1).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/math/conversion.h"
 
 namespace ffgpu::gl::api {

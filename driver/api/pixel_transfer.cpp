@@ -1,10 +1,10 @@
 // glPixelTransfer, glPixelMap, glPixelZoom (GL 1.5, 3.6.3 and 3.6.5).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/context/limits.h"
-#include "driver/entry_points/declarations.h"
+#include "driver/images/pixel_memory.h"
+#include "driver/limits.h"
 #include "driver/math/conversion.h"
-#include "driver/pixel/pixel_memory.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,8 +1,8 @@
 // The polygon stipple (GL 1.5, 3.5.2): a bitmap of 32 by 32 in the application's memory, under the
 // pixel store's parameters.
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/objects/buffer_object.h"
 
 #include <cstdint>

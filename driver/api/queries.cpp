@@ -1,8 +1,8 @@
 // Occlusion queries (GL 1.5, 4.1.7 and 6.1.12).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/context/limits.h"
-#include "driver/entry_points/declarations.h"
+#include "driver/limits.h"
 #include "driver/objects/shared_objects.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The current raster position (GL 1.5, 2.13; window positions 2.13, MESA_window_pos).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/feedback/render_modes.h"
 #include "driver/raster_position/host_vertex.h"
 #include "driver/vertex/component.h"

@@ -1,9 +1,9 @@
 // Points, lines and polygons (GL 1.5, 3.3 to 3.5), multisampling (3.2.1).
 
 #include "driver/api/parameters.h"
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/context/limits.h"
-#include "driver/entry_points/declarations.h"
+#include "driver/limits.h"
 #include "driver/math/conversion.h"
 
 #include <algorithm>

@@ -1,12 +1,12 @@
 // glReadPixels (GL 1.5, 4.3.2).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
+#include "driver/images/pixel_memory.h"
+#include "driver/images/read_target.h"
 #include "driver/math/conversion.h"
 #include "driver/pixel/pixel_format.h"
-#include "driver/pixel/pixel_memory.h"
-#include "driver/pixel/read_target.h"
-#include "driver/texture/texel_codec.h"
+#include "driver/texel/texel_codec.h"
 
 #include <cstring>
 

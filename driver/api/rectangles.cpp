@@ -1,7 +1,7 @@
 // Rectangles (GL 1.5, 2.10): four vertices of a polygon at z = 0.
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/vertex/component.h"
 #include "driver/vertex/immediate_vertices.h"
 

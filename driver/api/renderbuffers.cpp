@@ -1,7 +1,7 @@
 // Renderbuffers (EXT_framebuffer_object, EXT_framebuffer_multisample, EXT_packed_depth_stencil).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/objects/framebuffer_object.h"
 #include "driver/objects/shared_objects.h"
 #include "driver/pixel/pixel_layout.h"

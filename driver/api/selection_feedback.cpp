@@ -1,9 +1,9 @@
 // Selection and feedback (GL 1.5, 5.2 and 5.3).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/context/limits.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/feedback/render_modes.h"
+#include "driver/limits.h"
 
 namespace ffgpu::gl::api {
 

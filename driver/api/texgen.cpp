@@ -1,8 +1,8 @@
 // glTexGen and glGetTexGen (GL 1.5, 2.11.4).
 
 #include "driver/api/parameters.h"
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/math/matrix.h"
 
 #include <array>

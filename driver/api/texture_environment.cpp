@@ -2,8 +2,8 @@
 // ATI_texture_env_combine3, NV_texture_env_combine4).
 
 #include "driver/api/parameters.h"
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // Defining texture images and parts of them from the application's pixels (GL 1.5, 3.8.1, 3.8.2).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
-#include "driver/pixel/pixel_memory.h"
-#include "driver/texture/image_commands.h"
+#include "driver/images/image_commands.h"
+#include "driver/images/pixel_memory.h"
 #include "driver/texture/image_upload.h"
 
 namespace ffgpu::gl::api {
@@ -58,7 +58,7 @@ void change_image_from(Context& context,
     const auto source = pixel_source(
         context, client.pixels, part.size, client.format, client.type, dimensions == 3);
     if (!source || !source->memory) return;
-    write_texels(device_memory(context),
+    write_texels(context.device_memory(),
                  texture,
                  name,
                  box_of(image, *target, part),

@@ -1,11 +1,11 @@
 // Names and bindings of textures, the active unit (GL 1.5, 2.7, 3.8.12).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
+#include "driver/images/image_commands.h"
 #include "driver/objects/framebuffer_object.h"
 #include "driver/objects/shared_objects.h"
 #include "driver/objects/texture_object.h"
-#include "driver/texture/image_commands.h"
 
 #include <algorithm>
 

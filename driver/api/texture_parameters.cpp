@@ -1,10 +1,10 @@
 // glTexParameter and glGetTexParameter (GL 1.5, 3.8.4, table 3.19).
 
 #include "driver/api/parameters.h"
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
+#include "driver/images/image_commands.h"
 #include "driver/objects/texture_object.h"
-#include "driver/texture/image_commands.h"
 
 #include <algorithm>
 #include <array>

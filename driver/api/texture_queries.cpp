@@ -1,10 +1,10 @@
 // Reading texture images and what is known of them (GL 1.5, 6.1.3 and 6.1.4).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
+#include "driver/images/image_commands.h"
+#include "driver/images/pixel_memory.h"
 #include "driver/pixel/pixel_format.h"
-#include "driver/pixel/pixel_memory.h"
-#include "driver/texture/image_commands.h"
 #include "driver/texture/image_upload.h"
 
 namespace ffgpu::gl::api {
@@ -145,7 +145,7 @@ void GetTexImage(
         pixel_destination(context, pixels, size, format, type, target->dimensions == 3);
     if (!destination || !destination->memory) return;
     destination->sums_luminance = false;
-    const auto texels = read_texels(device_memory(context), texture, name, whole_box(image));
+    const auto texels = read_texels(context.device_memory(), texture, name, whole_box(image));
     pack_texels(*destination, image.format, texels.data());
 }
 

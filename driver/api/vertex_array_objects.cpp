@@ -1,8 +1,8 @@
 // Vertex array objects (ARB_vertex_array_object, APPLE_vertex_array_object). They are the
 // context's own, not shared.
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 
 namespace ffgpu::gl::api {
 namespace {

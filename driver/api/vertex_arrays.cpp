@@ -1,7 +1,7 @@
 // Where vertex arrays lie, and which are in use (GL 1.5, 2.8).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/get/client_arrays.h"
 #include "driver/vertex/array_gather.h"
 

@@ -1,7 +1,7 @@
 // The commands that specify vertices and their attributes (GL 1.5, 2.7), in all their types.
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/vertex/component.h"
 #include "driver/vertex/vertex_assembler.h"
 

@@ -1,7 +1,7 @@
 // Controlling the viewport (GL 1.5, 2.11.1).
 
+#include "driver/commands/declarations.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/declarations.h"
 #include "driver/math/conversion.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "driver/context/attribute_stack.h"
 
 #include "driver/context/context.h"
-#include "driver/context/limits.h"
 #include "driver/context/saved_attributes.h"
+#include "driver/limits.h"
 #include "driver/lists/list_compiler.h"
 #include "driver/lower/color_material.h"
 #include "driver/objects/framebuffer_object.h"

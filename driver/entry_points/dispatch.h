@@ -6,8 +6,8 @@
 
 #include "driver/context/context.h"
 #include "driver/context/current.h"
+#include "driver/entry_points/compile.h"
 #include "driver/entry_points/execute.h"
-#include "driver/lists/compile.h"
 
 #include <new>
 #include <type_traits>

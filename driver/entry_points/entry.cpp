@@ -1,6 +1,6 @@
 #include "driver/entry_points/entry.h"
 
-#include "driver/entry_points/declarations.h"
+#include "driver/commands/declarations.h"
 #include "driver/entry_points/dispatch.h"
 
 namespace ffgpu::gl::entry {
@@ -16,7 +16,7 @@ namespace ffgpu::gl::entry {
     result name parameters noexcept {                                                              \
         return target arguments;                                                                   \
     }
-#include "driver/entry_points/commands.inc"
+#include "driver/commands/commands.inc"
 #undef GL_COMMAND
 #undef GL_ALIAS
 

@@ -11,7 +11,7 @@ namespace ffgpu::gl::entry {
 #define GL_COMMAND(result, name, parameters, arguments, command_class)                             \
     result name parameters noexcept;
 #define GL_ALIAS(result, name, parameters, arguments, target) result name parameters noexcept;
-#include "driver/entry_points/commands.inc"
+#include "driver/commands/commands.inc"
 #undef GL_COMMAND
 #undef GL_ALIAS
 

@@ -6,8 +6,8 @@
 
 #pragma once
 
+#include "driver/commands/command.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/command.h"
 
 #include <type_traits>
 

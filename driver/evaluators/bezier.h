@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "driver/context/limits.h"
+#include "driver/limits.h"
 #include "driver/state/evaluator_state.h"
 #include "model/device/registers/geometry.h"
 

@@ -1,8 +1,8 @@
 #include "driver/evaluators/evaluate_vertex.h"
 
-#include "driver/context/context.h"
 #include "driver/evaluators/bezier.h"
 #include "driver/vertex/immediate_vertices.h"
+#include "driver/vertex/vertex_context.h"
 
 #include <optional>
 
@@ -56,7 +56,7 @@ private:
 
 class Evaluation {
 public:
-    Evaluation(Context& context, const Maps& maps, const Enables& enables, float u, float v)
+    Evaluation(VertexContext& context, const Maps& maps, const Enables& enables, float u, float v)
         : context_(context)
         , maps_(maps)
         , enables_(enables)
@@ -101,7 +101,7 @@ private:
         return evaluate(map, MapComponents[name], bernstein(map.u, u_), bernstein(map.v, v_));
     }
 
-    Context& context_;
+    VertexContext& context_;
     const Maps& maps_;
     const Enables& enables_;
     float u_, v_;
@@ -109,12 +109,12 @@ private:
 
 } // namespace
 
-void evaluate_vertex_1(Context& context, float u) {
+void evaluate_vertex_1(VertexContext& context, float u) {
     const EvaluatorState& state = context.state.evaluator;
     Evaluation(context, state.map1, state.settings.map1_enable, u, 0).emit(false);
 }
 
-void evaluate_vertex_2(Context& context, float u, float v) {
+void evaluate_vertex_2(VertexContext& context, float u, float v) {
     const EvaluatorState& state = context.state.evaluator;
     Evaluation(context, state.map2, state.settings.map2_enable, u, v)
         .emit(state.settings.auto_normal);

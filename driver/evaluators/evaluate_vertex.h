@@ -6,10 +6,10 @@
 
 namespace ffgpu::gl {
 
-class Context;
+class VertexContext;
 
-void evaluate_vertex_1(Context& context, float u);
-void evaluate_vertex_2(Context& context, float u, float v);
+void evaluate_vertex_1(VertexContext& context, float u);
+void evaluate_vertex_2(VertexContext& context, float u, float v);
 
 // Parameters of the grid's line i (glMapGrid).
 struct EvaluatorGrid;

@@ -2,8 +2,8 @@
 
 #pragma once
 
-#include "driver/context/limits.h"
 #include "driver/gl_types.h"
+#include "driver/limits.h"
 #include "driver/state/evaluator_state.h"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "driver/feedback/render_modes.h"
 
-#include "driver/context/context.h"
+#include "driver/device_context/device_context.h"
 #include "driver/objects/shared_objects.h"
 
 #include <bit>

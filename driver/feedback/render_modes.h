@@ -13,11 +13,11 @@
 
 namespace ffgpu::gl {
 
-class Context;
+class DeviceContext;
 
 class RenderModes {
 public:
-    explicit RenderModes(Context& context)
+    explicit RenderModes(DeviceContext& context)
         : context_(context) {}
 
     GLenum mode() const { return mode_; }
@@ -40,7 +40,7 @@ private:
     bool run(DrawCommand draw);
     void read_records(std::span<const std::uint32_t> words);
 
-    Context& context_;
+    DeviceContext& context_;
     GLenum mode_ = GL_RENDER;
     DeviceBlock records_;
     std::vector<std::uint32_t> words_;

@@ -1,9 +1,9 @@
 // Framebuffer control, its objects and its formats (GL 1.5, state tables 6.20, 6.21 and 6.33).
 
 #include "driver/context/context.h"
-#include "driver/context/limits.h"
 #include "driver/framebuffer/drawable.h"
 #include "driver/get/state_variable.h"
+#include "driver/limits.h"
 #include "driver/objects/framebuffer_object.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 // Sizes of the implementation (GL 1.5, state tables 6.31 to 6.33).
 
-#include "driver/context/limits.h"
+#include "driver/limits.h"
 
 #include "driver/context/context.h"
 #include "driver/get/state_variable.h"

@@ -1,8 +1,8 @@
 // Rasterization and multisampling (GL 1.5, state tables 6.11 and 6.12).
 
 #include "driver/context/context.h"
-#include "driver/context/limits.h"
 #include "driver/get/state_variable.h"
+#include "driver/limits.h"
 
 #include <array>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "driver/entry_points/command.h"
+#include "driver/commands/command.h"
 #include "driver/gl_types.h"
 
 #include <cstdint>
@@ -75,7 +75,7 @@ struct ArrayLength {
         static constexpr bool Known = true;                                                        \
         static constexpr std::int64_t count parameters { return elements; }                        \
     };
-#include "driver/entry_points/array_lengths.inc"
+#include "driver/commands/array_lengths.inc"
 #undef GL_ARRAYS
 #pragma GCC diagnostic pop
 

@@ -1,9 +1,9 @@
 #include "driver/lists/block_draw.h"
 
-#include "driver/context/context.h"
 #include "driver/objects/shared_objects.h"
 #include "driver/vertex/draw_path.h"
 #include "driver/vertex/immediate_vertices.h"
+#include "driver/vertex/vertex_context.h"
 
 #include <algorithm>
 
@@ -28,7 +28,7 @@ std::vector<float> complete_words(const VertexBlock& block, const CurrentState& 
     return words;
 }
 
-bool make_resident(Context& context, VertexBlock& block) {
+bool make_resident(VertexContext& context, VertexBlock& block) {
     if (block.memory) return true;
     const auto bytes = std::as_bytes(std::span(block.words));
     block.memory = DeviceBlock::allocate(context.shared().memory, bytes.size());
@@ -39,7 +39,7 @@ bool make_resident(Context& context, VertexBlock& block) {
 
 // Call by call: within a glBegin outside of the list (an error, but for its vertices), or if the
 // block does not fit into the device's memory.
-void replay(Context& context, const VertexBlock& block) {
+void replay(VertexContext& context, const VertexBlock& block) {
     const std::vector<float> words = complete_words(block, context.state.current);
     VertexAssembler& to = context.immediate();
     const auto value = [&](std::size_t vertex, VertexElement element) {
@@ -69,7 +69,7 @@ void replay(Context& context, const VertexBlock& block) {
 
 } // namespace
 
-void execute_block(Context& context, VertexBlock& block) {
+void execute_block(VertexContext& context, VertexBlock& block) {
     if (block.is_array_draw && context.fails_inside_begin()) return;
     if (block.primitives.empty()) return;
     if (context.vertex_phase == VertexPhase::Inside) return replay(context, block);

@@ -6,8 +6,8 @@
 
 namespace ffgpu::gl {
 
-class Context;
+class VertexContext;
 
-void execute_block(Context& context, VertexBlock& block);
+void execute_block(VertexContext& context, VertexBlock& block);
 
 } // namespace ffgpu::gl

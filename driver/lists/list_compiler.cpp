@@ -1,34 +1,14 @@
 #include "driver/lists/list_compiler.h"
 
-#include "driver/context/context.h"
-#include "driver/context/limits.h"
-#include "driver/lists/player.h"
 #include "driver/objects/shared_objects.h"
 #include "driver/vertex/immediate_vertices.h"
+#include "driver/vertex/vertex_context.h"
 
 namespace ffgpu::gl {
 
-namespace {
-
-class NestingLevel {
-public:
-    explicit NestingLevel(unsigned& depth)
-        : depth_(depth) {
-        ++depth_;
-    }
-    ~NestingLevel() { --depth_; }
-    NestingLevel(const NestingLevel&) = delete;
-    NestingLevel& operator=(const NestingLevel&) = delete;
-
-private:
-    unsigned& depth_;
-};
-
-} // namespace
-
-ListVerticesInPlace::ListVerticesInPlace(Context& context)
+ListVerticesInPlace::ListVerticesInPlace(VertexContext& context, ListVertices& vertices)
     : context_(context) {
-    context.redirect_vertices(context.lists().vertices());
+    context.redirect_vertices(vertices);
 }
 
 ListVerticesInPlace::~ListVerticesInPlace() {
@@ -49,14 +29,6 @@ void ListCompiler::end() {
     context_.shared().lists.set(name_, std::move(list_));
     list_ = nullptr;
     name_ = 0;
-}
-
-void ListCompiler::call(GLuint name) {
-    if (depth_ >= MaxListNesting) return;
-    const std::shared_ptr<DisplayList> list = context_.shared().lists.share(name);
-    if (!list) return;
-    const NestingLevel level(depth_);
-    play_records(context_, list->code);
 }
 
 } // namespace ffgpu::gl

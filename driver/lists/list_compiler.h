@@ -1,4 +1,4 @@
-// ListCompiler: glNewList ... glEndList, and the execution of what they recorded (GL 1.5, 5.4).
+// ListCompiler: glNewList ... glEndList (GL 1.5, 5.4).
 
 #pragma once
 
@@ -10,11 +10,11 @@
 
 namespace ffgpu::gl {
 
-class Context;
+class VertexContext;
 
 class ListCompiler {
 public:
-    explicit ListCompiler(Context& context)
+    explicit ListCompiler(VertexContext& context)
         : context_(context) {}
 
     bool compiling() const { return list_ != nullptr; }
@@ -34,31 +34,27 @@ public:
         return list_->code;
     }
 
-    // Executes a list; does nothing if there is none of this name, or if lists are nested too
-    // deeply.
-    void call(GLuint name);
-
-    GLuint base = 0; // glListBase
+    GLuint base = 0;      // glListBase
+    unsigned nesting = 0; // of lists in execution
 
 private:
-    Context& context_;
+    VertexContext& context_;
     std::shared_ptr<DisplayList> list_; // being compiled
     GLuint name_ = 0;
     GLenum mode_ = GL_COMPILE;
     ListVertices vertices_;
-    unsigned depth_ = 0; // of lists in execution
 };
 
 // While it lives, the commands of vertices act on the list that is being compiled.
 class ListVerticesInPlace {
 public:
-    explicit ListVerticesInPlace(Context& context);
+    ListVerticesInPlace(VertexContext& context, ListVertices& vertices);
     ~ListVerticesInPlace();
     ListVerticesInPlace(const ListVerticesInPlace&) = delete;
     ListVerticesInPlace& operator=(const ListVerticesInPlace&) = delete;
 
 private:
-    Context& context_;
+    VertexContext& context_;
 };
 
 } // namespace ffgpu::gl

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "driver/entry_points/command.h"
+#include "driver/commands/command.h"
 
 #include <cstddef>
 #include <cstdint>

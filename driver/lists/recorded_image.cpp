@@ -1,6 +1,6 @@
 #include "driver/lists/recorded_image.h"
 
-#include "driver/context/context.h"
+#include "driver/device_context/device_context.h"
 #include "driver/objects/buffer_object.h"
 #include "driver/pixel/pixel_format.h"
 
@@ -10,13 +10,13 @@
 
 namespace ffgpu::gl {
 
-const std::byte* unpack_source(Context& context, const void* data, std::size_t bytes) {
+const std::byte* unpack_source(DeviceContext& context, const void* data, std::size_t bytes) {
     const auto& buffer = context.client.buffers.pixel_unpack;
     if (!buffer) return static_cast<const std::byte*>(data);
     return buffer->mapped ? nullptr : buffer->at(reinterpret_cast<std::size_t>(data), bytes);
 }
 
-ImageCopy plan_image_copy(Context& context, const ImageArguments& image, const void* pixels) {
+ImageCopy plan_image_copy(DeviceContext& context, const ImageArguments& image, const void* pixels) {
     ImageCopy copy;
     if (image.size.empty() || format_type_error(image.format, image.type) != GL_NO_ERROR)
         return copy;
@@ -49,7 +49,7 @@ void record_image(RecordWriter& record, const ImageCopy& copy) {
     }
 }
 
-RecordedUnpack::RecordedUnpack(Context& context, const PixelStore& store)
+RecordedUnpack::RecordedUnpack(DeviceContext& context, const PixelStore& store)
     : context_(context)
     , store_(std::exchange(context.client.pixel_store.unpack, store))
     , buffer_(std::exchange(context.client.buffers.pixel_unpack, nullptr)) {}

@@ -12,7 +12,7 @@
 
 namespace ffgpu::gl {
 
-class Context;
+class DeviceContext;
 
 // The pixel store that describes the copy, and the copy, into `record`. An image that GL would
 // refuse becomes a null pointer: the command is refused when it is executed.
@@ -23,22 +23,22 @@ struct ImageCopy {
     std::size_t rows = 0, images = 0;
     const std::byte* pixels = nullptr; // null: there is no image
 };
-ImageCopy plan_image_copy(Context& context, const ImageArguments& image, const void* pixels);
+ImageCopy plan_image_copy(DeviceContext& context, const ImageArguments& image, const void* pixels);
 void record_image(RecordWriter& record, const ImageCopy& copy);
 
 // `bytes` at `data`, an offset where an unpack buffer is bound; null if they do not lie in it.
-const std::byte* unpack_source(Context& context, const void* data, std::size_t bytes);
+const std::byte* unpack_source(DeviceContext& context, const void* data, std::size_t bytes);
 
 // While a recorded command is executed, images lie as the record says, in no buffer.
 class RecordedUnpack {
 public:
-    RecordedUnpack(Context& context, const PixelStore& store);
+    RecordedUnpack(DeviceContext& context, const PixelStore& store);
     ~RecordedUnpack();
     RecordedUnpack(const RecordedUnpack&) = delete;
     RecordedUnpack& operator=(const RecordedUnpack&) = delete;
 
 private:
-    Context& context_;
+    DeviceContext& context_;
     PixelStore store_;
     std::shared_ptr<BufferObject> buffer_;
 };

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "driver/state/texture_state.h"
-#include "driver/texture/internal_format.h"
+#include "driver/texel/internal_format.h"
 #include "model/device/registers/texture.h"
 
 #include <array>

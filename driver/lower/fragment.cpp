@@ -1,6 +1,7 @@
 #include "driver/lower/fragment.h"
 
 #include "driver/math/conversion.h"
+#include "driver/pixel/rgba8.h"
 #include "model/device/limits.h"
 
 #include <algorithm>
@@ -120,13 +121,6 @@ BlendEquation lower_equation(GLenum equation) {
 constexpr unsigned AllSamples = (1u << MaxSamples) - 1;
 
 } // namespace
-
-std::uint32_t pack_rgba8(const Vec4& color) {
-    std::uint32_t packed = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        packed |= unorm(static_cast<double>(color[i]), 8) << (8 * i);
-    return packed;
-}
 
 Fog lower_fog(const FogState& gl) {
     if (!gl.enable) return {};

@@ -26,7 +26,4 @@ DepthControl lower_depth(const DepthState& gl, DepthTarget target);
 Multisample lower_multisample(const MultisampleState& gl);
 Blend lower_blend(const BlendState& gl, const std::array<bool, 4>& color_mask);
 
-// A colour in [0, 1] as rgba8, red in the lowest byte.
-std::uint32_t pack_rgba8(const Vec4& color);
-
 } // namespace ffgpu::gl

@@ -1,6 +1,6 @@
 #include "driver/lower/primitive.h"
 
-#include "driver/context/limits.h"
+#include "driver/limits.h"
 
 #include <algorithm>
 

@@ -93,7 +93,7 @@ bool is_depth(BaseFormat format) {
 
 } // namespace
 
-BaseFormat sampled_format(TextureObject& texture) {
+BaseFormat sampled_format(const TextureObject& texture) {
     const BaseFormat format = texture.chain().base_format;
     if (!is_depth(format)) return format;
     switch (texture.parameters.depth_mode) {
@@ -106,7 +106,7 @@ BaseFormat sampled_format(TextureObject& texture) {
     }
 }
 
-Sampler lower_sampler(TextureObject& texture, float unit_lod_bias) {
+Sampler lower_sampler(const TextureObject& texture, float unit_lod_bias) {
     const TextureParameters& gl = texture.parameters;
     const TextureChain& chain = texture.chain();
 

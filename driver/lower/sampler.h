@@ -7,9 +7,9 @@
 
 namespace ffgpu::gl {
 
-Sampler lower_sampler(TextureObject& texture, float unit_lod_bias);
+Sampler lower_sampler(const TextureObject& texture, float unit_lod_bias);
 
 // What the texture environment sees: depth textures are read as their depth mode says.
-BaseFormat sampled_format(TextureObject& texture);
+BaseFormat sampled_format(const TextureObject& texture);
 
 } // namespace ffgpu::gl

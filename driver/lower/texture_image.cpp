@@ -2,14 +2,7 @@
 
 namespace ffgpu::gl {
 
-TextureObject* texture_in_force(const TextureUnit& unit) {
-    for (std::size_t target = TextureTargets; target-- > 0;) {
-        if (unit.enabled[target]) return unit.bound[target].get();
-    }
-    return nullptr;
-}
-
-TextureImage lower_texture_image(TextureObject& texture) {
+TextureImage lower_texture_image(const TextureObject& texture) {
     const TextureChain& chain = texture.chain();
     const TextureObject::Resident& resident = texture.resident;
     const unsigned skipped = chain.base - resident.root; // Levels larger than the base level.

@@ -7,10 +7,7 @@
 
 namespace ffgpu::gl {
 
-// Of the enabled targets of a unit the one of the highest precedence (GL 1.5, 3.8.15). Null: none.
-TextureObject* texture_in_force(const TextureUnit& unit);
-
 // The texture must be resident (driver/texture/residency.h).
-TextureImage lower_texture_image(TextureObject& texture);
+TextureImage lower_texture_image(const TextureObject& texture);
 
 } // namespace ffgpu::gl

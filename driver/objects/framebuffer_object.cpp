@@ -1,9 +1,5 @@
 #include "driver/objects/framebuffer_object.h"
 
-#include "driver/context/context.h"
-#include "driver/objects/shared_objects.h"
-#include "driver/texture/residency.h"
-
 #include <algorithm>
 
 namespace ffgpu::gl {
@@ -53,15 +49,6 @@ bool share_samples(const FramebufferObject& framebuffer) {
     };
     return std::ranges::all_of(framebuffer.colors, is_same) && is_same(framebuffer.depth) &&
            is_same(framebuffer.stencil);
-}
-
-Surface surface_of(Context& context, const Attachment& attachment) {
-    if (attachment.renderbuffer) return attachment.renderbuffer->surface();
-    if (!attachment.texture) return {};
-    return image_surface({context.device(), context.shared().memory},
-                         *attachment.texture,
-                         {attachment.face, attachment.level},
-                         attachment.layer);
 }
 
 const TextureLevel& level_of(const Attachment& attachment) {
@@ -145,23 +132,6 @@ GLenum framebuffer_status(const FramebufferObject& framebuffer) {
     if (!is_supported(depth) || !is_supported(stencil) || !share_surface(depth, stencil))
         return GL_FRAMEBUFFER_UNSUPPORTED;
     return GL_FRAMEBUFFER_COMPLETE;
-}
-
-Surface color_surface(Context& context, const FramebufferObject& framebuffer, GLenum buffer) {
-    const GLuint index = buffer - GL_COLOR_ATTACHMENT0;
-    return index < MaxColorAttachments ? surface_of(context, framebuffer.colors[index]) : Surface{};
-}
-
-Surface depth_surface(Context& context, const FramebufferObject& framebuffer) {
-    return surface_of(context, framebuffer.depth ? framebuffer.depth : framebuffer.stencil);
-}
-
-Targets framebuffer_targets(Context& context, const FramebufferObject& framebuffer) {
-    Targets targets;
-    for (unsigned i = 0; i < ColorTargets; ++i)
-        targets.color[i] = color_surface(context, framebuffer, framebuffer.draw_buffers[i]);
-    targets.depth = depth_surface(context, framebuffer);
-    return targets;
 }
 
 bool has_depth(const FramebufferObject& framebuffer) {

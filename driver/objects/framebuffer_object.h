@@ -7,14 +7,11 @@
 #include "driver/objects/renderbuffer.h"
 #include "driver/objects/texture_object.h"
 #include "driver/state/framebuffer_state.h"
-#include "model/device/registers/fragment.h"
 
 #include <array>
 #include <memory>
 
 namespace ffgpu::gl {
-
-class Context;
 
 constexpr unsigned MaxColorAttachments = 8;
 
@@ -56,14 +53,6 @@ struct FramebufferObject {
 // GL_FRAMEBUFFER_COMPLETE, or why it is not. Images of different sizes go together, as in
 // ARB_framebuffer_object.
 GLenum framebuffer_status(const FramebufferObject& framebuffer);
-
-// The surfaces behind a complete framebuffer object: what its draw buffers select, and depth.
-// Textures become resident. Format None: not attached.
-Targets framebuffer_targets(Context& context, const FramebufferObject& framebuffer);
-
-// Of one colour attachment; of the depth or stencil attachment.
-Surface color_surface(Context& context, const FramebufferObject& framebuffer, GLenum buffer);
-Surface depth_surface(Context& context, const FramebufferObject& framebuffer);
 
 // Which of a Depth24Stencil8 surface's parts are attached: tests and writes of the other are off.
 bool has_depth(const FramebufferObject& framebuffer);

@@ -4,7 +4,7 @@
 
 #include "driver/gl_types.h"
 #include "driver/objects/device_block.h"
-#include "driver/texture/internal_format.h"
+#include "driver/texel/internal_format.h"
 #include "model/device/registers/fragment.h"
 
 namespace ffgpu::gl {

@@ -1,6 +1,6 @@
 #include "driver/objects/texture_object.h"
 
-#include "driver/texture/completeness.h"
+#include "driver/objects/completeness.h"
 
 namespace ffgpu::gl {
 
@@ -14,7 +14,7 @@ TextureObject::TextureObject(GLuint name, TextureTarget target)
     }
 }
 
-const TextureChain& TextureObject::chain() {
+const TextureChain& TextureObject::chain() const {
     if (!chain_known_) {
         chain_ = find_chain(*this);
         chain_known_ = true;

@@ -11,7 +11,7 @@
 #include "driver/gl_types.h"
 #include "driver/objects/device_block.h"
 #include "driver/state/texture_state.h"
-#include "driver/texture/internal_format.h"
+#include "driver/texel/internal_format.h"
 #include "model/device/limits.h"
 #include "model/device/texture_layout.h"
 
@@ -83,7 +83,7 @@ public:
 
     // To be called after a change of levels' definitions or of parameters.
     void changed() { chain_known_ = resident_is_current_ = false; }
-    const TextureChain& chain(); // computed when something changed
+    const TextureChain& chain() const; // computed when something changed
 
     // Where the resident levels are: `shape` has those from `root` on.
     struct Resident {
@@ -99,8 +99,8 @@ private:
     GLuint name_;
     TextureTarget target_;
     std::vector<std::array<TextureLevel, MaxTextureLevels>> levels_; // by face
-    TextureChain chain_;
-    bool chain_known_ = false;
+    mutable TextureChain chain_;
+    mutable bool chain_known_ = false;
     bool resident_is_current_ = false;
 };
 

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "driver/context/dirty.h"
 #include "driver/gl_types.h"
+#include "driver/state/dirty.h"
 #include "driver/state/state.h"
 
 #include <span>

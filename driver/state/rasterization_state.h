@@ -13,7 +13,7 @@ struct PointState { // GL_POINT_BIT
     bool smooth = false;
     float size = 1;
     float size_min = 0;
-    float size_max = 256; // MaxPointSize of driver/context/limits.h
+    float size_max = 256; // MaxPointSize of driver/limits.h
     float fade_threshold = 1;
     std::array<float, 3> attenuation{1, 0, 0}; // constant, linear, quadratic
     bool sprite = false;                       // ARB_point_sprite; GL_COORD_REPLACE is a unit's

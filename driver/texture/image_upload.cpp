@@ -1,8 +1,8 @@
 #include "driver/texture/image_upload.h"
 
 #include "driver/pixel/pixel_format.h"
-#include "driver/texture/block_codec.h"
-#include "driver/texture/texel_codec.h"
+#include "driver/texel/block_codec.h"
+#include "driver/texel/texel_codec.h"
 
 #include <cstring>
 

@@ -4,7 +4,7 @@
 
 #include "driver/pixel/pack.h"
 #include "driver/pixel/unpack.h"
-#include "driver/texture/internal_format.h"
+#include "driver/texel/internal_format.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "driver/texture/mipmap.h"
 
-#include "driver/texture/block_codec.h"
-#include "driver/texture/texel_codec.h"
+#include "driver/texel/block_codec.h"
+#include "driver/texel/texel_codec.h"
 #include "model/arith/srgb.h"
 
 #include <algorithm>

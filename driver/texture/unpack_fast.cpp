@@ -1,8 +1,8 @@
 // Uploads of bytes: most textures of most programs.
 
 #include "driver/pixel/pixel_format.h"
+#include "driver/texel/texel_codec.h"
 #include "driver/texture/image_upload.h"
-#include "driver/texture/texel_codec.h"
 
 #include <cstring>
 

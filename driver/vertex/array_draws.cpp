@@ -1,12 +1,12 @@
 #include "driver/vertex/array_draws.h"
 
-#include "driver/context/context.h"
 #include "driver/objects/buffer_object.h"
 #include "driver/vertex/array_gather.h"
 #include "driver/vertex/draw_path.h"
 #include "driver/vertex/immediate_vertices.h"
 #include "driver/vertex/index_reader.h"
 #include "driver/vertex/primitive_cut.h"
+#include "driver/vertex/vertex_context.h"
 
 #include <algorithm>
 #include <vector>
@@ -31,7 +31,7 @@ void feed(VertexAssembler& to, const VertexFormat& format, const float* vertex) 
     }
 }
 
-bool is_compiling(Context& context) {
+bool is_compiling(VertexContext& context) {
     return &context.vertices() != &context.immediate();
 }
 
@@ -40,7 +40,7 @@ bool is_compiling(Context& context) {
 // 2.8 leaves them undefined, and programs that draw one thing without normals rely on the normal
 // not being the last of another thing's array. (List blocks of array draws set none, either.)
 template <class IndexAt>
-void feed_primitive(Context& context,
+void feed_primitive(VertexContext& context,
                     const ArrayGather& arrays,
                     GLenum mode,
                     std::uint32_t count,
@@ -61,7 +61,7 @@ void feed_primitive(Context& context,
     context.state.current = before;
 }
 
-bool can_draw(Context& context, const ArrayGather& arrays, GLenum mode, GLsizei count) {
+bool can_draw(VertexContext& context, const ArrayGather& arrays, GLenum mode, GLsizei count) {
     if (mode > GL_POLYGON) return context.error(GL_INVALID_ENUM), false;
     if (count < 0) return context.error(GL_INVALID_VALUE), false;
     if (context.fails_inside_begin()) return false;
@@ -70,7 +70,7 @@ bool can_draw(Context& context, const ArrayGather& arrays, GLenum mode, GLsizei 
 }
 
 // Index lists that name few vertices far apart are drawn without indices.
-void draw_indexed(Context& context,
+void draw_indexed(VertexContext& context,
                   const ArrayGather& arrays,
                   GLenum mode,
                   std::span<std::uint32_t> indices) {
@@ -103,7 +103,7 @@ void draw_indexed(Context& context,
 
 } // namespace
 
-void draw_arrays(Context& context, GLenum mode, GLint first, GLsizei count) {
+void draw_arrays(VertexContext& context, GLenum mode, GLint first, GLsizei count) {
     const ArrayGather arrays(*context.client.arrays.object);
     if (first < 0) return context.error(GL_INVALID_VALUE);
     if (!can_draw(context, arrays, mode, count)) return;
@@ -124,7 +124,7 @@ void draw_arrays(Context& context, GLenum mode, GLint first, GLsizei count) {
     path.draw({arrays.format(), words, {&whole, 1}});
 }
 
-void draw_elements(Context& context,
+void draw_elements(VertexContext& context,
                    GLenum mode,
                    GLsizei count,
                    GLenum type,
@@ -153,7 +153,7 @@ void draw_elements(Context& context,
     }
 }
 
-void array_element(Context& context, GLint i) {
+void array_element(VertexContext& context, GLint i) {
     const VertexArrayState& state = context.client.arrays;
     const auto element = static_cast<std::uint32_t>(i);
     if (state.primitive_restart && element == state.restart_index)

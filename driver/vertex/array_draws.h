@@ -10,16 +10,16 @@
 
 namespace ffgpu::gl {
 
-class Context;
+class VertexContext;
 
 // All three report their errors. `indices` is an offset where an element buffer is bound.
-void draw_arrays(Context& context, GLenum mode, GLint first, GLsizei count);
-void draw_elements(Context& context,
+void draw_arrays(VertexContext& context, GLenum mode, GLint first, GLsizei count);
+void draw_elements(VertexContext& context,
                    GLenum mode,
                    GLsizei count,
                    GLenum type,
                    const void* indices,
                    GLint base_vertex = 0);
-void array_element(Context& context, GLint i);
+void array_element(VertexContext& context, GLint i);
 
 } // namespace ffgpu::gl

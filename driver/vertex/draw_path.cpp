@@ -1,14 +1,14 @@
 #include "driver/vertex/draw_path.h"
 
-#include "driver/context/context.h"
 #include "driver/feedback/render_modes.h"
 #include "driver/objects/shared_objects.h"
+#include "driver/vertex/vertex_context.h"
 
 #include <algorithm>
 
 namespace ffgpu::gl {
 
-DrawPath::DrawPath(Context& context)
+DrawPath::DrawPath(VertexContext& context)
     : context_(context)
     , ring_(context.shared().memory) {}
 

@@ -13,11 +13,11 @@
 
 namespace ffgpu::gl {
 
-class Context;
+class VertexContext;
 
 class DrawPath {
 public:
-    explicit DrawPath(Context& context);
+    explicit DrawPath(VertexContext& context);
 
     // The most words of a run, and of its indices, that draw() takes.
     std::size_t max_words();
@@ -40,7 +40,7 @@ private:
     bool prepare(const VertexFormat& format);
     void submit();
 
-    Context& context_;
+    VertexContext& context_;
     VertexRing ring_;
     std::vector<float> scratch_;
     std::vector<std::uint32_t> index_scratch_;

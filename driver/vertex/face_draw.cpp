@@ -1,8 +1,8 @@
 #include "driver/vertex/face_draw.h"
 
-#include "driver/context/context.h"
 #include "driver/math/matrix.h"
 #include "driver/vertex/draw_path.h"
+#include "driver/vertex/vertex_context.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ double determinant(const Vec4& a, const Vec4& b, const Vec4& c) {
 
 class FaceDraw {
 public:
-    FaceDraw(Context& context, const VertexFormat& format, const std::vector<float>& words)
+    FaceDraw(VertexContext& context, const VertexFormat& format, const std::vector<float>& words)
         : context_(context)
         , format_(format)
         , words_(words)
@@ -103,7 +103,7 @@ private:
         return context_.registers.wanted.primitive.front_is_clockwise ? area_ >= 0 : area_ <= 0;
     }
 
-    Context& context_;
+    VertexContext& context_;
     const VertexFormat& format_;
     const std::vector<float>& words_;
     const std::uint32_t vertices_;
@@ -113,7 +113,7 @@ private:
 };
 
 // Of strips and fans every edge is a boundary, whatever their vertices' flags.
-bool needs_edge_flags(const Context& context, PrimitiveType type) {
+bool needs_edge_flags(const VertexContext& context, PrimitiveType type) {
     const PrimitiveSetup& setup = context.registers.wanted.primitive;
     const bool shows_edges =
         setup.front_mode != PolygonMode::Fill || setup.back_mode != PolygonMode::Fill;
@@ -123,7 +123,7 @@ bool needs_edge_flags(const Context& context, PrimitiveType type) {
 
 } // namespace
 
-void draw_by_face(Context& context,
+void draw_by_face(VertexContext& context,
                   const VertexFormat& format,
                   const std::vector<float>& words,
                   const RunPrimitive& primitive) {

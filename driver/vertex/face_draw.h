@@ -11,7 +11,7 @@
 
 namespace ffgpu::gl {
 
-class Context;
+class VertexContext;
 
 // Lines and points show the front.
 constexpr bool is_polygon(PrimitiveType type) {
@@ -20,7 +20,7 @@ constexpr bool is_polygon(PrimitiveType type) {
 
 // `words` are `primitive`'s vertices in `format` as the front has them, then as the back has them.
 // The context's state is lowered.
-void draw_by_face(Context& context,
+void draw_by_face(VertexContext& context,
                   const VertexFormat& format,
                   const std::vector<float>& words,
                   const RunPrimitive& primitive);

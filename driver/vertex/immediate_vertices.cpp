@@ -1,9 +1,9 @@
 #include "driver/vertex/immediate_vertices.h"
 
-#include "driver/context/context.h"
 #include "driver/vertex/draw_path.h"
 #include "driver/vertex/material_draw.h"
 #include "driver/vertex/primitive_cut.h"
+#include "driver/vertex/vertex_context.h"
 
 #include <algorithm>
 

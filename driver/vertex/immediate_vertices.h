@@ -10,11 +10,11 @@
 
 namespace ffgpu::gl {
 
-class Context;
+class VertexContext;
 
 class ImmediateVertices final : public VertexAssembler {
 public:
-    explicit ImmediateVertices(Context& context)
+    explicit ImmediateVertices(VertexContext& context)
         : context_(context) {}
 
     void begin(GLenum mode) override;
@@ -52,7 +52,7 @@ private:
     static constexpr std::size_t MostCapacity = 1u << 18;
     static constexpr std::size_t MaxPrimitives = 4096;
 
-    Context& context_;
+    VertexContext& context_;
     PrimitiveType type_ = PrimitiveType::Points;
     std::uint32_t first_ = 0; // vertex of the primitive at hand
     // The primitive at hand is not its first piece. The first vertex of a line loop then stands

@@ -1,11 +1,11 @@
 #include "driver/vertex/lit_draw.h"
 
-#include "driver/context/context.h"
 #include "driver/lower/color_material.h"
 #include "driver/lower/lighting.h"
 #include "driver/raster_position/host_vertex.h"
 #include "driver/vertex/draw_path.h"
 #include "driver/vertex/face_draw.h"
+#include "driver/vertex/vertex_context.h"
 
 #include <algorithm>
 
@@ -15,7 +15,9 @@ namespace {
 
 class LitDraw {
 public:
-    LitDraw(Context& context, const VertexRun& run, std::span<const Materials* const> materials)
+    LitDraw(VertexContext& context,
+            const VertexRun& run,
+            std::span<const Materials* const> materials)
         : context_(context)
         , run_(run)
         , materials_(materials)
@@ -92,7 +94,7 @@ private:
         return result;
     }
 
-    Context& context_;
+    VertexContext& context_;
     const VertexRun& run_;
     const std::span<const Materials* const> materials_;
     VertexFormat format_;
@@ -102,7 +104,9 @@ private:
 
 } // namespace
 
-void draw_lit(Context& context, const VertexRun& run, std::span<const Materials* const> materials) {
+void draw_lit(VertexContext& context,
+              const VertexRun& run,
+              std::span<const Materials* const> materials) {
     LitDraw(context, run, materials).draw();
 }
 

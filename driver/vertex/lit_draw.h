@@ -8,10 +8,12 @@
 
 namespace ffgpu::gl {
 
-class Context;
+class VertexContext;
 
 // One primitive, or several of an independent type, from vertex 0 on; `materials` are the
 // vertices'.
-void draw_lit(Context& context, const VertexRun& run, std::span<const Materials* const> materials);
+void draw_lit(VertexContext& context,
+              const VertexRun& run,
+              std::span<const Materials* const> materials);
 
 } // namespace ffgpu::gl

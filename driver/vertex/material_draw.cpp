@@ -1,11 +1,11 @@
 #include "driver/vertex/material_draw.h"
 
-#include "driver/context/context.h"
 #include "driver/lower/color_material.h"
 #include "driver/vertex/draw_path.h"
 #include "driver/vertex/face_draw.h"
 #include "driver/vertex/lit_draw.h"
 #include "driver/vertex/primitive_cut.h"
+#include "driver/vertex/vertex_context.h"
 
 #include <algorithm>
 #include <optional>
@@ -40,7 +40,9 @@ struct Faces {
 
 class MaterialDraw {
 public:
-    MaterialDraw(Context& context, const VertexRun& run, std::span<const MaterialChange> changes)
+    MaterialDraw(VertexContext& context,
+                 const VertexRun& run,
+                 std::span<const MaterialChange> changes)
         : context_(context)
         , lighting_(context.state.lighting)
         , both_{0, lighting_.model.two_side ? 2u : 1u} {
@@ -198,7 +200,7 @@ private:
         }
     }
 
-    Context& context_;
+    VertexContext& context_;
     LightingState& lighting_;
     const Faces both_; // whose materials are in use
     static constexpr Faces front_{0, 1}, back_{1, 2};
@@ -207,7 +209,7 @@ private:
 
 } // namespace
 
-void draw_with_materials(Context& context,
+void draw_with_materials(VertexContext& context,
                          const VertexRun& run,
                          std::span<const MaterialChange> changes) {
     if (run.vertex_count() != 0) MaterialDraw(context, run, changes).draw(run);

@@ -15,10 +15,10 @@
 
 namespace ffgpu::gl {
 
-class Context;
+class VertexContext;
 
 // `changes` begins at vertex 0. The context's materials are the latest.
-void draw_with_materials(Context& context,
+void draw_with_materials(VertexContext& context,
                          const VertexRun& run,
                          std::span<const MaterialChange> changes);
 

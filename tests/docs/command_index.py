@@ -21,7 +21,7 @@ def definitions():
 
 
 def main():
-    text = (ROOT / "driver/entry_points/commands.inc").read_text()
+    text = (ROOT / "driver/commands/commands.inc").read_text()
     commands = re.findall(r"^GL_COMMAND\(.*?, (\w+), \(", text, re.M)
     aliases = {}
     for alias, target in re.findall(r"^GL_ALIAS\(.*?, (\w+), \(.*, (\w+)\)$", text, re.M):

@@ -90,7 +90,7 @@ TEST_CASE("every command stands once in the index, with the file that defines it
     ++names;                                                                                       \
     CHECK((index.aliases.count(#name) == 1 && index.aliases.at(#name) == #target ? "" : #name) ==  \
           std::string());
-#include "driver/entry_points/commands.inc"
+#include "driver/commands/commands.inc"
 #undef GL_COMMAND
 #undef GL_ALIAS
     CHECK(index.names == names);

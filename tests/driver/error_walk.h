@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "driver/entry_points/command.h"
+#include "driver/commands/command.h"
 #include "driver/entry_points/entry.h"
 
 #include <span>

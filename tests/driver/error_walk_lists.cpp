@@ -1,6 +1,6 @@
 // Display lists, selection, feedback.
 
-#include "driver/context/limits.h"
+#include "driver/limits.h"
 #include "tests/driver/error_walk.h"
 
 #include <array>

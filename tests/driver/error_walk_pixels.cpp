@@ -1,6 +1,6 @@
 // Pixel rectangles, maps, and bitmaps; also through pixel buffers that are too small.
 
-#include "driver/context/limits.h"
+#include "driver/limits.h"
 #include "tests/driver/error_walk.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 // State without objects: enumerants, values, stacks.
 
-#include "driver/context/limits.h"
+#include "driver/limits.h"
 #include "driver/state/transform_state.h"
 #include "tests/driver/error_walk.h"
 

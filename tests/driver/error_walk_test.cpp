@@ -44,7 +44,7 @@ const NamedCommand Commands[] = {
          call_plainly(static_cast<result(*) parameters noexcept>(entry::name));                    \
      }},
 #define GL_ALIAS(result, name, parameters, arguments, target)
-#include "driver/entry_points/commands.inc"
+#include "driver/commands/commands.inc"
 #undef GL_COMMAND
 #undef GL_ALIAS
 };

@@ -28,7 +28,7 @@ const std::vector<EntryPoint>& entry_points() {
     {"gl" #name, reinterpret_cast<const void*>(&entry::name)},
 #define GL_ALIAS(result, name, parameters, arguments, target)                                      \
     {"gl" #name, reinterpret_cast<const void*>(&entry::name)},
-#include "driver/entry_points/commands.inc"
+#include "driver/commands/commands.inc"
 #undef GL_COMMAND
 #undef GL_ALIAS
     };

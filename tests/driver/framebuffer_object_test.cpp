@@ -1,7 +1,7 @@
 // Framebuffer objects: completeness, where their surfaces lie, queries, blits.
 
+#include "driver/images/blit.h"
 #include "driver/objects/framebuffer_object.h"
-#include "driver/pixel/blit.h"
 #include "tests/driver/state_fixture.h"
 
 #include <cstring>

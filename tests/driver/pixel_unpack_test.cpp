@@ -4,8 +4,8 @@
 #include "driver/pixel/pack.h"
 #include "driver/pixel/pixel_format.h"
 #include "driver/pixel/unpack.h"
+#include "driver/texel/texel_codec.h"
 #include "driver/texture/image_upload.h"
-#include "driver/texture/texel_codec.h"
 
 #include <cstring>
 #include <random>

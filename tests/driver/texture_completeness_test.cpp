@@ -2,7 +2,7 @@
 
 #include "driver/lower/sampler.h"
 #include "driver/lower/texture_image.h"
-#include "driver/texture/completeness.h"
+#include "driver/objects/completeness.h"
 #include "driver/texture/residency.h"
 #include "tests/driver/recording_device.h"
 

@@ -1,7 +1,7 @@
 // The FXT1 compressor, and FXT1 images through the GL's entry points.
 
-#include "driver/texture/block_codec.h"
-#include "driver/texture/fxt1.h"
+#include "driver/texel/block_codec.h"
+#include "driver/texel/fxt1.h"
 #include "model/arith/fxt1.h"
 #include "tests/driver/state_fixture.h"
 

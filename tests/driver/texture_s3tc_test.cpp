@@ -1,7 +1,7 @@
 // The driver's S3TC against the sampler's.
 
-#include "driver/texture/block_codec.h"
-#include "driver/texture/s3tc.h"
+#include "driver/texel/block_codec.h"
+#include "driver/texel/s3tc.h"
 #include "model/texture/s3tc.h"
 
 #include <cstring>

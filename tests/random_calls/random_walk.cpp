@@ -22,7 +22,7 @@ constexpr CommandInfo Commands[] = {
 #define GL_COMMAND(result, name, parameters, arguments, command_class)                             \
     {"gl" #name, CommandClass::command_class},
 #define GL_ALIAS(result, name, parameters, arguments, target)
-#include "driver/entry_points/commands.inc"
+#include "driver/commands/commands.inc"
 #undef GL_COMMAND
 #undef GL_ALIAS
 };
@@ -209,7 +209,7 @@ void RandomWalk::call(Context& context, unsigned command) {
 #define GL_COMMAND(result, name, parameters, arguments, command_class)                             \
     if (number++ == command) call_randomly(*this, random, &entry::name);
 #define GL_ALIAS(result, name, parameters, arguments, target)
-#include "driver/entry_points/commands.inc"
+#include "driver/commands/commands.inc"
 #undef GL_COMMAND
 #undef GL_ALIAS
     if (context.take_error() == GL_NO_ERROR) ++accepted_[command];

@@ -4,8 +4,8 @@
 
 #pragma once
 
+#include "driver/commands/command.h"
 #include "driver/context/context.h"
-#include "driver/entry_points/command.h"
 #include "tests/random_calls/registry.h"
 
 #include <cstddef>

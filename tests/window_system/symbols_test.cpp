@@ -14,7 +14,7 @@ void* open(const char* name) {
 constexpr const char* Commands[] = {
 #define GL_COMMAND(result, name, parameters, arguments, command_class) "gl" #name,
 #define GL_ALIAS(result, name, parameters, arguments, target) "gl" #name,
-#include "driver/entry_points/commands.inc"
+#include "driver/commands/commands.inc"
 #undef GL_COMMAND
 #undef GL_ALIAS
 };

@@ -67,7 +67,7 @@ std::map<std::string_view, GlCommand> make_table() {
 #define GL_COMMAND(result, name, parameters, arguments, command_class)                             \
     add(describe(#name, gl::entry::name));
 #define GL_ALIAS(result, name, parameters, arguments, target) add(describe(#name, gl::entry::name));
-#include "driver/entry_points/commands.inc"
+#include "driver/commands/commands.inc"
 #undef GL_COMMAND
 #undef GL_ALIAS
     return table;

@@ -1,6 +1,6 @@
 // The gl* functions that a drop-in library exports, from the one list of entry points.
 
-#include "driver/entry_points/command.h"
+#include "driver/commands/command.h"
 #include "driver/entry_points/entry.h"
 #include "driver/window_system/exports/window_hooks.h"
 #include "driver/window_system/turn.h"
@@ -19,4 +19,4 @@
         ffgpu::gl::before<ffgpu::gl::Command::target>();                                           \
         return ffgpu::gl::entry::name arguments;                                                   \
     }
-#include "driver/entry_points/commands.inc"
+#include "driver/commands/commands.inc"

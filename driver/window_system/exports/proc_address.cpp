@@ -13,7 +13,7 @@
     extern "C" result gl##name parameters;
 #define GL_ALIAS(result, name, parameters, arguments, target)                                      \
     GL_COMMAND(result, name, parameters, arguments, unused)
-#include "driver/entry_points/commands.inc"
+#include "driver/commands/commands.inc"
 #undef GL_COMMAND
 #undef GL_ALIAS
 
@@ -31,7 +31,7 @@ const auto Entries = std::to_array<Entry>({
     {"gl" #name, reinterpret_cast<AnyFunction>(&gl##name)},
 #define GL_ALIAS(result, name, parameters, arguments, target)                                      \
     GL_COMMAND(result, name, parameters, arguments, unused)
-#include "driver/entry_points/commands.inc"
+#include "driver/commands/commands.inc"
 });
 
 // This library, whichever it is.

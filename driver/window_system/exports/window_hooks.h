@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "driver/entry_points/command.h"
+#include "driver/commands/command.h"
 
 namespace ffgpu::gl {
 
