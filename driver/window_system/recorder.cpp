@@ -1,5 +1,7 @@
 #include "driver/window_system/recorder.h"
 
+#include "model/base/float_environment.h"
+
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -19,6 +21,7 @@ constexpr int BadInput = 2;
 Recorder* recorder = nullptr;
 
 void finish_recorder() {
+    const FloatEnvironment environment; // It comes at the process's end, in no Turn.
     recorder->finish();
 }
 

@@ -10,6 +10,8 @@
 
 #pragma once
 
+#include "model/base/float_environment.h"
+
 #include <atomic>
 
 namespace ffgpu::gl {
@@ -57,6 +59,8 @@ private:
     static bool lock(); // True: by becoming the owner.
     static void unlock();
 
+    const FloatEnvironment
+        environment_; // the library's; the caller's comes back with its turn's end
     bool biased_ = true;
 };
 

@@ -3,6 +3,7 @@
 #include "model/gpu/functional_gpu.h"
 
 #include "model/base/check.h"
+#include "model/base/float_environment.h"
 #include "model/base/input_error.h"
 #include "model/gpu/validate.h"
 #include "model/memory/copy.h"
@@ -55,6 +56,7 @@ std::vector<const StatisticsGroup*> FunctionalGpu::statistics() const {
 }
 
 void FunctionalGpu::submit(const CommandStream& commands) {
+    const FloatEnvironment environment;
     CommandReader reader(commands.words);
     while (reader.next()) {
         try {

@@ -1,5 +1,6 @@
 // FunctionalGpu: draws on their way into the bin, and bins carried out.
 
+#include "model/base/float_environment.h"
 #include "model/gpu/functional_gpu.h"
 #include "model/gpu/validate.h"
 
@@ -155,6 +156,7 @@ void FunctionalGpu::before_write(std::uint64_t at, std::uint64_t bytes) {
 
 void FunctionalGpu::flush() {
     if (bin_.empty()) return;
+    const FloatEnvironment environment;
     const std::vector<std::uint32_t>& tiles = bin_.busy_tiles();
     std::vector<WorkTile> recordings(sink_ ? tiles.size() : 0);
     const auto job = [&](unsigned worker, std::size_t i) {

@@ -1,5 +1,7 @@
 #include "model/gpu/thread_pool.h"
 
+#include "model/base/float_environment.h"
+
 #include <utility>
 
 namespace ffgpu {
@@ -59,6 +61,7 @@ void ThreadPool::take_jobs(unsigned worker) {
 }
 
 void ThreadPool::work(unsigned worker) {
+    const FloatEnvironment environment; // A thread begins with the mode of the one that made it.
     std::uint64_t seen = 0;
     while (true) {
         {
