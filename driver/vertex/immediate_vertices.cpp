@@ -1,7 +1,7 @@
 #include "driver/vertex/immediate_vertices.h"
 
 #include "driver/vertex/draw_path.h"
-#include "driver/vertex/material_draw.h"
+#include "driver/vertex/lit_draw.h"
 #include "driver/vertex/primitive_cut.h"
 #include "driver/vertex/vertex_context.h"
 
@@ -70,7 +70,7 @@ void ImmediateVertices::draw_primitives() {
     const std::vector<RunPrimitive> primitives = std::exchange(primitives_, {});
     const VertexRun run{format_, words(), primitives};
     if (materials_.empty()) return context_.draw_path().draw(run);
-    draw_with_materials(context_, run, materials_.changes());
+    draw_lit(context_, run, materials_.changes());
 }
 
 void ImmediateVertices::change_materials(const Materials& materials) {

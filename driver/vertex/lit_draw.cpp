@@ -15,13 +15,15 @@ namespace {
 
 class LitDraw {
 public:
-    LitDraw(VertexContext& context,
-            const VertexRun& run,
-            std::span<const Materials* const> materials)
+    LitDraw(VertexContext& context, const VertexRun& run, std::span<const MaterialChange> changes)
         : context_(context)
         , run_(run)
-        , materials_(materials)
         , format_(widen(run.format, Attribute::Color, 4)) {
+        for (std::size_t i = 0; i < run.vertex_count(); ++i) {
+            while (changes.size() > 1 && changes[1].vertex <= i)
+                changes = changes.subspan(1);
+            materials_.push_back(&changes.front().materials);
+        }
         context_.lower_state();
         registers_ = context_.registers.wanted;
         if (registers_.lighting.separate_specular)
@@ -31,30 +33,37 @@ public:
     void draw() {
         context_.registers.wanted.lighting.enable = false;
         context_.registers.update<&Registers::lighting>();
-        const RunPrimitive& primitive = run_.primitives.front();
-        add_lit_words(0);
-        if (registers_.lighting.two_sided && is_polygon(primitive.type)) {
-            add_lit_words(1);
-            draw_by_face(context_, format_, words_, primitive);
-        } else {
-            context_.draw_path().draw({format_, words_, run_.primitives});
-        }
+        for (const RunPrimitive& primitive : run_.primitives)
+            draw(primitive);
         context_.dirty.mark(Dirty::Lighting);
     }
 
 private:
-    // The vertices with the colours of a face.
-    void add_lit_words(unsigned face) {
+    void draw(RunPrimitive primitive) {
+        words_.clear();
+        add_lit_words(primitive, 0);
+        const bool shows_back = registers_.lighting.two_sided && is_polygon(primitive.type);
+        if (shows_back) add_lit_words(primitive, 1);
+        primitive.first = 0;
+        if (shows_back) {
+            draw_by_face(context_, format_, words_, primitive);
+        } else {
+            context_.draw_path().draw({format_, words_, {&primitive, 1}});
+        }
+    }
+
+    // The primitive's vertices with the colours of a face.
+    void add_lit_words(const RunPrimitive& primitive, unsigned face) {
         Registers registers = registers_;
         registers.lighting.color_material_front = 0;
         const std::uint8_t tracked = face == 0 ? registers_.lighting.color_material_front
                                                : registers_.lighting.color_material_back;
         const VertexElement color = format_.elements[attribute_index(Attribute::Color)];
         const VertexElement second = format_.elements[attribute_index(Attribute::SecondaryColor)];
-        const std::size_t first = words_.size();
-        words_.resize(first + materials_.size() * format_.stride);
-        for (std::size_t i = 0; i < materials_.size(); ++i) {
-            float* const vertex = words_.data() + first + i * format_.stride;
+        const std::size_t end = primitive.first + primitive.count;
+        for (std::size_t i = primitive.first; i < end; ++i) {
+            words_.resize(words_.size() + format_.stride);
+            float* const vertex = words_.data() + words_.size() - format_.stride;
             const float* const source = run_.words.data() + i * run_.format.stride;
             convert_vertex(run_.format, format_, source, vertex);
             registers.materials[0] = tracking(
@@ -96,7 +105,7 @@ private:
 
     VertexContext& context_;
     const VertexRun& run_;
-    const std::span<const Materials* const> materials_;
+    std::vector<const Materials*> materials_; // a vertex
     VertexFormat format_;
     Registers registers_; // of the draw as the application wants it
     std::vector<float> words_;
@@ -106,8 +115,8 @@ private:
 
 void draw_lit(VertexContext& context,
               const VertexRun& run,
-              std::span<const Materials* const> materials) {
-    LitDraw(context, run, materials).draw();
+              std::span<const MaterialChange> changes) {
+    LitDraw(context, run, changes).draw();
 }
 
 } // namespace ffgpu::gl

@@ -1,5 +1,6 @@
-// Draws a primitive that is lit here and not by the device, because its vertices have materials
-// that the device cannot give them in one draw. Slow, and exact to float rounding.
+// Draws a run whose vertices have materials of their own: glMaterial came between glBegin and
+// glEnd. The device has one material a face and draw, so that such vertices are lit here, by the
+// code of the raster position, and drawn without lighting: exact to float rounding.
 
 #pragma once
 
@@ -10,10 +11,9 @@ namespace ffgpu::gl {
 
 class VertexContext;
 
-// One primitive, or several of an independent type, from vertex 0 on; `materials` are the
-// vertices'.
+// `changes` begins at vertex 0.
 void draw_lit(VertexContext& context,
               const VertexRun& run,
-              std::span<const Materials* const> materials);
+              std::span<const MaterialChange> changes);
 
 } // namespace ffgpu::gl
