@@ -5,6 +5,7 @@
 #include "driver/feedback/render_modes.h"
 #include "driver/framebuffer/accumulation.h"
 #include "driver/lower/fragment.h"
+#include "driver/lower/targets.h"
 #include "driver/math/conversion.h"
 #include "driver/pixel/rgba8.h"
 
@@ -36,6 +37,25 @@ void clear_accumulation(Context& context) {
         .clear(context.state.framebuffer.clear_accum);
 }
 
+bool is_back(GLenum buffer) {
+    return buffer == GL_BACK || buffer == GL_BACK_LEFT;
+}
+
+// Whether a clear sets each colour of a window's back buffer, and draws to nothing else.
+bool overwrites_back(Context& context, GLbitfield mask) {
+    const Drawable* const drawable = context.draw_drawable();
+    const FramebufferState& framebuffer = context.state.framebuffer;
+    if (!drawable || framebuffer.draw_object || !(mask & GL_COLOR_BUFFER_BIT)) return false;
+    const auto& buffers = framebuffer.draw_buffers;
+    if (!is_back(buffers[0]) || framebuffer.color_mask != std::array{true, true, true, true})
+        return false;
+    if (std::any_of(buffers.begin() + 1, buffers.end(), [](GLenum b) { return b != GL_NONE; }))
+        return false;
+    const ScissorState& scissor = context.state.fragment.scissor;
+    const unsigned width = drawable->width(), height = drawable->height();
+    return lower_scissor(scissor, width, height) == lower_scissor({}, width, height);
+}
+
 float clamp_signed_unit(float value) {
     return value > 1 ? 1.0f : value >= -1 ? value : value < -1 ? -1.0f : 0.0f;
 }
@@ -44,7 +64,9 @@ float clamp_signed_unit(float value) {
 
 void Clear(Context& context, GLbitfield mask) {
     if (mask & ~AllBuffers) return context.error(GL_INVALID_VALUE);
-    if (context.render_modes().mode() != GL_RENDER || !context.prepare_draw()) return;
+    if (context.render_modes().mode() != GL_RENDER) return;
+    if (overwrites_back(context, mask)) context.draw_drawable()->note_back_overwritten();
+    if (!context.prepare_draw()) return;
 
     const ClearCommand clear = lower_clear(context.state, mask, context.draw_target().depth);
     if (clear.color || clear.depth || clear.stencil) {

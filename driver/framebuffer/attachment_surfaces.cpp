@@ -6,10 +6,8 @@ namespace {
 Surface surface_of(DeviceMemory memory, const Attachment& attachment) {
     if (attachment.renderbuffer) return attachment.renderbuffer->surface();
     if (!attachment.texture) return {};
-    return image_surface(memory,
-                         *attachment.texture,
-                         {attachment.face, attachment.level},
-                         attachment.layer);
+    return image_surface(
+        memory, *attachment.texture, {attachment.face, attachment.level}, attachment.layer);
 }
 
 } // namespace

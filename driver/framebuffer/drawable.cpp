@@ -44,6 +44,7 @@ void Drawable::resize(unsigned width, unsigned height) {
     width = cut(width);
     height = cut(height);
     if (width == width_ && height == height_) return;
+    settle();
 
     const Surfaces larger = allocate_all(width, height);
     copy_common_part(surfaces_.front, larger.front);
@@ -58,10 +59,17 @@ void Drawable::resize(unsigned width, unsigned height) {
     ++generation_;
 }
 
-void Drawable::swap() {
-    if (!format_.double_buffer) return;
+void Drawable::swap(SwapMode mode) {
+    if (!format_.double_buffer || copy_is_due_) return; // The buffers hold the same.
     std::swap(surfaces_.front, surfaces_.back);
+    copy_is_due_ = mode == SwapMode::Copy;
     ++generation_;
+}
+
+void Drawable::copy_to_back() {
+    copy_is_due_ = false;
+    copy_common_part(surfaces_.front, surfaces_.back);
+    if (resolved_from_ == surfaces_.back.address) resolved_from_.reset();
 }
 
 std::vector<std::int16_t>& Drawable::accumulation() {

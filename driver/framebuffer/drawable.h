@@ -27,6 +27,12 @@ struct PixelFormat {
     bool operator==(const PixelFormat&) const = default;
 };
 
+// What a swap leaves in the back buffer.
+enum class SwapMode : std::uint8_t {
+    Copy,     // what it had: the front buffer gets a copy
+    Exchange, // what the front buffer had: the picture before the last
+};
+
 class Drawable {
 public:
     // Sizes beyond MaxSurfaceSize are cut to it. Throws std::bad_alloc if device memory is full.
@@ -57,18 +63,30 @@ public:
     // Commands follow that draw to any of them.
     void note_drawing() { resolved_from_.reset(); }
 
+    // To be called before colours are drawn or read: see swap().
+    void settle() {
+        if (copy_is_due_) [[unlikely]]
+            copy_to_back();
+    }
+    // All of the back buffer's colours will be overwritten by the next command.
+    void note_back_overwritten() { copy_is_due_ = false; }
+
     // The same with one sample a pixel, as it is now: colours are the samples' average, depth and
     // stencil those of sample 0. One colour buffer at a time: the next call may replace it.
     Surface readable_front() { return resolve(front()); }
-    Surface readable_back() { return resolve(back()); }
+    Surface readable_back() {
+        settle();
+        return resolve(back());
+    }
     Surface readable_depth() const { return depth().plane(0); }
 
     // r g b a of each pixel, from the lower left; all 0 at first. Empty where the format has none.
     std::vector<std::int16_t>& accumulation();
 
-    // The back buffer becomes the front buffer; the back buffer's content is then undefined (it is
-    // the picture before the last).
-    void swap();
+    // The back buffer's picture becomes the front buffer's. In either mode the buffers change their
+    // roles; that the back buffer keeps its picture costs a copy, which is made by settle(), and
+    // never for a program that begins its frames with a clear.
+    void swap(SwapMode mode);
 
 private:
     struct Surfaces {
@@ -79,6 +97,7 @@ private:
     Surfaces allocate_all(unsigned width, unsigned height);
     void release(Surfaces& surfaces);
     void clear(const Surface& surface);
+    void copy_to_back();
     void copy_common_part(const Surface& from, const Surface& to);
     Surface resolve(const Surface& buffer);
 
@@ -90,6 +109,7 @@ private:
     Surfaces surfaces_;
     std::optional<DeviceAddress> resolved_from_; // the buffer that `resolved` shows; or stale
     std::vector<std::int16_t> accumulation_;
+    bool copy_is_due_ = false; // The back buffer is to hold what the front buffer holds.
 };
 
 } // namespace ffgpu::gl

@@ -13,6 +13,7 @@ namespace {
 ReadTarget window_target(DeviceContext& context) {
     Drawable* const drawable = context.read_drawable();
     if (!drawable) return {.status = GL_FRAMEBUFFER_UNDEFINED};
+    drawable->settle();
     ReadTarget target{.window = drawable};
     switch (context.state.framebuffer.read_buffer) {
     case GL_NONE:

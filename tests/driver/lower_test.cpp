@@ -322,7 +322,7 @@ TEST_CASE("A draw sends only the registers that changed") {
 TEST_CASE("A swap and a new size of the drawable reach the targets of the next draw") {
     StateFixture f;
     const Surface before = f.drawn().targets.color[0];
-    f.gl.drawable().swap();
+    f.gl.drawable().swap(SwapMode::Exchange);
     CHECK(f.drawn().targets.color[0] == f.gl.drawable().back());
     CHECK(f.drawn().targets.color[0] != before);
     f.gl.drawable().resize(100, 20);

@@ -197,7 +197,7 @@ TEST_CASE_METHOD(MultisampleOnGpu, "all ways of reading see the same resolved pi
 TEST_CASE_METHOD(MultisampleOnGpu, "swaps and sizes keep the samples") {
     draw_edge();
     const Bytes picture = read(GL_RGBA);
-    gl.drawable().swap();
+    gl.drawable().swap(SwapMode::Copy);
     ReadBuffer(GL_FRONT);
     CHECK(read(GL_RGBA) == picture);
     gl.drawable().resize(Size + 5, Size + 9);

@@ -117,7 +117,7 @@ TEST_CASE_METHOD(MultisampleFixture, "a swap takes the resolved picture along") 
     draw();
     read_color();
     copies();
-    window().swap();
+    window().swap(SwapMode::Exchange);
     window().readable_front();
     CHECK(copies().empty());
     window().readable_back();

@@ -39,6 +39,7 @@ void add_replay_command(CLI::App& application, Run& run) {
     verb->add_option("input", options.input, "An apitrace file or a .ffc capture")->required();
     add_recording_options(*verb, arguments->recording);
     add_samples_option(*verb, options.samples);
+    add_swap_option(*verb, options.swap);
     verb->add_option("--benchmark", options.benchmark, "Time it; repeat the last frame N times")
         ->type_name("N");
     verb->add_flag("--verbose", options.report_errors, "Report each GL error with its call");

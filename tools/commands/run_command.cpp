@@ -88,6 +88,7 @@ private:
 struct Arguments {
     RecordingArguments recording;
     unsigned samples = 1;
+    gl::SwapMode swap = gl::SwapMode::Copy;
     std::vector<std::string> command;
 };
 
@@ -101,6 +102,7 @@ int run_run(const Arguments& arguments) {
         {"LD_LIBRARY_PATH", with_folder_first(folder, std::getenv("LD_LIBRARY_PATH"))}};
     if (arguments.samples > 1)
         environment.push_back({"FFGPU_SAMPLES", std::to_string(arguments.samples)});
+    if (arguments.swap == gl::SwapMode::Exchange) environment.push_back({"FFGPU_SWAP", "exchange"});
     // The library says here that it was used.
     const PassingFile mark("");
     environment.push_back({"FFGPU_MARK", mark.path()});
@@ -141,6 +143,7 @@ void add_run_command(CLI::App& application, Run& run) {
         application.add_subcommand("run", "Runs an OpenGL program, in its window, on ffgpu");
     add_recording_options(*verb, arguments->recording);
     add_samples_option(*verb, arguments->samples);
+    add_swap_option(*verb, arguments->swap);
     verb->add_option("program", arguments->command, "The program and its arguments, after --")
         ->required();
     verb->footer("With --frames A-B the program ends after frame B. Exit status: the program's.\n"

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -61,6 +62,17 @@ void add_samples_option(CLI::App& verb, unsigned& samples) {
     verb.add_option("--samples", samples, "4: multisample every window")
         ->type_name("N")
         ->check(CLI::IsMember({1u, MaxSamples}));
+}
+
+void add_swap_option(CLI::App& verb, gl::SwapMode& swap) {
+    const std::map<std::string, gl::SwapMode> modes{{"copy", gl::SwapMode::Copy},
+                                                    {"exchange", gl::SwapMode::Exchange}};
+    verb.add_option_function<std::string>(
+            "--swap",
+            [&swap, modes](const std::string& mode) { swap = modes.at(mode); },
+            "copy: a swap keeps the back buffer; exchange: it then has the picture before the last")
+        ->type_name("MODE")
+        ->check(CLI::IsMember({"copy", "exchange"}));
 }
 
 void resolve(const RecordingArguments& arguments, RecordingOptions& options) {

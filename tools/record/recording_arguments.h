@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "driver/framebuffer/drawable.h"
 #include "tools/record/recording.h"
 
 #include <cstdint>
@@ -30,6 +31,9 @@ void add_recording_options(CLI::App& verb, RecordingArguments& arguments);
 
 // Of a pixel of every window: 1 or MaxSamples.
 void add_samples_option(CLI::App& verb, unsigned& samples);
+
+// What a swap leaves in the back buffer of every window.
+void add_swap_option(CLI::App& verb, gl::SwapMode& swap);
 
 // Throws InputError where an argument is wrong.
 void resolve(const RecordingArguments& arguments, RecordingOptions& options);

@@ -18,7 +18,8 @@ public:
                   {.warn = options.warn,
                    .report_errors = options.report_errors,
                    .keep_last_frame = options.keep_last,
-                   .samples = options.samples}) {}
+                   .samples = options.samples,
+                   .swap = options.swap}) {}
 
     std::optional<Frame> next() override {
         const std::uint64_t before = player_.calls_played();
@@ -65,6 +66,8 @@ open_frame_source(const std::string& path, Device& device, const FrameSourceOpti
     if (is_capture && options.samples > 1)
         throw InputError(path + ": is a capture, whose windows are as they were: --samples is for "
                                 "traces");
+    if (is_capture && options.swap != gl::SwapMode::Copy)
+        throw InputError(path + ": is a capture, whose swaps are in it: --swap is for traces");
     if (is_capture) return std::make_unique<CaptureSource>(path, device);
     return std::make_unique<TraceSource>(path, device, options);
 }

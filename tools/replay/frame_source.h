@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "driver/framebuffer/drawable.h"
 #include "model/device/device.h"
 
 #include <cstdint>
@@ -37,6 +38,7 @@ struct FrameSourceOptions {
     bool report_errors = false; // GL errors, as warnings
     bool keep_last = false;     // repeat_last() will be called.
     unsigned samples = 1;       // of a pixel of a trace's windows
+    gl::SwapMode swap = gl::SwapMode::Copy;
 };
 
 // Tells by its first bytes what the file is. Throws InputError.

@@ -23,7 +23,8 @@ public:
                                     {.warn = options.warn,
                                      .report_errors = options.report_errors,
                                      .keep_last = options.benchmark > 0,
-                                     .samples = options.samples})) {}
+                                     .samples = options.samples,
+                                     .swap = options.swap})) {}
 
     std::string run() {
         try {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "driver/framebuffer/drawable.h"
 #include "tools/record/recording.h"
 
 #include <functional>
@@ -14,6 +15,7 @@ struct ReplayOptions : RecordingOptions {
     bool report_errors = false;
     unsigned benchmark = 0; // times that the last frame is repeated; 0: no benchmark
     unsigned samples = 1;   // of a pixel of a trace's windows
+    gl::SwapMode swap = gl::SwapMode::Copy;
     std::function<void(const std::string& line)> warn = [](const std::string&) {};
 };
 

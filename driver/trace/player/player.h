@@ -39,6 +39,8 @@ public:
         bool keep_last_frame = false;
         // Of a pixel of every window: 1 or MaxSamples.
         unsigned samples = 1;
+        // What a swap does to a window's back buffer.
+        gl::SwapMode swap = gl::SwapMode::Copy;
     };
 
     TracePlayer(Device& device, TraceReader& trace, Options options);

@@ -13,9 +13,10 @@ constexpr unsigned FirstSize = 1;
 
 } // namespace
 
-WindowSystem::WindowSystem(Device& device, unsigned samples)
+WindowSystem::WindowSystem(Device& device, unsigned samples, gl::SwapMode swap)
     : device_(device)
     , format_{.samples = static_cast<std::uint8_t>(samples)}
+    , swap_(swap)
     , memory_(std::make_shared<gl::MemoryAllocator>(0, device.memory_size())) {}
 
 WindowSystem::~WindowSystem() {
@@ -124,7 +125,7 @@ void WindowSystem::swap_buffers(Handle handle) {
     if (gl::Context* const current = gl::current_context()) current->flush_vertices();
     shown_.emplace();
     if (const auto window = windows_.find(handle); window != windows_.end()) {
-        window->second.drawable->swap();
+        window->second.drawable->swap(swap_);
         shown_ = window->second.drawable->readable_front();
     }
     CommandStream commands;

@@ -24,7 +24,8 @@ namespace ffgpu::trace {
 
 class WindowSystem {
 public:
-    WindowSystem(Device& device, unsigned samples); // of a pixel of every window
+    // `samples`: of a pixel of every window.
+    WindowSystem(Device& device, unsigned samples, gl::SwapMode swap);
     ~WindowSystem();
 
     // What carries out the calls of that name; null where there is none.
@@ -98,6 +99,7 @@ private:
 
     Device& device_;
     const gl::PixelFormat format_; // of every window
+    const gl::SwapMode swap_;
     std::shared_ptr<gl::MemoryAllocator> memory_;
     std::map<Handle, std::shared_ptr<gl::SharedObjects>> groups_; // by context
     std::map<Handle, std::unique_ptr<gl::Context>> contexts_;

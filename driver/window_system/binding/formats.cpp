@@ -44,4 +44,9 @@ std::vector<PixelFormat> offered_formats(bool with_accumulation) {
     return formats;
 }
 
+SwapMode swap_mode() {
+    const char* const text = std::getenv("FFGPU_SWAP");
+    return text && std::string_view(text) == "exchange" ? SwapMode::Exchange : SwapMode::Copy;
+}
+
 } // namespace ffgpu::gl

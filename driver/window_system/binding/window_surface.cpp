@@ -1,5 +1,6 @@
 #include "driver/window_system/binding/window_surface.h"
 
+#include "driver/window_system/binding/formats.h"
 #include "driver/window_system/process_gpu.h"
 
 namespace ffgpu::gl {
@@ -36,7 +37,7 @@ void WindowSurface::follow_window_once() {
 }
 
 void WindowSurface::swap() {
-    drawable_.swap();
+    drawable_.swap(swap_mode());
     front_touched_ = false;
     ProcessGpu::instance().frame_shown(drawable_.readable_front());
     follow_window();

@@ -119,7 +119,9 @@ std::optional<EGLint> egl_config_attribute(const EglConfig& config, EGLint attri
     case EGL_CONFORMANT:
         return EGL_OPENGL_BIT;
     case EGL_SURFACE_TYPE:
-        return EGL_PBUFFER_BIT | (config.visual != 0 ? EGL_WINDOW_BIT | EGL_PIXMAP_BIT : 0);
+        return EGL_PBUFFER_BIT |
+               (swap_mode() == SwapMode::Copy ? EGL_SWAP_BEHAVIOR_PRESERVED_BIT : 0) |
+               (config.visual != 0 ? EGL_WINDOW_BIT | EGL_PIXMAP_BIT : 0);
     case EGL_NATIVE_RENDERABLE:
         return config.visual != 0;
     case EGL_NATIVE_VISUAL_ID:

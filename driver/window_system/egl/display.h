@@ -4,6 +4,7 @@
 #pragma once
 
 #include "driver/window_system/binding/binding.h"
+#include "driver/window_system/binding/formats.h"
 #include "driver/window_system/egl/configs.h"
 
 #include <map>
@@ -26,7 +27,8 @@ struct EglSurface {
     std::shared_ptr<WindowSurface> surface;
     EGLint type = EGL_PBUFFER_BIT; // or EGL_WINDOW_BIT, EGL_PIXMAP_BIT
     bool largest_pbuffer = false;
-    EGLint swap_behavior = EGL_BUFFER_DESTROYED;
+    EGLint swap_behavior =
+        swap_mode() == SwapMode::Copy ? EGL_BUFFER_PRESERVED : EGL_BUFFER_DESTROYED;
 };
 
 class EglDisplay {

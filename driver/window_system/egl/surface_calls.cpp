@@ -210,9 +210,14 @@ FFGPU_EGL EGLBoolean eglSurfaceAttrib(EGLDisplay dpy,
                                       EGLint attribute,
                                       EGLint value) {
     return egl_call<EGLBoolean>(EGL_FALSE, [&] {
-        require_surface(require_display(dpy), surface);
-        if (attribute == EGL_SWAP_BEHAVIOR && value == EGL_BUFFER_PRESERVED)
-            throw EglError{EGL_BAD_MATCH}; // No configuration has EGL_SWAP_BEHAVIOR_PRESERVED_BIT.
+        EglSurface& known = require_surface(require_display(dpy), surface);
+        if (attribute == EGL_SWAP_BEHAVIOR) {
+            const bool preserved = value == EGL_BUFFER_PRESERVED;
+            if (!preserved && value != EGL_BUFFER_DESTROYED) throw EglError{EGL_BAD_PARAMETER};
+            // No configuration then has EGL_SWAP_BEHAVIOR_PRESERVED_BIT.
+            if (preserved && swap_mode() != SwapMode::Copy) throw EglError{EGL_BAD_MATCH};
+            known.swap_behavior = value;
+        }
         if (attribute != EGL_SWAP_BEHAVIOR && attribute != EGL_MULTISAMPLE_RESOLVE &&
             attribute != EGL_MIPMAP_LEVEL)
             throw EglError{EGL_BAD_ATTRIBUTE};

@@ -44,6 +44,8 @@ Match match_of(int attribute) {
 
 bool matches(const GlxConfig& config, int attribute, int wish) {
     if (wish == DontCare) return true;
+    // Who asks for no certain method is content with any (GLX_OML_swap_method).
+    if (attribute == GLX_SWAP_METHOD_OML && wish == GLX_SWAP_UNDEFINED_OML) return true;
     const auto value = config_attribute(config, attribute);
     if (!value) return false;
     switch (match_of(attribute)) {

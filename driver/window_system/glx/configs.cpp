@@ -76,6 +76,10 @@ std::optional<int> config_attribute(const GlxConfig& config, int attribute) {
         return MaxSurfaceSize;
     case GLX_MAX_PBUFFER_PIXELS:
         return MaxSurfaceSize * MaxSurfaceSize;
+    case GLX_SWAP_METHOD_OML:
+        return !format.double_buffer           ? GLX_SWAP_UNDEFINED_OML
+               : swap_mode() == SwapMode::Copy ? GLX_SWAP_COPY_OML
+                                               : GLX_SWAP_EXCHANGE_OML;
     case GLX_LEVEL:
     case GLX_STEREO:
     case GLX_AUX_BUFFERS:
