@@ -85,7 +85,7 @@ void lower_fragments(const DeviceContext& context, DepthTarget depth, RegisterFi
 } // namespace
 
 void DeviceContext::lower_state() {
-    if (draw_drawable_) draw_drawable_->settle();
+    if (draw_drawable_ && !state.framebuffer.draw_object) draw_drawable_->settle();
     if (draw_drawable_ && draw_drawable_->generation() != drawable_generation_) {
         drawable_generation_ = draw_drawable_->generation();
         dirty.mark(Dirty::Targets);

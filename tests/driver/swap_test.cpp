@@ -135,6 +135,27 @@ TEST_CASE("a frame that begins with a clear costs no copy") {
     CHECK(f.copies() == 0);
 }
 
+TEST_CASE("what is drawn elsewhere before the clear costs no copy") {
+    CountsCopies f;
+    GLuint framebuffer = 0, renderbuffer = 0;
+    GenFramebuffers(1, &framebuffer);
+    GenRenderbuffers(1, &renderbuffer);
+    BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
+    RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA, 4, 4);
+    f.swap();
+    BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffer);
+    Rectf(-1, -1, 1, 1);
+    CHECK(f.copies() == 0);
+    BindFramebuffer(GL_FRAMEBUFFER, 0);
+    Clear(GL_COLOR_BUFFER_BIT);
+    CHECK(f.copies() == 0);
+    Rectf(-1, -1, 1, 1);
+    f.swap();
+    Rectf(-1, -1, 1, 1);
+    CHECK(f.copies() == 1);
+}
+
 TEST_CASE("what leaves a part of the back buffer as it was costs one copy") {
     CountsCopies f;
     const auto copies_of = [&f](auto&& begin_frame) {
