@@ -29,7 +29,7 @@ struct Trails {
 
     void draw_column(GLint column) {
         Enable(GL_SCISSOR_TEST);
-        Scissor(column, 0, 1, 4);
+        entry::Scissor(column, 0, 1, 4);
         ClearColor(1, 1, 1, 1);
         Clear(GL_COLOR_BUFFER_BIT);
         Disable(GL_SCISSOR_TEST);
@@ -69,7 +69,7 @@ struct CountsCopies : StateFixture {
 } // namespace
 
 TEST_CASE("a swap that copies keeps the picture that is drawn over") {
-    for (const std::uint8_t samples : {1, 4}) {
+    for (const std::uint8_t samples : {std::uint8_t{1}, std::uint8_t{4}}) {
         Trails trails({.samples = samples});
         for (GLint frame = 0; frame < 4; ++frame) {
             trails.draw_column(frame);
@@ -170,9 +170,9 @@ TEST_CASE("what leaves a part of the back buffer as it was costs one copy") {
     CHECK(copies_of([] { Clear(GL_DEPTH_BUFFER_BIT); }) == 1);
     CHECK(copies_of([] {
               Enable(GL_SCISSOR_TEST);
-              Scissor(0, 0, 1 << 14, 1 << 14);
+              entry::Scissor(0, 0, 1 << 14, 1 << 14);
           }) == 0);
-    CHECK(copies_of([] { Scissor(1, 0, 1 << 14, 1 << 14); }) == 1);
+    CHECK(copies_of([] { entry::Scissor(1, 0, 1 << 14, 1 << 14); }) == 1);
     Disable(GL_SCISSOR_TEST);
     CHECK(copies_of([] { ColorMask(1, 1, 1, 0); }) == 1);
     ColorMask(1, 1, 1, 1);
