@@ -65,8 +65,8 @@ PackedTranslation::PackedTranslation(const Description& from,
             if (entry.type == FieldEntry::Type::Enumeration) {
                 field.value_names = find_enumeration(from, entry.enumeration)->values;
                 const EnumerationEntry* const known = find_enumeration(to, entry.enumeration);
-                field.to_values = match_values(
-                    field.value_names, known ? known->values : std::vector<std::string>{});
+                field.to_values = match_values(field.value_names,
+                                               known ? known->values : std::vector<std::string>{});
             }
             fields_.push_back(std::move(field));
         }
@@ -115,9 +115,8 @@ void PackedTranslation::translate(std::span<const std::uint32_t> words,
     out.insert(out.end(), reset_.begin(), reset_.end());
     for (const Field& field : fields_) {
         const std::uint32_t value = (words[field.word] >> field.lsb) & mask(field.width);
-        const bool known =
-            field.type != FieldEntry::Type::Enumeration ||
-            (value < field.to_values.size() && field.to_values[value].has_value());
+        const bool known = field.type != FieldEntry::Type::Enumeration ||
+                           (value < field.to_values.size() && field.to_values[value].has_value());
         if (value == field.reset && (field.to_width == 0 || !known)) continue;
         if (field.to_width == 0) fail_unknown(field, value);
         std::uint32_t& word = out[begin + field.to_word];
@@ -178,7 +177,9 @@ void Translator::add_resets(CommandStream& commands) const {
         const std::size_t begin = commands.words.size();
         add_register(place, resets_[place.packed], commands);
         const std::span added = std::span(commands.words).subspan(begin);
-        if (std::equal(added.begin(), added.end(), ours.words.begin() + static_cast<std::ptrdiff_t>(at[*place.address])))
+        if (std::equal(added.begin(),
+                       added.end(),
+                       ours.words.begin() + static_cast<std::ptrdiff_t>(at[*place.address])))
             commands.words.resize(begin);
     }
 }
@@ -215,8 +216,7 @@ void Translator::add(const CommandReader& reader, CommandStream& commands) const
     commands.words.push_back(0);
     packed.translate(payload, commands.words);
     const std::size_t count = commands.words.size() - begin - 1;
-    commands.words[begin] =
-        CommandStream::header(*place.opcode, static_cast<std::uint32_t>(count));
+    commands.words[begin] = CommandStream::header(*place.opcode, static_cast<std::uint32_t>(count));
 }
 
 Surface Translator::surface(std::span<const std::uint32_t> words) const {

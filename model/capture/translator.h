@@ -41,8 +41,8 @@ private:
         unsigned word = 0, lsb = 0, width = 0;
         std::uint32_t reset = 0;
         unsigned to_word = 0, to_lsb = 0;
-        unsigned to_width = 0; // 0: this release does not have the field
-        std::vector<std::string> value_names;                // of an enumeration
+        unsigned to_width = 0;                // 0: this release does not have the field
+        std::vector<std::string> value_names; // of an enumeration
         std::vector<std::optional<std::uint32_t>> to_values; // of the same
     };
 
