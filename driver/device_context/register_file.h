@@ -5,22 +5,7 @@
 
 #include "model/device/commands.h"
 
-#include <type_traits>
-
 namespace ffgpu::gl {
-
-// The address of a register: its place in Registers::visit; of an array of registers, its first's.
-template <auto Member>
-consteval std::uint32_t find_register_address() {
-    const Registers registers{};
-    const void* wanted = &(registers.*Member);
-    std::uint32_t address = 0, found = RegisterCount;
-    Registers::visit(registers, [&](const auto& reg) {
-        if (static_cast<const void*>(&reg) == wanted) found = address;
-        ++address;
-    });
-    return found;
-}
 
 class RegisterFile {
 public:

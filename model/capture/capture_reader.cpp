@@ -2,67 +2,82 @@
 
 #include "model/base/input_error.h"
 #include "model/capture/capture_format.h"
+#include "model/capture/description_text.h"
+#include "model/device/extents.h"
+#include "model/device/validate.h"
 
-#include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
-#include <zstd.h>
-
 namespace ffgpu::capture {
+namespace {
+
+// A stream of another release grows when it is translated: it is handed on in parts of about that.
+constexpr std::size_t TranslatedWords = std::size_t{1} << 16;
+
+} // namespace
 
 bool CaptureReader::is_capture(const std::string& path) {
-    const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
+    const File file(std::fopen(path.c_str(), "rb"));
     std::array<char, Magic.size()> magic{};
     return file && std::fread(magic.data(), 1, magic.size(), file.get()) == magic.size() &&
            magic == Magic;
 }
 
 CaptureReader::CaptureReader(std::string path)
-    : path_(std::move(path))
-    , file_(std::fopen(path_.c_str(), "rb")) {
-    if (!file_) throw InputError(path_ + ": cannot be opened: " + std::strerror(errno));
-    read_header();
+    : file_(std::move(path)) {
+    read_beginning();
 }
 
 void CaptureReader::rewind() {
-    std::rewind(file_.get());
-    file_position_ = 0;
-    chunk_.clear();
-    at_ = 0;
+    file_.rewind();
+    read_beginning();
+}
+
+void CaptureReader::read_beginning() {
     read_header();
+    if (!file_.next_chunk(MaxDescriptionBytes)) file_.damaged("expected a description");
+    const auto bytes = file_.take(file_.left());
+    at_place([&] {
+        translator_.emplace(
+            parse_description({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+        commands_.clear();
+        translator_->add_resets(commands_);
+    });
+    resets_pending_ = !commands_.empty();
 }
 
 void CaptureReader::read_header() {
     std::array<std::byte, HeaderBytes> bytes{};
-    if (read_file(bytes) < bytes.size() ||
+    const std::size_t found = file_.read_plain(bytes);
+    if (found < Magic.size() + sizeof(Header::version) ||
         std::memcmp(bytes.data(), Magic.data(), Magic.size()) != 0)
-        throw InputError(path_ + ": byte 0: not a capture: expected 'ffgpucap' and a header");
+        throw InputError(file_.path() +
+                         ": byte 0: not a capture: expected 'ffgpucap' and a header");
     Header header;
     std::memcpy(&header.version, bytes.data() + 8, 4);
-    std::memcpy(&header.register_map, bytes.data() + 12, 4);
-    std::memcpy(&header.memory_bytes, bytes.data() + 16, 8);
-    std::memcpy(&header.first_frame, bytes.data() + 24, 4);
+    std::memcpy(&header.memory_bytes, bytes.data() + 12, 8);
+    std::memcpy(&header.first_frame, bytes.data() + 20, 4);
     if (header.version != Version)
-        throw InputError(path_ + ": capture version " + std::to_string(header.version) +
+        throw InputError(file_.path() + ": capture version " + std::to_string(header.version) +
                          "; version " + std::to_string(Version) + " can be read");
-    if (header.register_map != register_map_fingerprint())
-        throw InputError(path_ + ": made by another release: its device has other registers");
+    if (found < bytes.size()) throw InputError(file_.path() + ": the header is cut off");
     constexpr std::uint64_t Most = std::uint64_t{1} << 32;
     if (header.memory_bytes > Most)
-        throw InputError(path_ + ": byte 16: expected a memory of at most " + std::to_string(Most) +
-                         " bytes, found " + std::to_string(header.memory_bytes));
+        throw InputError(file_.path() + ": byte 12: expected a memory of at most " +
+                         std::to_string(Most) + " bytes, found " +
+                         std::to_string(header.memory_bytes));
     memory_size_ = header.memory_bytes;
     first_frame_ = header.first_frame;
-    check_ = CommandCheck(memory_size_);
 }
 
 std::optional<ShownPicture> CaptureReader::play_frame(Device& device) {
+    if (std::exchange(resets_pending_, false)) at_place([&] { device.submit(commands_); });
     for (;;) {
-        if (at_ == chunk_.size() && !next_chunk()) return std::nullopt;
-        switch (const auto kind = static_cast<Record>(take(1)[0])) {
+        if (file_.chunk_ended() && !file_.next_chunk(MaxChunkBytes)) return std::nullopt;
+        switch (const auto kind = static_cast<Record>(file_.take(1)[0])) {
         case Record::WriteMemory:
             play_write(device);
             break;
@@ -78,101 +93,76 @@ std::optional<ShownPicture> CaptureReader::play_frame(Device& device) {
         case Record::Shown:
             return take_shown();
         default:
-            damaged("expected a record's kind (1 to 5), found " +
-                    std::to_string(static_cast<unsigned>(kind)));
+            file_.damaged("expected a record's kind (1 to 5), found " +
+                          std::to_string(static_cast<unsigned>(kind)));
         }
     }
 }
 
-// False at the end mark.
-bool CaptureReader::next_chunk() {
-    chunk_position_ = file_position_;
-    chunk_.clear();
-    at_ = 0;
-    std::array<std::uint32_t, 2> sizes{};
-    if (read_file(std::as_writable_bytes(std::span(sizes))) < sizeof sizes)
-        damaged("the file is cut off: expected a chunk");
-    const auto [size, compressed_size] = sizes;
-    if (size == 0) return false;
-    if (size > MaxChunkBytes || compressed_size > ZSTD_compressBound(MaxChunkBytes))
-        damaged("expected a chunk of at most " + std::to_string(MaxChunkBytes) +
-                " bytes, found one of " + std::to_string(size));
-    compressed_.resize(compressed_size);
-    if (read_file(compressed_) < compressed_size)
-        damaged("the file is cut off: expected a chunk of " + std::to_string(compressed_size) +
-                " bytes");
-    chunk_.resize(size);
-    const std::size_t result =
-        ZSTD_decompress(chunk_.data(), size, compressed_.data(), compressed_size);
-    if (ZSTD_isError(result) || result != size)
-        damaged(ZSTD_isError(result) ? ZSTD_getErrorName(result) : "the chunk is too short");
-    return true;
-}
-
 void CaptureReader::play_write(Device& device) {
-    const std::uint32_t address = take_u32();
-    const std::uint32_t bytes = take_u32();
+    const std::uint32_t address = file_.take_u32();
+    const std::uint32_t bytes = file_.take_u32();
     need_range(address, bytes);
-    device.write_memory(address, take(bytes));
+    device.write_memory(address, file_.take(bytes));
 }
 
 void CaptureReader::play_read(Device& device) {
-    const std::uint32_t address = take_u32();
-    const std::uint32_t bytes = take_u32();
+    const std::uint32_t address = file_.take_u32();
+    const std::uint32_t bytes = file_.take_u32();
     need_range(address, bytes);
     scratch_.resize(bytes);
     device.read_memory(address, scratch_);
 }
 
 void CaptureReader::play_commands(Device& device) {
-    const std::uint32_t count = take_u32();
-    const auto bytes = take(std::size_t{4} * count);
-    commands_.words.resize(count);
-    std::memcpy(commands_.words.data(), bytes.data(), bytes.size());
-    if (const std::string wrong = check_.find_mistake(commands_.words); !wrong.empty())
-        damaged(wrong);
+    file_.take_words(file_.take_u32(), words_);
+    at_place([&] {
+        if (!translator_->is_identity()) return play_translated(device);
+        commands_.words.swap(words_);
+        device.submit(commands_);
+    });
+}
+
+void CaptureReader::play_translated(Device& device) {
+    commands_.clear();
+    CommandReader reader(words_);
+    while (reader.next()) {
+        try {
+            translator_->add(reader, commands_);
+        } catch (const InputError& error) {
+            reader.fail(error.what());
+        }
+        if (commands_.words.size() < TranslatedWords) continue;
+        device.submit(commands_);
+        commands_.clear();
+    }
     device.submit(commands_);
 }
 
 ShownPicture CaptureReader::take_shown() {
     ShownPicture shown;
-    shown.frame = take_u32();
-    std::array<std::uint32_t, WordCount<Surface>> words{};
-    const auto bytes = take(sizeof words);
-    std::memcpy(words.data(), bytes.data(), sizeof words);
-    shown.picture = unpack<Surface>(words);
-    if (const std::string wrong = check_.find_mistake(shown.picture); !wrong.empty())
-        damaged(wrong);
+    shown.frame = file_.take_u32();
+    file_.take_words(translator_->surface_words(), words_);
+    at_place([&] {
+        shown.picture = translator_->surface(words_);
+        validate_picture(shown.picture, memory_size_);
+    });
     return shown;
 }
 
 void CaptureReader::need_range(std::uint32_t address, std::uint64_t bytes) const {
-    if (address + bytes > memory_size_)
-        damaged("expected addresses within " + std::to_string(memory_size_) + " bytes, found " +
-                std::to_string(bytes) + " at " + std::to_string(address));
+    if (!lies_within(address, bytes, memory_size_))
+        file_.damaged("expected addresses within " + std::to_string(memory_size_) +
+                      " bytes, found " + std::to_string(bytes) + " at " + std::to_string(address));
 }
 
-std::uint32_t CaptureReader::take_u32() {
-    std::uint32_t value = 0;
-    const auto bytes = take(sizeof value);
-    std::memcpy(&value, bytes.data(), sizeof value);
-    return value;
-}
-
-std::span<const std::byte> CaptureReader::take(std::size_t bytes) {
-    if (bytes > chunk_.size() - at_) damaged("a record does not end in its chunk");
-    const std::size_t at = std::exchange(at_, at_ + bytes);
-    return std::span(chunk_).subspan(at, bytes);
-}
-
-std::size_t CaptureReader::read_file(std::span<std::byte> bytes) {
-    const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), file_.get());
-    file_position_ += count;
-    return count;
-}
-
-void CaptureReader::damaged(const std::string& what) const {
-    throw InputError(path_ + ": chunk at byte " + std::to_string(chunk_position_) + ": " + what);
+template <class Action>
+void CaptureReader::at_place(Action&& action) const {
+    try {
+        action();
+    } catch (const InputError& error) {
+        file_.damaged(error.what());
+    }
 }
 
 } // namespace ffgpu::capture

@@ -1,17 +1,15 @@
-// CaptureReader: plays an .ffc file on a device. What the file holds is checked before a device
-// sees it, so that no file can make it fail: a damaged one throws InputError, naming the file, the
-// place and what was expected, after everything before it was played.
+// CaptureReader: plays an .ffc file on a device, one of another release translated. What is damaged
+// throws InputError, naming the file and the place, after everything before it was played. Streams
+// of commands are judged by the device, as any that is submitted; the reader adds where they stand.
 
 #pragma once
 
-#include "model/capture/command_check.h"
+#include "model/capture/chunk_file.h"
+#include "model/capture/translator.h"
 #include "model/device/device.h"
 
 #include <cstdint>
-#include <cstdio>
-#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -43,34 +41,26 @@ public:
     void rewind();
 
 private:
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-
+    void read_beginning();
     void read_header();
-    bool next_chunk();
     void play_write(Device& device);
     void play_read(Device& device);
     void play_commands(Device& device);
+    void play_translated(Device& device);
     ShownPicture take_shown();
     void need_range(std::uint32_t address, std::uint64_t bytes) const;
 
-    std::uint32_t take_u32();
-    std::span<const std::byte> take(std::size_t bytes);
-    std::size_t read_file(std::span<std::byte> bytes);
-    [[noreturn]] void damaged(const std::string& what) const;
+    // Adds the place in the file to an InputError.
+    template <class Action>
+    void at_place(Action&& action) const;
 
-    std::string path_;
-    std::unique_ptr<std::FILE, Close> file_;
+    ChunkReader file_;
     std::uint64_t memory_size_ = 0;
     std::uint32_t first_frame_ = 0;
-    std::uint64_t file_position_ = 0;
-    std::uint64_t chunk_position_ = 0; // of the chunk, in the file
-    std::vector<std::byte> compressed_;
-    std::vector<std::byte> chunk_;
-    std::size_t at_ = 0; // in chunk_
+    std::optional<Translator> translator_;
+    bool resets_pending_ = false; // commands_ are the resets, and come before all else
+    std::vector<std::uint32_t> words_;
     CommandStream commands_;
-    CommandCheck check_;
     std::vector<std::byte> scratch_;
 };
 

@@ -6,11 +6,13 @@
 
 #pragma once
 
-#include "model/capture/register_shadow.h"
+#include "model/capture/capture_format.h"
+#include "model/capture/chunk_file.h"
+#include "model/device/description.h"
 #include "model/device/device.h"
+#include "model/device/register_file.h"
 
-#include <cstdio>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +26,7 @@ public:
     // Throws InputError if the file cannot be written; so do end() and the calls between them.
     void begin(const std::string& path, std::uint32_t first_frame);
     void end();
-    bool is_recording() const { return file_ != nullptr; }
+    bool is_recording() const { return file_.has_value(); }
 
     // Tells which picture a frame ended with.
     void frame_shown(std::uint32_t number, const Surface& picture);
@@ -37,25 +39,17 @@ public:
     std::vector<const StatisticsGroup*> statistics() const override { return device_.statistics(); }
 
 private:
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-
     void record_snapshot();
     void record_write(DeviceAddress at, std::span<const std::byte> bytes);
     void record_commands(std::span<const std::uint32_t> words);
-    void put_u32(std::uint32_t value);
-    void put_bytes(const void* bytes, std::size_t count);
-    void begin_record(std::uint8_t kind, std::size_t bytes);
-    void write_chunk();
-    void write_file(const void* bytes, std::size_t count);
+    void begin_record(Record record, std::size_t bytes);
 
     Device& device_;
-    RegisterShadow shadow_;
-    std::string path_;
-    std::unique_ptr<std::FILE, Close> file_;
-    std::vector<std::byte> chunk_;
-    std::vector<std::byte> compressed_;
+    RegisterFile registers_; // the device's
+    std::optional<ChunkWriter> file_;
 };
+
+// What a capture begins with, before its first record.
+void write_beginning(ChunkWriter& file, const Header& header, const Description& contract);
 
 } // namespace ffgpu::capture

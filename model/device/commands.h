@@ -21,9 +21,9 @@ enum class Opcode : std::uint8_t {
     Clear = 3,
     DrawImage = 4,
     CopyRectangle = 5,
-    ResetSampleCounter = 6, // no payload
-    StoreSampleCounter = 7, // payload: device address of 8 bytes
-    EndFrame = 8,           // no payload: a picture was handed over
+    ResetSampleCounter = 6,
+    StoreSampleCounter = 7,
+    EndFrame = 8,
 };
 
 enum class PrimitiveType : std::uint8_t { // In OpenGL's order.
@@ -51,6 +51,7 @@ enum class DrawOutput : std::uint8_t {
 // first .. first + count - 1 are drawn; with indices the count indices at index_address.
 struct DrawCommand {
     static constexpr Opcode Code = Opcode::Draw;
+    static constexpr const char* Name = "draw";
 
     PrimitiveType primitive = PrimitiveType::Triangles;
     IndexType index_type = IndexType::None;
@@ -62,7 +63,7 @@ struct DrawCommand {
     DeviceAddress vertex_address = 0;
     DeviceAddress index_address = 0;
     DeviceAddress feedback_address = 0; // Feedback: the record buffer
-    std::uint32_t feedback_bytes = 0;
+    std::uint32_t feedback_bytes = 0;   // of the whole buffer, its first word too: at least 4
 
     template <class Self, class Visitor>
     static constexpr void visit(Self& self, Visitor&& field) {
@@ -90,6 +91,7 @@ constexpr unsigned FeedbackVertexWords = 12;
 // Fills the scissor rectangle of the targets. Write masks of colour and stencil apply.
 struct ClearCommand {
     static constexpr Opcode Code = Opcode::Clear;
+    static constexpr const char* Name = "clear";
 
     bool color = false, depth = false, stencil = false;
     std::uint8_t stencil_value = 0;
@@ -107,6 +109,37 @@ struct ClearCommand {
     }
 };
 
+// Sets the counter of fragments that passed to 0.
+struct ResetSampleCounterCommand {
+    static constexpr Opcode Code = Opcode::ResetSampleCounter;
+    static constexpr const char* Name = "reset_sample_counter";
+
+    template <class Self, class Visitor>
+    static constexpr void visit(Self&, Visitor&&) {}
+};
+
+// Writes the counter to memory, 8 bytes.
+struct StoreSampleCounterCommand {
+    static constexpr Opcode Code = Opcode::StoreSampleCounter;
+    static constexpr const char* Name = "store_sample_counter";
+
+    DeviceAddress address = 0;
+
+    template <class Self, class Visitor>
+    static constexpr void visit(Self& self, Visitor&& field) {
+        field("address", self.address, 32);
+    }
+};
+
+// A picture was handed over.
+struct EndFrameCommand {
+    static constexpr Opcode Code = Opcode::EndFrame;
+    static constexpr const char* Name = "end_frame";
+
+    template <class Self, class Visitor>
+    static constexpr void visit(Self&, Visitor&&) {}
+};
+
 // Makes fragments of an image's pixels, as glDrawPixels and glBitmap do (GL 1.5, 3.6.4, 3.7).
 // Pixel (i, j) covers the fragments whose centres lie in the rectangle with corners
 // (x + zoom_x i, y + zoom_y j) and (x + zoom_x (i + 1), y + zoom_y (j + 1)).
@@ -116,11 +149,13 @@ struct ClearCommand {
 // Bitmap: bits that are set make fragments of the colour below; zoom is 1.
 struct DrawImageCommand {
     static constexpr Opcode Code = Opcode::DrawImage;
+    static constexpr const char* Name = "draw_image";
 
     Format format = Format::Rgba8;
     DeviceAddress address = 0;
-    std::uint32_t stride = 0; // bytes from a row to the one above
-    std::uint32_t width = 0, height = 0;
+    std::uint32_t stride =
+        0; // bytes from a row to the one above; the last row ends with its pixels
+    std::uint32_t width = 0, height = 0; // none: nothing is drawn
     float x = 0, y = 0;
     float zoom_x = 1, zoom_y = 1;
     float depth = 0; // window depth in [0, 1]
@@ -155,6 +190,7 @@ struct DrawImageCommand {
 // clips: both rectangles lie inside their surfaces.
 struct CopyRectangleCommand {
     static constexpr Opcode Code = Opcode::CopyRectangle;
+    static constexpr const char* Name = "copy_rectangle";
 
     Surface source, destination;
     std::uint16_t source_x = 0, source_y = 0;
@@ -163,8 +199,8 @@ struct CopyRectangleCommand {
 
     template <class Self, class Visitor>
     static constexpr void visit(Self& self, Visitor&& field) {
-        Surface::visit(self.source, field);
-        Surface::visit(self.destination, field);
+        Surface::visit(self.source, in_part("source", field));
+        Surface::visit(self.destination, in_part("destination", field));
         field("source_x", self.source_x, 16);
         field("source_y", self.source_y, 16);
         field("destination_x", self.destination_x, 16);
@@ -173,6 +209,18 @@ struct CopyRectangleCommand {
         field("height", self.height, 16);
     }
 };
+
+// Calls visitor(Command{}) for each command but WriteRegister, whose payload is a register's.
+template <class Visitor>
+constexpr void visit_commands(Visitor&& visitor) {
+    visitor(DrawCommand{});
+    visitor(ClearCommand{});
+    visitor(DrawImageCommand{});
+    visitor(CopyRectangleCommand{});
+    visitor(ResetSampleCounterCommand{});
+    visitor(StoreSampleCounterCommand{});
+    visitor(EndFrameCommand{});
+}
 
 struct CommandStream {
     std::vector<std::uint32_t> words;
@@ -203,6 +251,10 @@ struct CommandStream {
     static constexpr std::uint32_t header(Opcode opcode, std::uint32_t count) {
         return static_cast<std::uint32_t>(opcode) << 24 | count;
     }
+    static constexpr Opcode opcode(std::uint32_t header) {
+        return static_cast<Opcode>(header >> 24);
+    }
+    static constexpr std::uint32_t payload_words(std::uint32_t header) { return header & 0xffffff; }
 
 private:
     template <class Packed>

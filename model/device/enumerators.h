@@ -1,54 +1,73 @@
-// Which values the fields of the contract may hold. A command stream may come from a file.
+// The values of the contract's enumerations and their names, from the enumerations themselves.
+// A command stream may come from a file: from another release, or damaged.
 
 #pragma once
 
-#include "model/device/commands.h"
+#include "model/device/register.h"
 
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 
 namespace ffgpu {
 
-// The last enumerator of the types that do not fill the bits of their fields; of the others any
-// bits are a value.
-template <class Enum>
-constexpr Enum LastEnumerator = static_cast<Enum>(255);
-template <>
-inline constexpr Format
-    LastEnumerator<Format> = static_cast<Format>(static_cast<unsigned>(Format::Count) - 1);
-template <>
-inline constexpr auto LastEnumerator<PrimitiveType> = PrimitiveType::Polygon;
-template <>
-inline constexpr auto LastEnumerator<IndexType> = IndexType::U32;
-template <>
-inline constexpr auto LastEnumerator<NormalMode> = NormalMode::Normalize;
-template <>
-inline constexpr auto LastEnumerator<TexGenMode> = TexGenMode::ReflectionMap;
-template <>
-inline constexpr auto LastEnumerator<PolygonMode> = PolygonMode::Fill;
-template <>
-inline constexpr auto LastEnumerator<TextureKind> = TextureKind::Rectangle;
-template <>
-inline constexpr auto LastEnumerator<MipFilter> = MipFilter::Linear;
-template <>
-inline constexpr auto LastEnumerator<DepthMode> = DepthMode::Alpha;
-template <>
-inline constexpr auto LastEnumerator<CombineOp> = CombineOp::AddProductsSigned;
-template <>
-inline constexpr auto LastEnumerator<CombineSource> = CombineSource::One;
-template <>
-inline constexpr auto LastEnumerator<BlendFactor> = BlendFactor::SourceAlphaSaturate;
-template <>
-inline constexpr auto LastEnumerator<BlendEquation> = BlendEquation::Max;
+// "ffgpu::FogMode::Exp2" of that value; of a number without enumerator "(ffgpu::FogMode)4".
+template <auto Value>
+constexpr std::string_view enumerator_text() {
+    constexpr std::string_view Before = "Value = ";
+    const std::string_view text = __PRETTY_FUNCTION__;
+    const std::size_t begin = text.find(Before) + Before.size();
+    return text.substr(begin, text.find_first_of(";]", begin) - begin);
+}
 
-// The name of the first field of a register or command that holds no value of its kind; null where
-// every field does.
+constexpr std::string_view last_part(std::string_view text) {
+    return text.substr(text.rfind(':') + 1);
+}
+
+// "FogMode"
+template <class Enum>
+constexpr std::string_view enumeration_name() {
+    const std::string_view text = enumerator_text<static_cast<Enum>(0)>();
+    return last_part(text.substr(0, text.rfind("::")));
+}
+
+// Fields of enumerations are at most that wide.
+constexpr unsigned MostEnumeratorBits = 5;
+
+// "Off", "Linear", "Exp", "Exp2"; then empty. Enumerators count from 0 without a gap.
+template <class Enum>
+constexpr auto EnumeratorNames = []<std::size_t... I>(std::index_sequence<I...>) {
+    std::array<std::string_view, sizeof...(I)> names{enumerator_text<static_cast<Enum>(I)>()...};
+    bool ended = false;
+    for (std::string_view& name : names) {
+        const bool is_name = name[0] != '(' && !(name[0] >= '0' && name[0] <= '9');
+        name = last_part(name);
+        ended = ended || !is_name || name == "Count";
+        if (ended) name = {};
+    }
+    return names;
+}
+(std::make_index_sequence<1u << MostEnumeratorBits>{});
+
+template <class Enum>
+constexpr std::size_t EnumeratorCount = [] {
+    std::size_t count = 0;
+    while (count < EnumeratorNames<Enum>.size() && !EnumeratorNames<Enum>[count].empty())
+        ++count;
+    return count;
+}();
+
+// The name of the first field of a register or command that holds no value of its kind.
 template <class Packed>
-constexpr const char* find_bad_enumerator(const Packed& packed) {
-    const char* bad = nullptr;
-    Packed::visit(packed, [&bad](const char* name, const auto& field, unsigned = 32) {
+constexpr std::optional<FieldName> find_bad_enumerator(const Packed& packed) {
+    std::optional<FieldName> bad;
+    Packed::visit(packed, [&bad](FieldName name, const auto& field, unsigned = 32) {
         using Field = std::remove_cvref_t<decltype(field)>;
         if constexpr (std::is_enum_v<Field>)
-            if (!bad && field > LastEnumerator<Field>) bad = name;
+            if (!bad && static_cast<std::size_t>(field) >= EnumeratorCount<Field>) bad = name;
     });
     return bad;
 }

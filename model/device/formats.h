@@ -72,6 +72,17 @@ constexpr const FormatInfo& format_info(Format format) {
     return FormatTable[static_cast<std::size_t>(format)];
 }
 
+// Uncompressed and with colour: what colour targets and copies of colours may be of. (A format from
+// a file may be none of the list.)
+constexpr bool is_plain_color(Format format) {
+    return format >= Format::Rgba8 && format <= Format::Rgb5a1;
+}
+
+// What depth targets and copies of depths may be of.
+constexpr bool is_depth_target(Format format) {
+    return format == Format::Depth16 || format == Format::Depth24Stencil8;
+}
+
 // Bytes of one row of blocks of an image `width` texels wide. Rows are not padded.
 constexpr std::uint32_t row_bytes(Format format, std::uint32_t width) {
     if (format == Format::Bitmap) return (width + 7) / 8;

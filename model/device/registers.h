@@ -81,4 +81,28 @@ constexpr unsigned count_registers() {
 }
 constexpr unsigned RegisterCount = count_registers();
 
+// Words of the register at each address.
+constexpr std::array<std::uint8_t, RegisterCount> RegisterWords = [] {
+    std::array<std::uint8_t, RegisterCount> words{};
+    Registers registers{};
+    std::size_t address = 0;
+    Registers::visit(registers, [&](auto& reg) {
+        words[address++] = WordCount<std::remove_cvref_t<decltype(reg)>>;
+    });
+    return words;
+}();
+
+// The address of a register; of an array of registers, its first's.
+template <auto Member>
+consteval std::uint32_t find_register_address() {
+    const Registers registers{};
+    const void* wanted = &(registers.*Member);
+    std::uint32_t address = 0, found = RegisterCount;
+    Registers::visit(registers, [&](const auto& reg) {
+        if (static_cast<const void*>(&reg) == wanted) found = address;
+        ++address;
+    });
+    return found;
+}
+
 } // namespace ffgpu

@@ -1,5 +1,6 @@
 #include "model/geometry/geometry_unit.h"
 
+#include "model/device/extents.h"
 #include "model/geometry/feedback_writer.h"
 
 #include <algorithm>
@@ -67,8 +68,7 @@ void GeometryUnit::draw(const DrawState& state,
 void GeometryUnit::feedback(const DrawState& state,
                             const DrawCommand& command,
                             std::span<std::byte> memory) {
-    const std::uint64_t end = std::uint64_t{command.feedback_address} + command.feedback_bytes;
-    if (end > memory.size() || command.feedback_bytes < sizeof(std::uint32_t)) {
+    if (!feedback_fits(command, memory.size())) {
         ++stats_.draws_dropped;
         return;
     }

@@ -1,5 +1,7 @@
 #include "model/geometry/vertex_fetch.h"
 
+#include "model/device/extents.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -13,10 +15,6 @@ std::uint64_t extent(const VertexFormat& format, std::uint32_t vertex_count) {
         if (element.components != 0)
             words = std::max<std::uint64_t>(words, element.offset + element.components);
     return 4 * (std::uint64_t{format.stride} * (vertex_count - 1) + words);
-}
-
-bool fits(std::span<const std::byte> memory, DeviceAddress at, std::uint64_t bytes) {
-    return at <= memory.size() && bytes <= memory.size() - at;
 }
 
 template <unsigned Components>
@@ -34,26 +32,15 @@ void fetch_attribute(const std::byte* first,
 
 } // namespace
 
-std::uint32_t index_bytes(IndexType type) {
-    switch (type) {
-    case IndexType::U16:
-        return 2;
-    case IndexType::U32:
-        return 4;
-    default:
-        return 0;
-    }
-}
-
 ElementReader::ElementReader(std::span<const std::byte> memory,
                              const DrawCommand& command,
                              const VertexFormat& format)
     : command_(command) {
     if (command.vertex_count == 0) return;
-    const std::uint64_t index_extent =
-        std::uint64_t{command.count} * index_bytes(command.index_type);
-    in_memory_ = fits(memory, command.vertex_address, extent(format, command.vertex_count)) &&
-                 (!indexed() || fits(memory, command.index_address, index_extent));
+    const std::uint64_t vertices = extent(format, command.vertex_count);
+    in_memory_ =
+        lies_within(command.vertex_address, vertices, memory.size()) &&
+        (!indexed() || lies_within(command.index_address, index_bytes(command), memory.size()));
     if (in_memory_ && indexed()) indices_ = memory.data() + command.index_address;
 }
 

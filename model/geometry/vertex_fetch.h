@@ -36,8 +36,6 @@ private:
     bool in_memory_ = false;
 };
 
-std::uint32_t index_bytes(IndexType type);
-
 // Fills the planes of the attributes that the set-up reads.
 class VertexFetch {
 public:

@@ -4,8 +4,8 @@
 
 #include "model/base/check.h"
 #include "model/base/float_environment.h"
-#include "model/base/input_error.h"
-#include "model/gpu/validate.h"
+#include "model/device/extents.h"
+#include "model/device/validate.h"
 #include "model/memory/copy.h"
 #include "model/raster/image_fragments.h"
 
@@ -57,20 +57,13 @@ std::vector<const StatisticsGroup*> FunctionalGpu::statistics() const {
 
 void FunctionalGpu::submit(const CommandStream& commands) {
     const FloatEnvironment environment;
-    CommandReader reader(commands.words);
-    while (reader.next()) {
-        try {
-            execute(reader);
-        } catch (const InputError& error) {
-            reader.fail(error.what());
-        }
-    }
+    for_each_command(commands.words, [this](const CommandReader& reader) { execute(reader); });
 }
 
 void FunctionalGpu::execute(const CommandReader& reader) {
-    switch (static_cast<Opcode>(reader.opcode())) {
+    switch (reader.opcode()) {
     case Opcode::WriteRegister:
-        return write_register(reader);
+        return write_register(reader.register_write());
     case Opcode::Draw:
         return draw(reader.command<DrawCommand>());
     case Opcode::Clear:
@@ -80,25 +73,19 @@ void FunctionalGpu::execute(const CommandReader& reader) {
     case Opcode::CopyRectangle:
         return copy(reader.command<CopyRectangleCommand>());
     case Opcode::ResetSampleCounter:
-        reader.expect(0);
+        reader.command<ResetSampleCounterCommand>();
         return reset_samples();
     case Opcode::StoreSampleCounter:
-        return store_samples(reader);
+        return store_samples(reader.command<StoreSampleCounterCommand>());
     case Opcode::EndFrame:
-        reader.expect(0);
+        reader.command<EndFrameCommand>();
         return end_frame();
     }
-    throw InputError("there is no opcode " + std::to_string(reader.opcode()));
+    reader.unknown_opcode();
 }
 
-void FunctionalGpu::write_register(const CommandReader& reader) {
-    const std::span<const std::uint32_t> payload = reader.payload();
-    if (payload.empty()) throw InputError("a register write without an address");
-    const std::uint32_t address = payload[0];
-    if (address >= RegisterCount)
-        throw InputError("there is no register " + std::to_string(address));
-    reader.expect(1 + RegisterFile::word_count(address));
-    const RegisterFile::Change change = registers_.write(address, payload.subspan(1));
+void FunctionalGpu::write_register(const CommandReader::RegisterWrite& write) {
+    const RegisterFile::Change change = registers_.write(write);
     if (change == RegisterFile::Change::None) return;
     context_valid_ = false;
     pixels_valid_ = pixels_valid_ && change == RegisterFile::Change::Geometry;
@@ -111,11 +98,10 @@ void FunctionalGpu::clear(const ClearCommand& command) {
 }
 
 void FunctionalGpu::draw_image(const DrawImageCommand& command) {
-    validate(command);
+    validate(command, memory_.size());
     prepare_context();
     ++primitive_statistics_.draws;
-    const std::uint64_t bytes = std::uint64_t{command.stride} * command.height;
-    if (!memory_.contains(command.address, bytes)) return; // As image_fragments: it makes nothing.
+    const std::uint64_t bytes = image_bytes(command);
     before_read(command.address, bytes);
     begin_command({.kind = WorkKind::Image,
                    .number = draw_number_++,
@@ -142,14 +128,11 @@ void FunctionalGpu::reset_samples() {
     samples_ = 0;
 }
 
-void FunctionalGpu::store_samples(const CommandReader& reader) {
-    reader.expect(1);
-    const DeviceAddress at = reader.payload()[0];
-    if (!memory_.contains(at, sizeof samples_))
-        throw InputError("the sample counter's place is outside device memory");
+void FunctionalGpu::store_samples(const StoreSampleCounterCommand& command) {
+    validate(command, memory_.size());
     if (samples_pending_) flush();
-    before_write(at, sizeof samples_);
-    std::memcpy(memory_.bytes().data() + at, &samples_, sizeof samples_);
+    before_write(command.address, sizeof samples_);
+    std::memcpy(memory_.bytes().data() + command.address, &samples_, sizeof samples_);
 }
 
 void FunctionalGpu::end_frame() {

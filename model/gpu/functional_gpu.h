@@ -10,13 +10,13 @@
 
 #pragma once
 
+#include "model/device/command_reader.h"
 #include "model/device/device.h"
+#include "model/device/register_file.h"
 #include "model/geometry/geometry_unit.h"
 #include "model/gpu/bin.h"
-#include "model/gpu/command_reader.h"
 #include "model/gpu/page_set.h"
 #include "model/gpu/raster_statistics.h"
-#include "model/gpu/register_file.h"
 #include "model/gpu/thread_pool.h"
 #include "model/gpu/tile_renderer.h"
 #include "model/memory/device_memory.h"
@@ -55,13 +55,13 @@ public:
 private:
     // Commands.
     void execute(const CommandReader& reader);
-    void write_register(const CommandReader& reader);
+    void write_register(const CommandReader::RegisterWrite& write);
     void draw(const DrawCommand& command);
     void clear(const ClearCommand& command);
     void draw_image(const DrawImageCommand& command);
     void copy(const CopyRectangleCommand& command);
     void reset_samples();
-    void store_samples(const CommandReader& reader);
+    void store_samples(const StoreSampleCounterCommand& command);
     void end_frame();
 
     // Draws.

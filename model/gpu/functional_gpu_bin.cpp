@@ -1,8 +1,9 @@
 // FunctionalGpu: draws on their way into the bin, and bins carried out.
 
 #include "model/base/float_environment.h"
+#include "model/device/extents.h"
+#include "model/device/validate.h"
 #include "model/gpu/functional_gpu.h"
-#include "model/gpu/validate.h"
 
 #include <algorithm>
 
@@ -48,11 +49,9 @@ void FunctionalGpu::draw(const DrawCommand& command) {
     validate(command, registers_.values(), memory_.size());
     prepare_context();
     ++primitive_statistics_.draws;
-    const std::uint64_t vertex_bytes = std::uint64_t{registers_.values().vertex_format.stride} * 4;
-    before_read(command.vertex_address, command.vertex_count * vertex_bytes);
+    before_read(command.vertex_address, vertex_bytes(command, registers_.values().vertex_format));
     if (command.index_type != IndexType::None)
-        before_read(command.index_address,
-                    std::uint64_t{command.count} * (command.index_type == IndexType::U16 ? 2 : 4));
+        before_read(command.index_address, index_bytes(command));
     const std::uint32_t number = draw_number_++;
     if (command.output == DrawOutput::Feedback) {
         before_write(command.feedback_address, command.feedback_bytes);

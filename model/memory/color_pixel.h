@@ -59,11 +59,6 @@ struct Dithered {
 
 // --- Formats ----------------------------------------------------------------------------------
 
-// Uncompressed and with colour. (A format from a file may be none of the list.)
-constexpr bool is_plain_color(Format format) {
-    return format >= Format::Rgba8 && format <= Format::Rgb5a1;
-}
-
 // Some channel has fewer than 8 bits: rounding matters.
 constexpr bool is_narrow(Format format) {
     return format >= Format::Rgb565 && format <= Format::Rgb5a1;

@@ -77,14 +77,4 @@ void store_depth24(Format format, std::span<const std::uint32_t> depths, std::by
     });
 }
 
-bool surface_fits(const Surface& surface, std::uint64_t memory_size) {
-    if (!is_plain_color(surface.format) && !is_depth_target(surface.format)) return false;
-    if (surface.width == 0 || surface.height == 0) return false;
-    if (surface.samples != 1 && surface.samples != MaxSamples) return false;
-    const std::uint64_t row = row_bytes(surface.format, surface.width);
-    if (surface.height > 1 && surface.stride < row) return false;
-    // The last row need not reach to the next.
-    return surface.address + surface.bytes() - surface.stride + row <= memory_size;
-}
-
 } // namespace ffgpu

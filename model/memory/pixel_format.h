@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "model/device/extents.h"
 #include "model/device/formats.h"
 #include "model/device/registers/fragment.h"
 #include "model/memory/color_pixel.h"
@@ -66,11 +67,6 @@ void store_word(std::byte* at, Word word) {
     std::memcpy(at, &word, sizeof word);
 }
 
-// What load_depth24 and store_depth24 take. (A format from a file may be none of the list.)
-constexpr bool is_depth_target(Format format) {
-    return format == Format::Depth16 || format == Format::Depth24Stencil8;
-}
-
 // Consecutive pixels of a row, of a plain colour format.
 void load_rgba8(Format format, const std::byte* from, std::span<std::uint32_t> colors);
 void store_rgba8(Format format, std::span<const std::uint32_t> colors, std::byte* to);
@@ -85,16 +81,14 @@ inline void store_rgba8(Format format, std::uint32_t color, std::byte* to) {
     store_rgba8(format, std::span(&color, 1), to);
 }
 
-// Depths in 24-bit units. Storing keeps the stencil bits of Depth24Stencil8.
+// Depths in 24-bit units, of a format of depth targets. Storing keeps the stencil bits of
+// Depth24Stencil8.
 void load_depth24(Format format, const std::byte* from, std::span<std::uint32_t> depths);
 void store_depth24(Format format, std::span<const std::uint32_t> depths, std::byte* to);
 
 // --- Surfaces ---------------------------------------------------------------------------------
 
-// Does every pixel of the surface lie in memory, and do its rows not overlap? A command stream may
-// come from a file: nobody touches a surface that this was not asked about.
-bool surface_fits(const Surface& surface, std::uint64_t memory_size);
-
+// Nobody touches a surface that surface_fits() (model/device/extents.h) was not asked about.
 inline std::byte* pixel_address(const Surface& surface,
                                 std::span<std::byte> memory,
                                 std::uint32_t x,

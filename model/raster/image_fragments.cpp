@@ -1,5 +1,6 @@
 #include "model/raster/image_fragments.h"
 
+#include "model/device/extents.h"
 #include "model/raster/image_axes.h"
 #include "model/raster/image_reader.h"
 #include "model/raster/sample_positions.h"

@@ -3,11 +3,6 @@
 namespace ffgpu {
 namespace {
 
-bool is_image_format(Format format) {
-    return format == Format::Rgba8 || format == Format::Depth24Stencil8 ||
-           format == Format::Bitmap || format == Format::Stencil8;
-}
-
 PixelColor color_from_floats(const std::array<float, 4>& channels) {
     PixelColor color{};
     for (unsigned channel = 0; channel < 4; ++channel)
@@ -23,17 +18,6 @@ void set_color(ColorPlanes& planes, unsigned lane, const PixelColor& color) {
 }
 
 } // namespace
-
-bool image_fits(const DrawImageCommand& image, std::uint64_t memory_size) {
-    if (!is_image_format(image.format) || image.width == 0 || image.height == 0) return false;
-    const std::uint64_t row =
-        image.format == Format::Bitmap
-            ? (std::uint64_t{image.width} + 7) / 8
-            : std::uint64_t{image.width} * format_info(image.format).block_bytes;
-    // The products of 32-bit factors leave room for the sums.
-    return std::uint64_t{image.height - 1} * image.stride <= memory_size &&
-           image.address + std::uint64_t{image.height - 1} * image.stride + row <= memory_size;
-}
 
 ImageReader::ImageReader(const DrawImageCommand& image,
                          const DrawState& state,

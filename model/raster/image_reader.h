@@ -13,10 +13,7 @@
 
 namespace ffgpu {
 
-// Is it a format of images, and does the image lie in memory?
-bool image_fits(const DrawImageCommand& image, std::uint64_t memory_size);
-
-// The image must fit.
+// The image must fit (model/device/extents.h).
 class ImageReader {
 public:
     ImageReader(const DrawImageCommand& image,

@@ -1,6 +1,6 @@
 // docs/registers.md.
 
-#include "tests/docs/register_list.h"
+#include "tests/docs/register_pages.h"
 
 #include <algorithm>
 #include <bit>
@@ -19,11 +19,9 @@ A register is written whole, by the command `WriteRegister` with its address and
 (`model/device/commands.h`); the address is its place in the list. Fields fill words from bit 0; one that does
 not fit begins the next word. What a field means stands beside it in `model/device/registers/`.
 
-- Types: `u` unsigned, `s` signed (two's complement), `f32` IEEE binary32; enumerants are unsigned numbers, in the order
-  of their enumeration.
-- `[n]`: n elements, a word each. A name that comes more than once in a register is numbered: in `stencil` 0 is the
-  front face and 1 the back; in `targets` 0 is the colour, 1 the second colour, 2 the depth target; in `combiner` `op` 0 is
-  of colours and 1 of alpha, `source` and `operand` 0 to 3 are of colours and 4 to 7 of alpha; in `vertex_format` the
+- Types: `u` unsigned, `s` signed (two's complement), `f32` IEEE binary32, or the name of an enumeration: they are listed
+  at the end, with their values from 0 on.
+- `[n]`: n elements, a word each. A name that comes more than once in a register is numbered: in `vertex_format` the
   number is that of the `Attribute`, and of `current_attributes` the elements 4 n to 4 n + 3 are attribute n.
 )";
 
@@ -59,7 +57,9 @@ std::string range(unsigned first, unsigned last, const char* between) {
 
 std::string type_text(const FieldEntry& field) {
     std::string text = "f32";
-    if (field.type != FieldEntry::Type::Float) {
+    if (field.type == FieldEntry::Type::Enumeration) {
+        text = field.enumeration;
+    } else if (field.type != FieldEntry::Type::Float) {
         text = field.type == FieldEntry::Type::Signed ? 's' : 'u';
         text.append(std::to_string(field.width));
     }
@@ -78,37 +78,48 @@ std::string quoted(const std::string& name) {
     return std::string("`").append(name).append("`");
 }
 
-std::string field_row(const FieldEntry& field) {
+std::string field_row(const PackedEntry& reg, const FieldEntry& field) {
     const unsigned msb = field.lsb + field.width - 1;
     std::string bits = std::to_string(msb);
     if (msb != field.lsb) bits.append(":").append(std::to_string(field.lsb));
-    return row({quoted(field.name),
+    return row({quoted(unique_name(reg, field)),
                 range(field.word, field.word + field.elements() - 1, ".."),
                 bits,
                 type_text(field),
                 reset_text(field)});
 }
 
+std::string enumeration_rows(const Description& contract) {
+    std::string rows = "\n## Enumerations\n\n| enumeration | values from 0 on |\n|---|---|\n";
+    for (const EnumerationEntry& entry : contract.enumerations) {
+        std::string values;
+        for (const std::string& value : entry.values)
+            values.append(values.empty() ? "" : " ").append(value);
+        rows += row({quoted(entry.name), values});
+    }
+    return rows;
+}
+
 } // namespace
 
-std::string registers_page(const std::vector<RegisterEntry>& registers) {
+std::string registers_page(const Description& contract) {
     std::string page = Head;
     page += "\n| address | register | words |\n|---|---|---|\n";
-    for (const RegisterEntry& reg : registers) {
+    for (const PackedEntry& reg : contract.registers) {
         const std::string link =
             std::string("[").append(reg.name).append("](#").append(reg.name).append(")");
         page += row({range(reg.address, reg.address + reg.count - 1, ".."),
                      link,
                      std::to_string(reg.words)});
     }
-    for (const RegisterEntry& reg : registers) {
+    for (const PackedEntry& reg : contract.registers) {
         page.append("\n## ").append(reg.name).append(
             "\n\n| field | word | bits | type | reset |\n");
         page += "|---|---|---|---|---|\n";
         for (const FieldEntry& field : reg.fields)
-            page += field_row(field);
+            page += field_row(reg, field);
     }
-    return page;
+    return page + enumeration_rows(contract);
 }
 
 } // namespace ffgpu::docs

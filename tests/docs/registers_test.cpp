@@ -1,7 +1,7 @@
 // The checked-in register page and SystemVerilog package say what the list of registers says.
 
 #include "model/device/registers.h"
-#include "tests/docs/register_list.h"
+#include "tests/docs/register_pages.h"
 #include "tests/docs/text_file.h"
 
 #include <catch2/catch.hpp>
@@ -10,17 +10,24 @@ namespace ffgpu::docs {
 
 TEST_CASE("docs/registers.md is what the list of registers prints") {
     INFO("cmake --build build --target registers_page writes it anew");
-    CHECK(read_source("docs/registers.md") == registers_page(list_registers()));
+    CHECK(read_source("docs/registers.md") == registers_page(describe_contract()));
 }
 
 TEST_CASE("rtl/ffgpu_registers_pkg.sv is what the list of registers prints") {
     INFO("cmake --build build --target registers_page writes it anew");
-    CHECK(read_source("rtl/ffgpu_registers_pkg.sv") == registers_package(list_registers()));
+    CHECK(read_source("rtl/ffgpu_registers_pkg.sv") == registers_package(describe_contract()));
+}
+
+TEST_CASE("tests/rtl/register_fields.sv is what the list of registers prints") {
+    INFO("cmake --build build --target registers_page writes it anew");
+    CHECK(read_source("tests/rtl/register_fields.sv") ==
+          register_fields_module(describe_contract()));
 }
 
 TEST_CASE("every register has its address, and no two fields share a bit") {
     unsigned address = 0;
-    for (const RegisterEntry& reg : list_registers()) {
+    const Description contract = describe_contract();
+    for (const PackedEntry& reg : contract.registers) {
         INFO(reg.name);
         CHECK(reg.address == address);
         address += reg.count;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "model/base/check.h"
+#include "model/device/command_reader.h"
 #include "model/device/device.h"
 
 #include <algorithm>
@@ -49,27 +50,25 @@ public:
         std::copy_n(memory.begin() + at, bytes.size(), bytes.begin());
     }
     void submit(const CommandStream& stream) override {
-        for (std::size_t at = 0; at < stream.words.size();) {
-            const auto opcode = static_cast<Opcode>(stream.words[at] >> 24);
-            const std::size_t count = stream.words[at] & 0xffffff;
-            const std::span payload = std::span(stream.words).subspan(at + 1, count);
-            if (opcode == Opcode::WriteRegister) {
-                write_register(payload[0], payload.subspan(1));
+        for_each_command(stream.words, [this](const CommandReader& reader) {
+            const std::span payload = reader.payload();
+            if (reader.opcode() == Opcode::WriteRegister) {
+                write_register(reader.register_write());
             } else {
-                commands.push_back({opcode, {payload.begin(), payload.end()}});
+                commands.push_back({reader.opcode(), {payload.begin(), payload.end()}});
             }
-            at += 1 + count;
-        }
+        });
     }
     void finish() override { ++finishes; }
     std::vector<const StatisticsGroup*> statistics() const override { return {}; }
 
 private:
-    void write_register(std::uint32_t address, std::span<const std::uint32_t> words) {
-        written.push_back(address);
+    void write_register(const CommandReader::RegisterWrite& write) {
+        written.push_back(write.address);
         std::uint32_t place = 0;
         Registers::visit(registers, [&](auto& reg) {
-            if (place++ == address) reg = unpack<std::remove_cvref_t<decltype(reg)>>(words);
+            if (place++ != write.address) return;
+            reg = unpack<std::remove_cvref_t<decltype(reg)>>(write.words);
         });
     }
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/device/formats.h"
+#include "model/device/register.h"
 #include "model/device/registers/geometry.h"
 #include "model/device/registers/texture.h"
 
@@ -90,17 +91,18 @@ struct Stencil {
     template <class Self, class Visitor>
     static constexpr void visit(Self& self, Visitor&& field) {
         field("enable", self.enable, 1);
-        const auto visit_face = [&](auto& face) {
-            field("compare", face.compare, 3);
-            field("fail", face.fail, 3);
-            field("depth_fail", face.depth_fail, 3);
-            field("depth_pass", face.depth_pass, 3);
-            field("reference", face.reference, 8);
-            field("compare_mask", face.compare_mask, 8);
-            field("write_mask", face.write_mask, 8);
+        const auto visit_face = [&](const char* part, auto& face) {
+            const auto face_field = in_part(part, field);
+            face_field("compare", face.compare, 3);
+            face_field("fail", face.fail, 3);
+            face_field("depth_fail", face.depth_fail, 3);
+            face_field("depth_pass", face.depth_pass, 3);
+            face_field("reference", face.reference, 8);
+            face_field("compare_mask", face.compare_mask, 8);
+            face_field("write_mask", face.write_mask, 8);
         };
-        visit_face(self.front);
-        visit_face(self.back);
+        visit_face("front", self.front);
+        visit_face("back", self.back);
     }
     bool operator==(const Stencil&) const = default;
 };
@@ -227,6 +229,8 @@ struct Multisample {
 // A multisampled surface is `samples` such planes one behind the other, stride * height bytes
 // apart: plane i holds sample i of every pixel.
 struct Surface {
+    static constexpr const char* Name = "surface";
+
     DeviceAddress address = 0;
     Format format = Format::None;
     std::uint16_t width = 0, height = 0;
@@ -266,7 +270,9 @@ struct Targets {
 
     template <class Self, class Visitor>
     static constexpr void visit(Self& self, Visitor&& field) {
-        for_each(self, [&](auto& surface) { Surface::visit(surface, field); });
+        for (auto& surface : self.color)
+            Surface::visit(surface, in_part("color", field));
+        Surface::visit(self.depth, in_part("depth", field));
     }
     bool operator==(const Targets&) const = default;
 

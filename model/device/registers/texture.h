@@ -4,6 +4,7 @@
 
 #include "model/device/formats.h"
 #include "model/device/limits.h"
+#include "model/device/register.h"
 #include "model/device/texture_layout.h"
 
 #include <array>
@@ -134,12 +135,21 @@ constexpr unsigned argument_count(CombineOp op) {
 
 enum class CombineSource : std::uint8_t {
     Texture0, // + unit: the sample of that unit (crossbar)
-    Constant = Texture0 + TextureUnits,
+    Texture1,
+    Texture2,
+    Texture3,
+    Texture4,
+    Texture5,
+    Texture6,
+    Texture7,
+    Constant,
     Primary,
     Previous, // of unit 0: Primary
     Zero,
     One,
 };
+
+static_assert(static_cast<unsigned>(CombineSource::Constant) == TextureUnits);
 
 enum class CombineOperand : std::uint8_t { Color, OneMinusColor, Alpha, OneMinusAlpha };
 
@@ -170,16 +180,17 @@ struct Combiner {
     template <class Self, class Visitor>
     static constexpr void visit(Self& self, Visitor&& field) {
         field("enable", self.enable, 1);
-        const auto visit_half = [&](auto& half) {
-            field("op", half.op, 4);
-            field("scale_shift", half.scale_shift, 2);
+        const auto visit_half = [&](const char* part, auto& half) {
+            const auto half_field = in_part(part, field);
+            half_field("op", half.op, 4);
+            half_field("scale_shift", half.scale_shift, 2);
             for (auto& argument : half.arguments) {
-                field("source", argument.source, 4);
-                field("operand", argument.operand, 2);
+                half_field("source", argument.source, 4);
+                half_field("operand", argument.operand, 2);
             }
         };
-        visit_half(self.rgb);
-        visit_half(self.alpha);
+        visit_half("rgb", self.rgb);
+        visit_half("alpha", self.alpha);
         field("constant", self.constant, 32);
     }
     bool operator==(const Combiner&) const = default;

@@ -1,6 +1,4 @@
-#include "model/gpu/register_file.h"
-
-#include "model/base/check.h"
+#include "model/device/register_file.h"
 
 #include <array>
 #include <cstddef>
@@ -10,8 +8,7 @@ namespace {
 
 struct Slot {
     std::size_t offset; // of the register in Registers
-    std::size_t words;
-    bool geometry; // Only geometry reads it: the registers before primitive set-up.
+    bool geometry;      // Only geometry reads it: the registers before primitive set-up.
     bool (*write)(std::byte* at, std::span<const std::uint32_t> words);
 };
 
@@ -35,10 +32,8 @@ std::array<Slot, RegisterCount> make_slots() {
     Registers::visit(registers, [&](const auto& reg) {
         using Register = std::remove_cvref_t<decltype(reg)>;
         const std::size_t offset = offset_of(&reg);
-        slots[address++] = {offset,
-                            WordCount<Register>,
-                            offset < offset_of(&registers.primitive),
-                            write_register<Register>};
+        slots[address++] = {
+            offset, offset < offset_of(&registers.primitive), write_register<Register>};
     });
     return slots;
 }
@@ -47,15 +42,9 @@ const std::array<Slot, RegisterCount> Slots = make_slots();
 
 } // namespace
 
-std::size_t RegisterFile::word_count(std::uint32_t address) {
-    return address < RegisterCount ? Slots[address].words : 0;
-}
-
-RegisterFile::Change RegisterFile::write(std::uint32_t address,
-                                         std::span<const std::uint32_t> words) {
-    check(words.size() == word_count(address), "a register is written as a whole");
-    const Slot& slot = Slots[address];
-    if (!slot.write(reinterpret_cast<std::byte*>(&values_) + slot.offset, words))
+RegisterFile::Change RegisterFile::write(const CommandReader::RegisterWrite& write) {
+    const Slot& slot = Slots[write.address];
+    if (!slot.write(reinterpret_cast<std::byte*>(&values_) + slot.offset, write.words))
         return Change::None;
     snapshot_.reset();
     return slot.geometry ? Change::Geometry : Change::Pixels;

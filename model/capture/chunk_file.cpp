@@ -1,0 +1,141 @@
+#include "model/capture/chunk_file.h"
+
+#include "model/base/input_error.h"
+
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <zstd.h>
+
+namespace ffgpu::capture {
+namespace {
+
+constexpr int CompressionLevel = 1; // Speed: a capture must not slow a replay down.
+static_assert(std::endian::native == std::endian::little);
+
+} // namespace
+
+ChunkWriter::ChunkWriter(std::string path)
+    : path_(std::move(path))
+    , file_(std::fopen(path_.c_str(), "wb")) {
+    if (!file_) throw InputError(path_ + ": cannot be written: " + std::strerror(errno));
+    // Whole chunks are written, and a child that the process forks must have nothing to flush.
+    std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+}
+
+void ChunkWriter::write_plain(std::span<const std::byte> bytes) {
+    write_file(bytes.data(), bytes.size());
+}
+
+void ChunkWriter::put_u32(std::uint32_t value) {
+    put_bytes(&value, sizeof value);
+}
+
+void ChunkWriter::put_bytes(const void* bytes, std::size_t count) {
+    const auto* const first = static_cast<const std::byte*>(bytes);
+    chunk_.insert(chunk_.end(), first, first + count);
+}
+
+void ChunkWriter::write_chunk() {
+    if (chunk_.empty()) return;
+    constexpr std::size_t Sizes = 8;
+    compressed_.resize(Sizes + ZSTD_compressBound(chunk_.size()));
+    const std::unique_ptr<ZSTD_CCtx, std::size_t (*)(ZSTD_CCtx*)> context(ZSTD_createCCtx(),
+                                                                          ZSTD_freeCCtx);
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, CompressionLevel);
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
+    const std::size_t size = ZSTD_compress2(context.get(),
+                                            compressed_.data() + Sizes,
+                                            compressed_.size() - Sizes,
+                                            chunk_.data(),
+                                            chunk_.size());
+    if (ZSTD_isError(size)) throw InputError(path_ + ": " + ZSTD_getErrorName(size));
+    const std::array<std::uint32_t, 2> sizes{static_cast<std::uint32_t>(chunk_.size()),
+                                             static_cast<std::uint32_t>(size)};
+    std::memcpy(compressed_.data(), sizes.data(), Sizes);
+    write_file(compressed_.data(), Sizes + size);
+    chunk_.clear();
+}
+
+void ChunkWriter::end() {
+    write_chunk();
+    const std::uint64_t end_mark = 0;
+    write_file(&end_mark, sizeof end_mark);
+    if (std::fclose(file_.release()) != 0)
+        throw InputError(path_ + ": cannot be written: " + std::strerror(errno));
+}
+
+void ChunkWriter::write_file(const void* bytes, std::size_t count) {
+    if (std::fwrite(bytes, 1, count, file_.get()) != count)
+        throw InputError(path_ + ": cannot be written: " + std::strerror(errno));
+}
+
+ChunkReader::ChunkReader(std::string path)
+    : path_(std::move(path))
+    , file_(std::fopen(path_.c_str(), "rb")) {
+    if (!file_) throw InputError(path_ + ": cannot be opened: " + std::strerror(errno));
+}
+
+void ChunkReader::rewind() {
+    std::rewind(file_.get());
+    file_position_ = 0;
+    chunk_.clear();
+    at_ = 0;
+}
+
+std::size_t ChunkReader::read_plain(std::span<std::byte> bytes) {
+    const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), file_.get());
+    file_position_ += count;
+    return count;
+}
+
+bool ChunkReader::next_chunk(std::size_t most_bytes) {
+    chunk_position_ = file_position_;
+    chunk_.clear();
+    at_ = 0;
+    std::array<std::uint32_t, 2> sizes{};
+    if (read_plain(std::as_writable_bytes(std::span(sizes))) < sizeof sizes)
+        damaged("the file is cut off: expected a chunk");
+    const auto [size, compressed_size] = sizes;
+    if (size == 0) return false;
+    if (size > most_bytes || compressed_size > ZSTD_compressBound(most_bytes))
+        damaged("expected a chunk of at most " + std::to_string(most_bytes) +
+                " bytes, found one of " + std::to_string(size));
+    compressed_.resize(compressed_size);
+    if (read_plain(compressed_) < compressed_size)
+        damaged("the file is cut off: expected a chunk of " + std::to_string(compressed_size) +
+                " bytes");
+    chunk_.resize(size);
+    const std::size_t result =
+        ZSTD_decompress(chunk_.data(), size, compressed_.data(), compressed_size);
+    if (ZSTD_isError(result) || result != size)
+        damaged(ZSTD_isError(result) ? ZSTD_getErrorName(result) : "the chunk is too short");
+    return true;
+}
+
+std::uint32_t ChunkReader::take_u32() {
+    std::uint32_t value = 0;
+    const auto bytes = take(sizeof value);
+    std::memcpy(&value, bytes.data(), sizeof value);
+    return value;
+}
+
+std::span<const std::byte> ChunkReader::take(std::size_t bytes) {
+    if (bytes > left()) damaged("a record does not end in its chunk");
+    const std::size_t at = std::exchange(at_, at_ + bytes);
+    return std::span(chunk_).subspan(at, bytes);
+}
+
+void ChunkReader::take_words(std::size_t count, std::vector<std::uint32_t>& words) {
+    const auto bytes = take(4 * count);
+    words.resize(count);
+    if (count > 0) std::memcpy(words.data(), bytes.data(), bytes.size());
+}
+
+void ChunkReader::damaged(const std::string& what) const {
+    throw InputError(path_ + ": chunk at byte " + std::to_string(chunk_position_) + ": " + what);
+}
+
+} // namespace ffgpu::capture
