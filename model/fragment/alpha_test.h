@@ -17,5 +17,6 @@ constexpr bool passes_alpha_test(const FragmentControl& control, std::uint32_t a
 
 // The fragments of batch.live that pass.
 FragmentMask alpha_test(const FragmentControl& control, const FragmentBatch& batch);
+FragmentMask alpha_test_scalar(const FragmentControl& control, const FragmentBatch& batch);
 
 } // namespace ffgpu

@@ -126,13 +126,6 @@ std::uint32_t apply_logic_op(LogicOp op, std::uint32_t source, std::uint32_t des
     return source;
 }
 
-void apply_logic_op(LogicOp op, const LaneWords& source, LaneWords& destination, unsigned lanes) {
-    const std::uint32_t* s = source.data();
-    std::uint32_t* d = destination.data();
-    for (unsigned i = 0; i < lanes; ++i)
-        d[i] = apply_logic_op(op, s[i], d[i]);
-}
-
 ColorOperation color_operation(const Blend& state) {
     if (state.logic_op_enable)
         return state.logic_op == LogicOp::Copy ? ColorOperation::Replace : ColorOperation::Logic;

@@ -45,8 +45,7 @@ void pack_color_lanes(const FragmentBatch& batch, LaneWords& colors) {
         store_words(load_planes(batch.color, i), colors, i);
 }
 
-// --- Blending
-// -------------------------------------------------------------------------------------
+// --- Blending -----------------------------------------------------------------------------------
 
 struct Inputs {
     Color source, destination;
@@ -193,6 +192,13 @@ HWY_EXPORT(choose_kernel);
 
 void pack_color(const FragmentBatch& batch, LaneWords& colors) {
     HWY_DYNAMIC_DISPATCH(pack_color_lanes)(batch, colors);
+}
+
+void apply_logic_op(LogicOp op, const LaneWords& source, LaneWords& destination, unsigned lanes) {
+    const std::uint32_t* s = source.data();
+    std::uint32_t* d = destination.data();
+    for (unsigned i = 0; i < lanes; ++i)
+        d[i] = apply_logic_op(op, s[i], d[i]);
 }
 
 BlendKernel choose_blend_kernel(const Blend& state) {

@@ -27,6 +27,8 @@ constexpr PixelColor apply_coverage(PixelColor color, std::uint32_t coverage) {
 // --- On batches: every lane of batch.color ------------------------------------------------------
 
 void add_secondary(FragmentBatch& batch);
+void add_secondary_scalar(FragmentBatch& batch);
 void apply_coverage(FragmentBatch& batch);
+void apply_coverage_scalar(FragmentBatch& batch);
 
 } // namespace ffgpu

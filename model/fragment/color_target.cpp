@@ -1,89 +1,18 @@
 #include "model/fragment/color_target.h"
 
-#include "model/fragment/quad_access.h"
+#include "model/fragment/lane_access.h"
 
 namespace ffgpu {
 namespace {
 
-// Calls convert(word, lane) for each lane's word, in place.
-template <class Convert>
-void for_lanes(LaneWords& words, unsigned lanes, Convert&& convert) {
-    for (unsigned i = 0; i < lanes; ++i)
-        words.words[i] = convert(words.words[i], i);
-}
-
-// Pixels of the format to colours.
-void unpack_colors(Format format, unsigned lanes, LaneWords& colors) {
-    if (format == Format::Rgba8) return;
-    visit_plain_color(format, [&](auto known) {
-        for_lanes(colors, lanes, [&](std::uint32_t pixel, unsigned) {
-            return unpack_pixel(known.value, pixel);
-        });
-    });
-}
-
-// Colours to pixels of the format.
-void pack_colors(Format format, const FragmentBatch& batch, bool dither, LaneWords& colors) {
-    if (format == Format::Rgba8) return;
-    const bool dithers = dither && is_narrow(format);
-    visit_plain_color(format, [&](auto known) {
-        if (!dithers) {
-            for_lanes(colors, batch.lanes(), [&](std::uint32_t color, unsigned) {
-                return pack_pixel(known.value, color);
-            });
-            return;
-        }
-        for_lanes(colors, batch.lanes(), [&](std::uint32_t color, unsigned lane) {
-            const std::uint32_t x = batch.x[lane / 4] + (lane & 1u);
-            const std::uint32_t y = batch.y[lane / 4] + (lane >> 1 & 1u);
-            return pack_pixel(known.value, color, Dithered{bayer_threshold(x, y)});
-        });
-    });
-}
-
-void load_colors(const Surface& surface,
-                 std::span<const std::byte> memory,
-                 const FragmentBatch& batch,
-                 LaneWords& colors) {
-    load_quads(surface, memory, batch, colors);
-    unpack_colors(surface.format, batch.lanes(), colors);
-}
-
-void store_colors(const ColorStage& stage,
-                  const Surface& surface,
-                  const FragmentBatch& batch,
-                  std::span<std::byte> memory,
-                  LaneWords& colors) {
-    pack_colors(surface.format, batch, stage.dither, colors);
-    store_quads(surface, memory, batch, batch.live, colors);
-}
-
-std::uint32_t channel_bits(unsigned write_mask) {
-    std::uint32_t bits = 0;
-    for (unsigned channel = 0; channel < 4; ++channel)
-        if ((write_mask >> channel & 1) != 0) bits |= 0xffu << 8 * channel;
-    return bits;
-}
-
-bool writes_all_channels(const ColorTarget& target) {
-    return target.write_mask == stored_channels(target.surface.format);
-}
-
-// From what the target holds to what it will hold, in rgba8; the write mask comes later.
-void apply_operation(const ColorStage& stage,
-                     Format format,
-                     const FragmentBatch& batch,
-                     LaneWords& colors) {
-    if (stage.operation == ColorOperation::Blend) return stage.kernel(stage.state, batch, colors);
-    LaneWords source;
-    pack_color(batch, source);
-    if (stage.operation == ColorOperation::Replace) {
-        colors = source;
-        return;
-    }
-    pack_colors(format, batch, stage.dither, source);
-    unpack_colors(format, batch.lanes(), source);
-    apply_logic_op(stage.state.logic_op, source, colors, batch.lanes());
+// The colour in the precision of the target: as it reads once it is stored.
+PixelColor in_target(const ColorStage& stage, Format format, const ColoredFragment& fragment) {
+    const std::uint32_t word = pack_rgba8(fragment.color);
+    const bool dithers = stage.dither && is_narrow(format);
+    const Dithered dithered{bayer_threshold(fragment.x, fragment.y)};
+    const std::uint32_t pixel =
+        dithers ? pack_pixel(format, word, dithered) : pack_pixel(format, word);
+    return unpack_rgba8(unpack_pixel(format, pixel));
 }
 
 } // namespace
@@ -94,28 +23,37 @@ ColorStage compile_color_stage(const Blend& blend, bool dither) {
     return stage;
 }
 
-void write_color(const ColorStage& stage,
-                 const ColorTarget& target,
-                 const FragmentBatch& batch,
-                 std::span<std::byte> memory) {
+PixelColor written_color(const ColorStage& stage,
+                         const ColorTarget& target,
+                         ColoredFragment fragment,
+                         const PixelColor& stored) {
+    const Format format = target.surface.format;
+    if (stage.operation == ColorOperation::Blend)
+        fragment.color = blend(stage.state, fragment.color, stored);
+    PixelColor color = in_target(stage, format, fragment);
+    if (stage.operation == ColorOperation::Logic)
+        color = unpack_rgba8(
+            apply_logic_op(stage.state.logic_op, pack_rgba8(color), pack_rgba8(stored)));
+    for (unsigned channel = 0; channel < 4; ++channel)
+        if ((target.write_mask >> channel & 1) == 0) color[channel] = stored[channel];
+    return color;
+}
+
+void write_color_scalar(const ColorStage& stage,
+                        const ColorTarget& target,
+                        const FragmentBatch& batch,
+                        std::span<std::byte> memory) {
     if (target.write_mask == 0) return;
-    const Surface& surface = target.surface;
-    LaneWords colors;
-    if (stage.operation == ColorOperation::Replace && writes_all_channels(target)) {
-        pack_color(batch, colors);
-        return store_colors(stage, surface, batch, memory, colors);
+    const Format format = target.surface.format;
+    for (unsigned lane = 0; lane < batch.lanes(); ++lane) {
+        if (!batch.live.test(lane)) continue;
+        const auto [x, y] = lane_position(batch, lane);
+        std::byte* const at = pixel_address(target.surface, memory, x, y);
+        const PixelColor stored = unpack_rgba8(load_rgba8(format, at));
+        const PixelColor color =
+            written_color(stage, target, {x, y, lane_color(batch.color, lane)}, stored);
+        store_rgba8(format, pack_rgba8(color), at);
     }
-    load_colors(surface, memory, batch, colors);
-    if (writes_all_channels(target)) {
-        apply_operation(stage, surface.format, batch, colors);
-        return store_colors(stage, surface, batch, memory, colors);
-    }
-    const LaneWords stored = colors;
-    const std::uint32_t written = channel_bits(target.write_mask);
-    apply_operation(stage, surface.format, batch, colors);
-    for (unsigned i = 0; i < batch.lanes(); ++i)
-        colors.words[i] = (colors.words[i] & written) | (stored.words[i] & ~written);
-    store_colors(stage, surface, batch, memory, colors);
 }
 
 } // namespace ffgpu

@@ -29,7 +29,24 @@ struct ColorStage {
 
 ColorStage compile_color_stage(const Blend& blend, bool dither);
 
-// Writes the fragments in batch.live.
+struct ColoredFragment {
+    std::uint32_t x, y; // pixel of the window
+    PixelColor color;
+};
+
+// The specification: how the pixel reads afterwards that reads `stored` now.
+PixelColor written_color(const ColorStage& stage,
+                         const ColorTarget& target,
+                         ColoredFragment fragment,
+                         const PixelColor& stored);
+
+// --- On batches: writes the fragments in batch.live
+// -----------------------------------------------
+
+void write_color_scalar(const ColorStage& stage,
+                        const ColorTarget& target,
+                        const FragmentBatch& batch,
+                        std::span<std::byte> memory);
 void write_color(const ColorStage& stage,
                  const ColorTarget& target,
                  const FragmentBatch& batch,

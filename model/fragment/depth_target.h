@@ -16,5 +16,13 @@ StencilDepthFates test_depth_target(const StencilDepthState& state,
                                     const Surface& target,
                                     const FragmentBatch& batch,
                                     std::span<std::byte> memory);
+StencilDepthFates test_depth_target_scalar(const StencilDepthState& state,
+                                           const Surface& target,
+                                           const FragmentBatch& batch,
+                                           std::span<std::byte> memory);
+
+// A pixel of a target of this format.
+StencilDepthPixel load_stencil_depth(Format format, const std::byte* at);
+void store_stencil_depth(Format format, StencilDepthPixel pixel, std::byte* at);
 
 } // namespace ffgpu

@@ -93,11 +93,15 @@ compile_unit(const Combiner& combiner, std::uint8_t sampled_units, const ColorPl
 EnvironmentProgram compile_environments(std::span<const Combiner, TextureUnits> combiners,
                                         std::uint8_t sampled_units) {
     EnvironmentProgram program;
+    program.sampled_units = sampled_units;
     for (const Combiner& combiner : combiners) {
         if (!combiner.enable) continue;
         const ColorPlanes& previous =
             program.count == 0 ? batch_layout().primary : batch_layout().color;
-        program.units[program.count++] = compile_unit(combiner, sampled_units, previous);
+        UnitProgram& unit = program.units[program.count++];
+        unit = compile_unit(combiner, sampled_units, previous);
+        unit.unit = static_cast<std::uint8_t>(&combiner - combiners.data());
+        unit.combiner = combiner;
     }
     return program;
 }

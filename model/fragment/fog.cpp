@@ -1,6 +1,7 @@
 #include "model/fragment/fog.h"
 
 #include "model/arith/exp2.h"
+#include "model/fragment/lane_access.h"
 #include "model/fragment/unorm8.h"
 
 namespace ffgpu {
@@ -39,6 +40,15 @@ PixelColor apply_fog(const FogCurve& curve, std::uint8_t factor, PixelColor colo
         color[channel] = static_cast<std::uint8_t>(
             divide_255(factor * color[channel] + (Unorm8One - factor) * curve.color[channel]));
     return color;
+}
+
+void apply_fog_scalar(const FogCurve& curve, FragmentBatch& batch) {
+    for (unsigned lane = 0; lane < batch.lanes(); ++lane)
+        set_lane_color(batch.color,
+                       lane,
+                       apply_fog(curve,
+                                 fog_factor(curve, batch.fog_coordinate[lane]),
+                                 lane_color(batch.color, lane)));
 }
 
 } // namespace ffgpu

@@ -40,5 +40,6 @@ PixelColor apply_fog(const FogCurve& curve, std::uint8_t factor, PixelColor colo
 
 // Every lane of batch.color.
 void apply_fog(const FogCurve& curve, FragmentBatch& batch);
+void apply_fog_scalar(const FogCurve& curve, FragmentBatch& batch);
 
 } // namespace ffgpu

@@ -1,8 +1,6 @@
 #include "model/fragment/fragment_pipe.h"
 
-#include "model/fragment/alpha_test.h"
-#include "model/fragment/color_sum.h"
-#include "model/fragment/depth_target.h"
+#include "model/fragment/fragment_tap.h"
 #include "model/fragment/sample_pipe.h"
 
 namespace ffgpu {
@@ -12,18 +10,16 @@ ColorTarget compile_color_target(const Surface& surface, std::uint8_t write_mask
     return {surface, static_cast<std::uint8_t>(write_mask & stored_channels(surface.format))};
 }
 
-StencilDepthFates visit_depth_target(const FragmentPipe& pipe, const FragmentBatch& batch) {
-    return test_depth_target(pipe.stencil_depth, pipe.depth_target, batch, pipe.memory);
-}
-
 } // namespace
 
-FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> memory) {
+FragmentPipe compile_fragment_pipe(const DrawState& state,
+                                   std::span<std::byte> memory,
+                                   const FragmentStages& stages) {
     const Registers& registers = state.regs();
     FragmentPipe pipe;
+    pipe.stages = &stages;
     pipe.registers = state.registers;
     pipe.memory = memory;
-    pipe.sampled_units = state.units;
     pipe.samples = state.samples;
     pipe.antialias = state.antialias;
     pipe.environments = compile_environments(registers.combiners, state.units);
@@ -45,32 +41,52 @@ FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> 
     return pipe;
 }
 
-void early_depth_test(const FragmentPipe& pipe, FragmentBatch& batch) {
-    if (pipe.samples > 1) return early_depth_test_samples(pipe, batch);
-    if (pipe.early_depth) batch.live = visit_depth_target(pipe, batch).after_depth;
+void early_depth_test(const FragmentPipe& pipe, FragmentBatch& batch, const ProbeTap* tap) {
+    if (pipe.samples > 1) return early_depth_test_samples(pipe, batch, tap);
+    if (pipe.early_depth) batch.live = run_depth_test(pipe, 0, batch, tap).after_depth;
 }
 
-void shade(const FragmentPipe& pipe, FragmentBatch& batch) {
-    run_environments(pipe.environments, batch);
-    if (pipe.registers->fragment.color_sum) add_secondary(batch);
-    if (pipe.fog.mode != FogMode::Off) apply_fog(pipe.fog, batch);
-    if (pipe.antialias) apply_coverage(batch);
+void shade(const FragmentPipe& pipe, FragmentBatch& batch, const ProbeTap* tap) {
+    const FragmentStages& stages = *pipe.stages;
+    ShadeTap told(tap);
+    if (pipe.environments.count == 0) batch.color = batch.primary;
+    for (unsigned i = 0; i < pipe.environments.count; ++i) {
+        told.enters(i == 0 ? batch.primary : batch.color);
+        stages.run_environment(pipe.environments, i, batch);
+        told.environment(pipe.environments.units[i].unit);
+    }
+    if (pipe.registers->fragment.color_sum) {
+        told.enters(batch.color);
+        stages.add_secondary(batch);
+        told.color_sum();
+    }
+    if (pipe.fog.mode != FogMode::Off) {
+        told.enters(batch.color);
+        stages.apply_fog(pipe.fog, batch);
+        told.fog(pipe.fog);
+    }
+    if (pipe.antialias) {
+        told.enters(batch.color);
+        stages.apply_coverage(batch);
+        told.antialias();
+    }
 }
 
-void write(const FragmentPipe& pipe, FragmentBatch& batch, FragmentFates& fates) {
-    if (pipe.samples > 1) return write_samples(pipe, batch, fates);
+void write(const FragmentPipe& pipe,
+           FragmentBatch& batch,
+           FragmentFates& fates,
+           const ProbeTap* tap) {
+    if (pipe.samples > 1) return write_samples(pipe, batch, fates, tap);
     fates.after_coverage = batch.live;
-    batch.live = alpha_test(pipe.registers->fragment, batch);
+    batch.live = run_alpha_test(pipe, batch, tap);
     fates.after_alpha = fates.after_stencil = fates.after_depth = batch.live;
     if (!pipe.early_depth) {
-        const StencilDepthFates tested = visit_depth_target(pipe, batch);
+        const StencilDepthFates tested = run_depth_test(pipe, 0, batch, tap);
         fates.after_stencil = tested.after_stencil;
         fates.after_depth = tested.after_depth;
     }
     batch.live = fates.after_depth;
-    if (!batch.live.any()) return;
-    for (const ColorTarget& target : pipe.color_targets)
-        write_color(pipe.color_stage, target, batch, pipe.memory);
+    run_color_write(pipe, 0, batch, tap);
 }
 
 } // namespace ffgpu

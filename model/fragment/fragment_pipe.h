@@ -6,17 +6,15 @@
 //
 // With several samples a pixel, sample_pipe.h carries out the first and the last for each sample.
 //
-// A stage is a file: its scalar functions are its specification (and fragment_reference.h the
-// pipe made of them), its _simd.cpp file computes the same bits on a batch.
+// A stage is a file: its scalar functions are its specification, its _simd.cpp file computes the
+// same bits. The pipe runs those of the table that it was compiled with (fragment_stages.h).
 
 #pragma once
 
-#include "model/fragment/color_target.h"
-#include "model/fragment/fog.h"
-#include "model/fragment/stencil_depth.h"
-#include "model/fragment/texture_environment.h"
+#include "model/fragment/fragment_stages.h"
 #include "model/packets/draw_state.h"
 #include "model/packets/fragment_batch.h"
+#include "model/packets/stage_probe.h"
 
 #include <array>
 #include <cstddef>
@@ -29,12 +27,12 @@ namespace ffgpu {
 // left out: registers may come from a file. Live fragments lie within every target that is there:
 // the rasterizer's clip is the scissor cut to the targets.
 struct FragmentPipe {
+    const FragmentStages* stages = &FastFragmentStages;
     std::shared_ptr<const Registers> registers;
     std::span<std::byte> memory;
 
-    std::uint8_t sampled_units = 0; // DrawState::units
-    std::uint8_t samples = 1;       // of a pixel of the targets
-    bool early_depth = false;       // early_depth_test() does what write() would do later.
+    std::uint8_t samples = 1; // of a pixel of the targets
+    bool early_depth = false; // early_depth_test() does what write() would do later.
     bool antialias = false;
     EnvironmentProgram environments;
     FogCurve fog;
@@ -44,14 +42,20 @@ struct FragmentPipe {
     std::array<ColorTarget, ColorTargets> color_targets;
 };
 
-FragmentPipe compile_fragment_pipe(const DrawState& state, std::span<std::byte> memory);
+FragmentPipe compile_fragment_pipe(const DrawState& state,
+                                   std::span<std::byte> memory,
+                                   const FragmentStages& stages = FastFragmentStages);
+
+// Each of the three tells a probe what its stages did, if there is a tap.
 
 // Clears bits of `live`; writes depth if the draw does. Does nothing for a pipe that tests late.
-void early_depth_test(const FragmentPipe& pipe, FragmentBatch& batch);
+void early_depth_test(const FragmentPipe& pipe,
+                      FragmentBatch& batch,
+                      const ProbeTap* tap = nullptr);
 
 // From primary, secondary, texture samples, fog coordinate and antialias to `color`, for every
 // lane.
-void shade(const FragmentPipe& pipe, FragmentBatch& batch);
+void shade(const FragmentPipe& pipe, FragmentBatch& batch, const ProbeTap* tap = nullptr);
 
 // The fragments left after each test; the tests of a stage that is off let all pass. A fragment of
 // multisampled targets is left as long as one of its samples is.
@@ -61,6 +65,9 @@ struct FragmentFates {
 
 // Only pixels of live fragments are touched, of several samples those that the fragment covers.
 // `live` and `samples` end as what passed all tests: what occlusion queries count.
-void write(const FragmentPipe& pipe, FragmentBatch& batch, FragmentFates& fates);
+void write(const FragmentPipe& pipe,
+           FragmentBatch& batch,
+           FragmentFates& fates,
+           const ProbeTap* tap = nullptr);
 
 } // namespace ffgpu

@@ -8,7 +8,10 @@
 
 namespace ffgpu {
 
-void early_depth_test_samples(const FragmentPipe& pipe, FragmentBatch& batch);
-void write_samples(const FragmentPipe& pipe, FragmentBatch& batch, FragmentFates& fates);
+void early_depth_test_samples(const FragmentPipe& pipe, FragmentBatch& batch, const ProbeTap* tap);
+void write_samples(const FragmentPipe& pipe,
+                   FragmentBatch& batch,
+                   FragmentFates& fates,
+                   const ProbeTap* tap);
 
 } // namespace ffgpu

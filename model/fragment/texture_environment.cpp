@@ -1,5 +1,6 @@
 #include "model/fragment/texture_environment.h"
 
+#include "model/fragment/lane_access.h"
 #include "model/fragment/unorm8.h"
 
 #include <algorithm>
@@ -123,6 +124,19 @@ PixelColor combine(const Combiner& combiner, const CombineInputs& inputs) {
     const Arguments a = channel_arguments(combiner.alpha, 3, combiner, inputs);
     result[3] = finish(doubled_result(combiner.alpha.op, a), combiner.alpha.scale_shift);
     return result;
+}
+
+void run_environment_scalar(const EnvironmentProgram& program, unsigned i, FragmentBatch& batch) {
+    for (unsigned lane = 0; lane < batch.lanes(); ++lane) {
+        CombineInputs inputs{};
+        for (unsigned unit = 0; unit < TextureUnits; ++unit)
+            inputs.texture[unit] = (program.sampled_units >> unit & 1) != 0
+                                       ? lane_color(batch.texture[unit], lane)
+                                       : UnsampledTexture;
+        inputs.primary = lane_color(batch.primary, lane);
+        inputs.previous = i == 0 ? inputs.primary : lane_color(batch.color, lane);
+        set_lane_color(batch.color, lane, combine(program.units[i].combiner, inputs));
+    }
 }
 
 } // namespace ffgpu

@@ -45,6 +45,8 @@ struct PlaneProgram {
 };
 
 struct UnitProgram {
+    std::uint8_t unit = 0;
+    Combiner combiner;        // what the rest was compiled from
     bool dot_product = false; // of rgb, with the arguments of channels 0 to 2
     bool alpha_from_dot = false;
     std::array<PlaneProgram, 4> channels;
@@ -53,13 +55,16 @@ struct UnitProgram {
 // The enabled units in order. The first takes the primary colour as the previous one.
 struct EnvironmentProgram {
     unsigned count = 0;
+    std::uint8_t sampled_units = 0; // a bit each; the others read as UnsampledTexture
     std::array<UnitProgram, TextureUnits> units;
 };
 
 EnvironmentProgram compile_environments(std::span<const Combiner, TextureUnits> combiners,
                                         std::uint8_t sampled_units);
 
-// Every lane: from primary colour and samples to batch.color.
-void run_environments(const EnvironmentProgram& program, FragmentBatch& batch);
+// Every lane: the i-th enabled unit, from primary colour, samples and (but for the first)
+// batch.color to batch.color.
+void run_environment(const EnvironmentProgram& program, unsigned i, FragmentBatch& batch);
+void run_environment_scalar(const EnvironmentProgram& program, unsigned i, FragmentBatch& batch);
 
 } // namespace ffgpu

@@ -219,10 +219,8 @@ namespace ffgpu {
 
 HWY_EXPORT(run_unit);
 
-void run_environments(const EnvironmentProgram& program, FragmentBatch& batch) {
-    if (program.count == 0) batch.color = batch.primary;
-    for (unsigned i = 0; i < program.count; ++i)
-        HWY_DYNAMIC_DISPATCH(run_unit)(program.units[i], batch);
+void run_environment(const EnvironmentProgram& program, unsigned i, FragmentBatch& batch) {
+    HWY_DYNAMIC_DISPATCH(run_unit)(program.units[i], batch);
 }
 
 } // namespace ffgpu

@@ -50,9 +50,10 @@ void describe(const Registers& registers, const DrawCommand& command, GeometryWo
 
 } // namespace
 
-GeometryUnit::GeometryUnit(std::span<const std::byte> memory)
+GeometryUnit::GeometryUnit(std::span<const std::byte> memory, ShadeVertices shade)
     : memory_(memory)
     , batch_(std::make_unique<VertexBatch>())
+    , pool_(shade)
     , stage_(pool_, primitives_)
     , assembler_(pool_, stage_) {}
 

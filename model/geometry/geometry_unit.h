@@ -46,8 +46,9 @@ public:
             count("primitives_out", "primitives", "points, lines and triangles handed on");
     };
 
-    // memory: all of device memory.
-    explicit GeometryUnit(std::span<const std::byte> memory);
+    // memory: all of device memory. shade: one of the forms of the vertex stages.
+    explicit GeometryUnit(std::span<const std::byte> memory,
+                          ShadeVertices shade = shade_vertices_simd);
 
     // Hands the draw's primitives to the sink. A draw that reaches beyond memory is dropped.
     // work: null where nobody listens.

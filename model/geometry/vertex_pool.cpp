@@ -17,8 +17,9 @@ void copy_vertex(const WindowVertex& from, WindowVertex& to, unsigned interpolan
     std::memcpy(&to, &from, offsetof(WindowVertex, attributes) + interpolants * sizeof(float));
 }
 
-VertexPool::VertexPool()
-    : window_(std::make_unique<WindowVertex[]>(Records))
+VertexPool::VertexPool(ShadeVertices form)
+    : shade_(form)
+    , window_(std::make_unique<WindowVertex[]>(Records))
     , clip_(Records)
     , eye_(Records)
     , codes_(Records)
@@ -27,10 +28,9 @@ VertexPool::VertexPool()
 void VertexPool::shade(VertexBatch& batch, std::uint32_t slot) {
     check(slot + batch.count <= Capacity, "a chunk has more vertices than the pool");
     WindowVertex* window = &window_[slot];
-    shade_vertices_simd(
-        *setup_,
-        batch,
-        {.window = window, .clip = &clip_[slot], .eye = &eye_[slot], .codes = &codes_[slot]});
+    shade_(*setup_,
+           batch,
+           {.window = window, .clip = &clip_[slot], .eye = &eye_[slot], .codes = &codes_[slot]});
     if (setup_->needs.point_size) {
         for (unsigned lane = 0; lane < batch.count; ++lane)
             window[lane].point_size = batch.point_size.lanes[lane];

@@ -27,7 +27,7 @@ public:
     // Vertices that primitives of one chunk can refer to.
     static constexpr std::uint32_t Capacity = 4096;
 
-    VertexPool();
+    explicit VertexPool(ShadeVertices form);
 
     void start(const VertexSetup& setup) { setup_ = &setup; }
 
@@ -49,6 +49,7 @@ private:
     const WindowVertex& back(std::uint32_t slot);
     void keep_back_colors(const VertexBatch& batch, std::uint32_t slot);
 
+    const ShadeVertices shade_;
     const VertexSetup* setup_ = nullptr;
     std::unique_ptr<WindowVertex[]> window_;
     std::vector<Vec4> clip_, eye_;

@@ -31,4 +31,6 @@ void shade_vertices_simd(const VertexSetup& setup,
                          VertexBatch& batch,
                          const VertexRecords& records);
 
+using ShadeVertices = void (*)(const VertexSetup&, VertexBatch&, const VertexRecords&);
+
 } // namespace ffgpu

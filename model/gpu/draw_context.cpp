@@ -7,7 +7,7 @@ namespace ffgpu {
 namespace {
 
 std::shared_ptr<const PixelContext> compile_pixel_context(const DrawState& state,
-                                                          std::span<std::byte> memory) {
+                                                          const PixelBackend& backend) {
     const Registers& r = state.regs();
     auto pixels = std::make_shared<PixelContext>();
     pixels->layout = state.layout;
@@ -19,10 +19,11 @@ std::shared_ptr<const PixelContext> compile_pixel_context(const DrawState& state
     pixels->stipple = {r.polygon_stipple.rows,
                        r.primitive.line_stipple_pattern,
                        std::max<std::uint16_t>(1, r.primitive.line_stipple_factor)};
-    pixels->pipe = compile_fragment_pipe(state, memory);
+    pixels->pipe = compile_fragment_pipe(state, backend.memory, backend.stages);
     for (unsigned unit = 0; unit < TextureUnits; ++unit)
         if (pixels->samples(unit))
-            pixels->textures[unit] = compile_texture_unit(r.images[unit], r.samplers[unit], memory);
+            pixels->textures[unit] =
+                compile_texture_unit(r.images[unit], r.samplers[unit], backend.memory);
     return pixels;
 }
 
@@ -30,7 +31,7 @@ std::shared_ptr<const PixelContext> compile_pixel_context(const DrawState& state
 
 std::shared_ptr<const DrawContext> compile_draw_context(std::shared_ptr<const Registers> registers,
                                                         std::uint32_t number,
-                                                        std::span<std::byte> memory,
+                                                        const PixelBackend& backend,
                                                         const DrawContext* earlier) {
     auto context = std::make_shared<DrawContext>();
     context->state = compile_draw_state(std::move(registers), number);
@@ -38,7 +39,7 @@ std::shared_ptr<const DrawContext> compile_draw_context(std::shared_ptr<const Re
     // Which coordinates are carried depends on the vertices' format, matrices and generation.
     context->pixels = earlier && earlier->pixels->layout == context->state.layout
                           ? earlier->pixels
-                          : compile_pixel_context(context->state, memory);
+                          : compile_pixel_context(context->state, backend);
     return context;
 }
 

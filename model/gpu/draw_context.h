@@ -40,10 +40,16 @@ struct DrawContext {
     const Registers& regs() const { return *state.registers; }
 };
 
+// What a context is compiled for.
+struct PixelBackend {
+    std::span<std::byte> memory;
+    const FragmentStages& stages;
+};
+
 // `earlier`, if not null, may lend its pixel context: only geometry's registers have changed since.
 std::shared_ptr<const DrawContext> compile_draw_context(std::shared_ptr<const Registers> registers,
                                                         std::uint32_t number,
-                                                        std::span<std::byte> memory,
+                                                        const PixelBackend& backend,
                                                         const DrawContext* earlier);
 
 } // namespace ffgpu

@@ -16,14 +16,14 @@ namespace ffgpu {
 FunctionalGpu::FunctionalGpu(const Config& config)
     : config_(config)
     , memory_(config.memory_bytes)
-    , geometry_(memory_.bytes())
+    , geometry_(memory_.bytes(), config.stages->shade_vertices)
     , pool_(config.threads)
     , bin_(static_cast<int>(config.tile_size))
     , bin_reads_(memory_.size())
     , bin_writes_(memory_.size()) {
     check(config.threads >= 1, "a GPU needs a thread");
     for (unsigned i = 0; i < pool_.threads(); ++i)
-        renderers_.push_back(std::make_unique<TileRenderer>(memory_.bytes()));
+        renderers_.push_back(std::make_unique<TileRenderer>(memory_.bytes(), *config.stages));
 }
 
 FunctionalGpu::~FunctionalGpu() = default;
@@ -31,6 +31,12 @@ FunctionalGpu::~FunctionalGpu() = default;
 void FunctionalGpu::set_work_sink(WorkSink* sink) {
     flush();
     sink_ = sink;
+}
+
+void FunctionalGpu::set_stage_probe(StageProbe* probe) {
+    flush();
+    probe_ = probe;
+    renderers_[0]->set_probe(probe);
 }
 
 void FunctionalGpu::write_memory(DeviceAddress at, std::span<const std::byte> bytes) {

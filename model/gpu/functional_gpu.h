@@ -17,9 +17,11 @@
 #include "model/gpu/bin.h"
 #include "model/gpu/page_set.h"
 #include "model/gpu/raster_statistics.h"
+#include "model/gpu/stages.h"
 #include "model/gpu/thread_pool.h"
 #include "model/gpu/tile_renderer.h"
 #include "model/memory/device_memory.h"
+#include "model/packets/stage_probe.h"
 #include "model/packets/window_vertex.h"
 #include "model/packets/work_stream.h"
 
@@ -34,6 +36,7 @@ public:
         unsigned threads = 1;    // that carry out tiles, the caller's included
         unsigned tile_size = 64; // pixels: a multiple of 8 from 16 to 128
         std::uint64_t memory_bytes = DeviceMemory::DefaultBytes;
+        const Stages* stages = &FastStages; // or &ReferenceStages: the same frames
     };
 
     explicit FunctionalGpu(const Config& config);
@@ -41,6 +44,10 @@ public:
 
     // From now on work is recorded and handed to `sink`; null: no more.
     void set_work_sink(WorkSink* sink);
+
+    // From now on `probe` is told what each stage does (model/packets/stage_probe.h), and tiles are
+    // carried out on the caller's thread alone; null: no more.
+    void set_stage_probe(StageProbe* probe);
 
     const Registers& registers() const { return registers_.values(); }
 
@@ -85,6 +92,7 @@ private:
     ThreadPool pool_;
     std::vector<std::unique_ptr<TileRenderer>> renderers_; // one a thread
     WorkSink* sink_ = nullptr;
+    StageProbe* probe_ = nullptr;
 
     Bin bin_;
     Targets bin_targets_; // what the bin draws into

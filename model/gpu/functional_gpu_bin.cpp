@@ -40,7 +40,7 @@ void FunctionalGpu::prepare_context() {
     validate(registers_.values(), memory_.size());
     context_ = compile_draw_context(registers_.snapshot(),
                                     draw_number_,
-                                    memory_.bytes(),
+                                    {memory_.bytes(), *config_.stages->fragment},
                                     pixels_valid_ ? context_.get() : nullptr);
     context_valid_ = pixels_valid_ = true;
 }
@@ -137,7 +137,14 @@ void FunctionalGpu::bin_primitive(const Primitive& primitive) {
     }
     ++primitive_statistics_.primitives;
     SetupRecord& record = bin_.next_record();
-    if (!set_up(context_->setup, primitive, record)) {
+    const bool covers = set_up(context_->setup, primitive, record);
+    if (probe_)
+        probe_->set_up({.draw = bin_.commands().back().number,
+                        .frame = frame_,
+                        .registers = &context_->regs(),
+                        .primitive = &primitive,
+                        .record = covers ? &record : nullptr});
+    if (!covers) {
         ++primitive_statistics_.empty;
         return;
     }
@@ -161,7 +168,7 @@ void FunctionalGpu::flush() {
     const auto job = [&](unsigned worker, std::size_t i) {
         renderers_[worker]->render(bin_, tiles[i], sink_ ? &recordings[i] : nullptr);
     };
-    if (bin_serial_) {
+    if (bin_serial_ || probe_) {
         for (std::size_t i = 0; i < tiles.size(); ++i)
             job(0, i);
     } else {

@@ -27,6 +27,10 @@ std::uint16_t sample_bits(const SampleMasks& samples, unsigned q) {
 
 } // namespace
 
+void TileRenderer::set_probe(StageProbe* probe) {
+    tap_ = probe ? std::make_unique<StageTap>(*probe, batch_) : nullptr;
+}
+
 void TileRenderer::render(const Bin& bin, std::uint32_t tile, WorkTile* recording) {
     tile_ = bin.tile_rectangle(tile);
     if (recording) {
@@ -43,6 +47,7 @@ void TileRenderer::render(const Bin& bin, std::uint32_t tile, WorkTile* recordin
         if (step.command != command_) {
             begin_command(bin.commands()[step.command]);
             command_ = step.command;
+            binned_ = &bin.commands()[step.command];
         }
         if (step.record)
             draw_record(*step.record);
@@ -52,10 +57,10 @@ void TileRenderer::render(const Bin& bin, std::uint32_t tile, WorkTile* recordin
     flush();
 }
 
-// Draws whose pixels are made alike share batches, unless the work of each is to be told apart.
+// Draws whose pixels are made alike share batches, unless they are to be told apart.
 void TileRenderer::begin_command(const BinCommand& command) {
     const PixelContext* const pixels = command.context->pixels.get();
-    if (command.kind == WorkKind::Draw && pixels == pixels_ && !recording_) return;
+    if (command.kind == WorkKind::Draw && pixels == pixels_ && !recording_ && !tap_) return;
     flush();
     pixels_ = pixels;
     if (pixels_->antialias) batch_.antialias.fill(255);
@@ -64,7 +69,7 @@ void TileRenderer::begin_command(const BinCommand& command) {
 void TileRenderer::draw_record(const SetupRecord& record) {
     if (pixels_->multisample) return draw_samples(record);
     if (record.coverage != CoverageKind::Centre) return draw_smooth(record);
-    cover_tile(edge_set(record), tile_, coverage_);
+    stages_.cover_tile(edge_set(record), tile_, coverage_);
     for (unsigned i = 0; i < coverage_.count; ++i) {
         BlockCoverage& block = coverage_.blocks[i];
         if (record.stipple != StippleKind::None)
@@ -74,7 +79,7 @@ void TileRenderer::draw_record(const SetupRecord& record) {
 }
 
 void TileRenderer::draw_samples(const SetupRecord& record) {
-    cover_tile_samples(record, tile_, sample_coverage_);
+    stages_.cover_tile_samples(record, tile_, sample_coverage_);
     for (unsigned i = 0; i < sample_coverage_.count; ++i) {
         SampleBlock& block = sample_coverage_.blocks[i];
         if (record.stipple != StippleKind::None) {
@@ -91,7 +96,7 @@ void TileRenderer::draw_smooth(const SetupRecord& record) {
     BlockAntialias antialias;
     for (int y = area.y0 & -BlockSize; y < area.y1; y += BlockSize)
         for (int x = area.x0 & -BlockSize; x < area.x1; x += BlockSize) {
-            const BlockMask mask = smooth_block(record, x, y, antialias) &
+            const BlockMask mask = stages_.smooth_block(record, x, y, antialias) &
                                    stipple_mask(record, pixels_->stipple, x, y);
             const BlockCoverage block{
                 static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), mask};
@@ -126,7 +131,9 @@ void TileRenderer::draw_image(const BinCommand& command) {
         batch_.tile_y = static_cast<std::uint16_t>(tile_.y0);
         const FragmentMask covered = batch_.live;
         if (multisampled()) begin_samples();
-        early_depth_test(pixels_->pipe, batch_);
+        if (tap_) tap_->begin(command, {});
+        if (tap_) tap_->coverage();
+        early_depth_test(pixels_->pipe, batch_, pipe_tap());
         if (batch_.live.any()) {
             for (unsigned unit = 0; unit < TextureUnits; ++unit)
                 if (pixels_->samples(unit)) {
@@ -148,32 +155,46 @@ void TileRenderer::draw_image(const BinCommand& command) {
 void TileRenderer::flush() {
     if (collector_.empty()) return;
     const PixelContext& context = *pixels_;
-    const InterpolantLayout& layout = context.layout;
     const std::span<const BatchRun> runs = collector_.runs();
     const FragmentMask covered = batch_.live;
 
     if (multisampled()) begin_samples();
+    if (tap_) tap_->begin(*binned_, runs);
+    if (tap_) tap_->coverage();
     if (context.needs_depth) interpolate_depths();
-    early_depth_test(context.pipe, batch_);
-    if (batch_.live.any()) {
-        if (needs_perspective(layout, runs)) interpolate_perspective(runs, batch_, perspective_);
-        interpolate_colors(layout, runs, perspective_, batch_);
-        for (unsigned unit = 0; unit < TextureUnits; ++unit)
-            if (context.samples(unit)) {
-                interpolate_tex_coords(layout, unit, runs, perspective_, batch_, coordinates_);
-                sample_unit(unit);
-            }
-    }
+    early_depth_test(context.pipe, batch_, pipe_tap());
+    if (batch_.live.any()) shade_units(runs);
     finish_batch(covered);
     if (context.antialias) batch_.antialias.fill(255); // Smooth primitives wrote theirs.
     collector_.clear();
 }
 
+// From the primitives' planes to the texture units' samples.
+void TileRenderer::shade_units(std::span<const BatchRun> runs) {
+    const InterpolantLayout& layout = pixels_->layout;
+    if (needs_perspective(layout, runs)) {
+        stages_.interpolate_perspective(runs, batch_, perspective_);
+        if (tap_) tap_->perspective(perspective_);
+    }
+    stages_.interpolate_colors(layout, runs, perspective_, batch_);
+    if (tap_) tap_->colors(layout);
+    for (unsigned unit = 0; unit < TextureUnits; ++unit)
+        if (pixels_->samples(unit)) {
+            stages_.interpolate_tex_coords(layout, unit, runs, perspective_, batch_, coordinates_);
+            if (tap_) tap_->tex_coords(layout, unit, coordinates_);
+            sample_unit(unit);
+        }
+}
+
 // At the samples where primitives cover samples, at the centres where they cover pixels.
 void TileRenderer::interpolate_depths() {
-    if (!pixels_->multisample) return interpolate_depth(collector_.runs(), batch_);
-    interpolate_sample_depths(collector_.runs(), batch_, sample_depths_);
-    batch_.sample_depths = &sample_depths_;
+    if (pixels_->multisample) {
+        stages_.interpolate_sample_depths(collector_.runs(), batch_, sample_depths_);
+        batch_.sample_depths = &sample_depths_;
+    } else {
+        stages_.interpolate_depth(collector_.runs(), batch_);
+    }
+    if (tap_) tap_->depth();
 }
 
 // Primitives that cover pixels cover all samples of them.
@@ -189,20 +210,21 @@ void TileRenderer::sample_unit(unsigned unit) {
         footprints = &footprints_.emplace_back();
         footprints->unit = static_cast<std::uint8_t>(unit);
     }
-    sample(pixels_->textures[unit],
-           coordinates_,
-           batch_.quad_count,
-           batch_.live,
-           batch_.texture[unit],
-           footprints);
+    stages_.sample(pixels_->textures[unit],
+                   coordinates_,
+                   batch_.quad_count,
+                   batch_.live,
+                   batch_.texture[unit],
+                   footprints);
+    if (tap_) tap_->sampling(pixels_->textures[unit], unit, coordinates_);
 }
 
 void TileRenderer::finish_batch(const FragmentMask& covered) {
     const FragmentMask early = batch_.live;
     FragmentFates fates;
     if (early.any()) {
-        if (pixels_->layout.color >= 0) shade(pixels_->pipe, batch_);
-        write(pixels_->pipe, batch_, fates);
+        if (pixels_->layout.color >= 0) shade(pixels_->pipe, batch_, pipe_tap());
+        write(pixels_->pipe, batch_, fates, pipe_tap());
     }
     count(covered, early, fates);
     if (recording_) record(covered, early, fates);

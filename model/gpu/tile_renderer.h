@@ -5,11 +5,14 @@
 
 #include "model/gpu/bin.h"
 #include "model/gpu/raster_statistics.h"
+#include "model/gpu/stage_tap.h"
+#include "model/gpu/stages.h"
 #include "model/packets/fragment_batch.h"
 #include "model/packets/work_stream.h"
 #include "model/raster/interpolator.h"
 #include "model/raster/quad_collector.h"
 
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -18,11 +21,15 @@ namespace ffgpu {
 
 class TileRenderer {
 public:
-    explicit TileRenderer(std::span<std::byte> memory)
-        : memory_(memory) {}
+    TileRenderer(std::span<std::byte> memory, const Stages& stages)
+        : memory_(memory)
+        , stages_(stages) {}
 
     // With `recording`, appends what was done to it.
     void render(const Bin& bin, std::uint32_t tile, WorkTile* recording);
+
+    // From now on `probe` is told what each stage does; null: nobody.
+    void set_probe(StageProbe* probe);
 
     FragmentCounts take_counts() { return std::exchange(counts_, {}); }
 
@@ -35,6 +42,7 @@ private:
     void draw_image(const BinCommand& command);
 
     void flush();
+    void shade_units(std::span<const BatchRun> runs);
     void sample_unit(unsigned unit);
     void finish_batch(const FragmentMask& covered);
     void interpolate_depths();
@@ -46,15 +54,18 @@ private:
     void record(const FragmentMask& covered,
                 const FragmentMask& after_early_depth,
                 const FragmentFates& fates);
+    const ProbeTap* pipe_tap() const { return tap_ ? &tap_->pipe() : nullptr; }
     bool multisampled() const { return pixels_->pipe.samples > 1; }
 
     std::span<std::byte> memory_;
+    const Stages& stages_;
     FragmentCounts counts_;
 
     // Of the tile in work.
     Rectangle tile_;
     WorkTile* recording_ = nullptr;
     std::uint32_t command_ = 0;
+    const BinCommand* binned_ = nullptr; // its command_
     const PixelContext* pixels_ = nullptr;
 
     FragmentBatch batch_{};
@@ -66,6 +77,7 @@ private:
     PerspectivePlanes perspective_;
     TexCoordPlanes coordinates_;
     std::vector<TexelFootprints> footprints_;
+    std::unique_ptr<StageTap> tap_; // with a probe
 };
 
 } // namespace ffgpu

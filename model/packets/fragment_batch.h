@@ -1,4 +1,5 @@
-// FragmentBatch: up to 64 quads of one draw and one screen tile, in structure-of-arrays form. It is
+// FragmentBatch: up to 64 quads of one screen tile, of draws whose pixels are made alike (of a
+// single draw where a work sink or a probe tells draws apart), in structure-of-arrays form. It is
 // what passes from stage to stage of the fragment pipe, what the work stream records, and what an
 // RTL stage is fed with.
 //

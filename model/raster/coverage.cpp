@@ -1,113 +1,74 @@
-// The SIMD form of cover_tile: one vector operation an edge and 4 to 16 pixels.
+#include "model/raster/coverage.h"
 
-#include "model/raster/simd_targets.h"
+#include <algorithm>
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "model/raster/coverage.cpp"
-
-#include "model/raster/tile_walk.h"
-
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
-HWY_BEFORE_NAMESPACE();
 namespace ffgpu {
-namespace HWY_NAMESPACE {
+namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Lanes = hn::CappedTag<std::int32_t, 16>;
+bool inside(std::span<const Edge> edges, int x, int y) {
+    return std::all_of(
+        edges.begin(), edges.end(), [x, y](const Edge& edge) { return edge.at(x, y) >= 0; });
+}
 
-constexpr unsigned QuadRow = 16; // The pixels of a block's two rows, in batch order.
-alignas(64) constexpr std::int32_t LaneX[QuadRow] = {
-    0, 1, 0, 1, 2, 3, 2, 3, 4, 5, 4, 5, 6, 7, 6, 7};
-alignas(64) constexpr std::int32_t LaneY[QuadRow] = {
-    0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1};
+// Pixels of a block at x >= i, and at y >= i.
+struct BlockBounds {
+    std::array<BlockMask, BlockSize + 1> from_x{}, from_y{};
 
-// What each edge adds from the lower left pixel to those of the lowest row of quads.
-struct EdgeOffsets {
-    alignas(64) std::int32_t lane[MaxEdges][QuadRow];
+    constexpr BlockBounds() {
+        for (int i = 0; i <= BlockSize; ++i)
+            for (int y = 0; y < BlockSize; ++y)
+                for (int x = 0; x < BlockSize; ++x) {
+                    const BlockMask bit = BlockMask{1} << block_bit(x, y);
+                    if (x >= i) from_x[static_cast<unsigned>(i)] |= bit;
+                    if (y >= i) from_y[static_cast<unsigned>(i)] |= bit;
+                }
+    }
 };
+constexpr BlockBounds Bounds;
 
-void prepare_offsets(const TileWalk& walk, EdgeOffsets& offsets) {
-    const Lanes d;
-    for (unsigned i = 0; i < walk.edge_count; ++i) {
-        const auto a = hn::Set(d, walk.edges[i].a);
-        const auto b = hn::Set(d, walk.edges[i].b);
-        for (std::size_t lane = 0; lane < QuadRow; lane += hn::Lanes(d))
-            hn::Store(hn::Add(hn::Mul(a, hn::Load(d, LaneX + lane)),
-                              hn::Mul(b, hn::Load(d, LaneY + lane))),
-                      d,
-                      offsets.lane[i] + lane);
-    }
-}
+} // namespace
 
-// `e` holds each edge's value at the block's lower left pixel.
-BlockMask cover_block(const TileWalk& walk, const EdgeOffsets& offsets, const std::int32_t* e) {
-    const Lanes d;
-    BlockMask outside_mask = 0;
-    for (unsigned row = 0; row < BlockQuadsAcross; ++row)
-        for (std::size_t lane = 0; lane < QuadRow; lane += hn::Lanes(d)) {
-            auto outside = hn::Zero(d); // The sign bits of all edges.
-            for (unsigned i = 0; i < walk.edge_count; ++i) {
-                const std::int32_t base =
-                    e[i] + static_cast<std::int32_t>(2 * row) * walk.edges[i].b;
-                outside =
-                    hn::Or(outside, hn::Add(hn::Set(d, base), hn::Load(d, offsets.lane[i] + lane)));
-            }
-            std::uint8_t bytes[8] = {};
-            hn::StoreMaskBits(d, hn::Lt(outside, hn::Zero(d)), bytes);
-            const BlockMask bits = static_cast<BlockMask>(bytes[0] | bytes[1] << 8);
-            outside_mask |= bits << (row * QuadRow + lane);
-        }
-    return ~outside_mask;
-}
-
-BlockMask classify_block(const TileWalk& walk, const EdgeOffsets& offsets, const std::int32_t* e) {
-    bool full = true;
-    for (unsigned i = 0; i < walk.edge_count; ++i) {
-        if (e[i] + walk.edges[i].gain() < 0) return 0;
-        full = full && e[i] + walk.edges[i].loss() >= 0;
-    }
-    return full ? FullBlock : cover_block(walk, offsets, e);
-}
-
-void CoverTile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
+void cover_tile_scalar(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
     coverage.count = 0;
-    TileWalk walk;
-    if (!begin_walk(edges, tile, walk)) return;
-    EdgeOffsets offsets;
-    prepare_offsets(walk, offsets);
-    for (int y = walk.blocks.y0; y < walk.blocks.y1; y += BlockSize)
-        for (int x = walk.blocks.x0; x < walk.blocks.x1; x += BlockSize) {
-            std::int32_t e[MaxEdges];
-            for (unsigned i = 0; i < walk.edge_count; ++i)
-                e[i] = walk.edges[i].e + walk.edges[i].a * (x - walk.blocks.x0) +
-                       walk.edges[i].b * (y - walk.blocks.y0);
-            BlockMask mask = classify_block(walk, offsets, e);
-            if (!walk.holds(x, y)) mask &= rectangle_mask(walk.area, x, y);
+    const Rectangle area = intersect(edges.box, tile);
+    for (int by = tile.y0; by < tile.y1; by += BlockSize)
+        for (int bx = tile.x0; bx < tile.x1; bx += BlockSize) {
+            BlockMask mask = 0;
+            for (int y = by; y < by + BlockSize; ++y)
+                for (int x = bx; x < bx + BlockSize; ++x)
+                    if (x >= area.x0 && x < area.x1 && y >= area.y0 && y < area.y1 &&
+                        inside(edges.edges, x, y))
+                        mask |= BlockMask{1} << block_bit(x - bx, y - by);
             if (mask != 0)
                 coverage.blocks[coverage.count++] = {
-                    static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), mask};
+                    static_cast<std::uint16_t>(bx), static_cast<std::uint16_t>(by), mask};
         }
 }
 
-} // namespace HWY_NAMESPACE
-} // namespace ffgpu
-HWY_AFTER_NAMESPACE();
+BlockMask rectangle_mask(const Rectangle& rectangle, int x, int y) {
+    const auto bound = [](int at) { return static_cast<unsigned>(std::clamp(at, 0, BlockSize)); };
+    return Bounds.from_x[bound(rectangle.x0 - x)] & ~Bounds.from_x[bound(rectangle.x1 - x)] &
+           Bounds.from_y[bound(rectangle.y0 - y)] & ~Bounds.from_y[bound(rectangle.y1 - y)];
+}
 
-#if HWY_ONCE
-namespace ffgpu {
-
-HWY_EXPORT(CoverTile);
-
-void cover_tile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
-    // Chosen once: a call for each small triangle would feel Highway's own look-up.
-    static const auto cover = [] {
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        return HWY_DYNAMIC_DISPATCH(CoverTile);
-    }();
-    cover(edges, tile, coverage);
+bool may_touch(const SetupRecord& record, const Rectangle& tile) {
+    const Rectangle area = intersect(record.box, tile);
+    if (area.empty()) return false;
+    for (unsigned i = 0; i < record.edge_count; ++i) {
+        const Edge& edge = record.edges[i];
+        // An edge of a smooth polygon, or one of samples, reaches half a pixel further in both
+        // directions.
+        const std::int64_t reach =
+            record.coverage == CoverageKind::Centre
+                ? 0
+                : (std::int64_t{edge.a < 0 ? -edge.a : edge.a} + (edge.b < 0 ? -edge.b : edge.b)) /
+                          2 +
+                      1;
+        const std::int64_t most =
+            edge.at(edge.a > 0 ? area.x1 - 1 : area.x0, edge.b > 0 ? area.y1 - 1 : area.y0);
+        if (most + reach < 0) return false;
+    }
+    return true;
 }
 
 } // namespace ffgpu
-#endif

@@ -10,4 +10,7 @@ namespace ffgpu {
 // coverage, 0 .. 255, is not 0, and fills in theirs.
 BlockMask smooth_block(const SetupRecord& record, int x, int y, BlockAntialias& coverage);
 
+// The same, each pixel's area reckoned: the specification.
+BlockMask smooth_block_scalar(const SetupRecord& record, int x, int y, BlockAntialias& coverage);
+
 } // namespace ffgpu

@@ -85,7 +85,11 @@ sample_quad(const TextureUnit& unit, const std::array<TexCoord, 4>& lanes, bool 
     const CoordinateSteps steps = coordinate_steps(lanes);
     const PixelFootprint footprint = pixel_footprint(unit, steps);
     const unsigned probes = one_face ? count_probes(footprint, unit.max_probes) : 1;
-    QuadSampling result = choose_levels(unit, level_of_detail(unit, footprint, probes));
+    const std::int32_t lambda = level_of_detail(unit, footprint, probes);
+    QuadSampling result = choose_levels(unit, lambda);
+    result.steps = steps;
+    result.footprint = footprint;
+    result.lambda = lambda;
     const std::array<float, 3>& major = footprint.x >= footprint.y ? steps.x : steps.y;
     result.probes = static_cast<std::uint8_t>(probes);
     result.major_step = {major[0], major[1], major[2]};

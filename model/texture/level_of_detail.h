@@ -32,6 +32,11 @@ struct QuadSampling {
     bool linear = false;         // within a level
     std::uint8_t probes = 1;     // anisotropic samples, averaged
     TexCoord major_step;         // the coordinates' change over the pixel's longer side
+
+    // From what it was chosen.
+    CoordinateSteps steps;
+    PixelFootprint footprint;
+    std::int32_t lambda = 0;
 };
 
 PixelFootprint pixel_footprint(const TextureUnit& unit, const CoordinateSteps& steps);

@@ -23,6 +23,11 @@ struct Witness {
     TexelObserver* observer = nullptr;
     std::vector<TexelAccess>* accesses = nullptr;
     unsigned lane = 0;
+
+    const Rgba& told(unsigned axis, const Rgba& color) const {
+        if (observer) observer->filtered(axis, color);
+        return color;
+    }
 };
 
 struct Neighbourhood {
@@ -80,8 +85,9 @@ Rgba filter_level(const TextureUnit& unit,
                   const Witness& witness) {
     const Neighbourhood near = neighbourhood(unit, fragment.coord, level, linear);
     const AxisTexels &x = near.axes[0], &y = near.axes[1], &z = near.axes[2];
-    if (witness.accesses)
-        witness.accesses->push_back(make_access(unit, near, level, fragment.face, witness.lane));
+    const TexelAccess access = make_access(unit, near, level, fragment.face, witness.lane);
+    if (witness.accesses) witness.accesses->push_back(access);
+    if (witness.observer) witness.observer->level(access, near.axes);
 
     const auto texel = [&](std::int32_t at_x, std::int32_t at_y, std::int32_t at_z) {
         const TexelPlace place{level, fragment.face, at_x, at_y, at_z};
@@ -89,26 +95,28 @@ Rgba filter_level(const TextureUnit& unit,
     };
     const auto row = [&](std::int32_t at_y, std::int32_t at_z) {
         const Rgba first = texel(x.first, at_y, at_z);
-        return linear ? lerp8w(first, texel(x.second, at_y, at_z), x.weight) : first;
+        return witness.told(0,
+                            linear ? lerp8w(first, texel(x.second, at_y, at_z), x.weight) : first);
     };
     const auto slice = [&](std::int32_t at_z) {
         const Rgba first = row(y.first, at_z);
-        if (!linear || unit.dimensions < 2) return first;
-        return lerp8w(first, row(y.second, at_z), y.weight);
+        if (!linear || unit.dimensions < 2) return witness.told(1, first);
+        return witness.told(1, lerp8w(first, row(y.second, at_z), y.weight));
     };
     const Rgba first = slice(z.first);
-    if (!linear || unit.dimensions < 3) return first;
-    return lerp8w(first, slice(z.second), z.weight);
+    if (!linear || unit.dimensions < 3) return witness.told(2, first);
+    return witness.told(2, lerp8w(first, slice(z.second), z.weight));
 }
 
 Rgba filter_levels(const TextureUnit& unit,
                    const Fragment& fragment,
                    const QuadSampling& quad,
                    const Witness& witness) {
+    if (witness.observer) witness.observer->probe(witness.lane, fragment.face, fragment.coord);
     const Rgba fine = filter_level(unit, fragment, quad.level, quad.linear, witness);
-    if (quad.weight == 0) return fine;
+    if (quad.weight == 0) return witness.told(3, fine);
     const Rgba coarse = filter_level(unit, fragment, quad.next_level, quad.linear, witness);
-    return lerp8w(fine, coarse, quad.weight);
+    return witness.told(3, lerp8w(fine, coarse, quad.weight));
 }
 
 Fragment probe(const Fragment& fragment, const QuadSampling& quad, unsigned i) {
@@ -185,6 +193,7 @@ void sample_reference(const TextureUnit& unit,
         store(out, lane, {0, 0, 0, 255});
     for (unsigned q = 0; q < quad_count && unit.valid; ++q) {
         const Quad quad = make_quad(unit, coordinates, 4 * q, live.quad(q));
+        if (observer && live.quad(q) != 0) observer->quad(q, quad.sampling);
         for (unsigned i = 0; i < 4; ++i) {
             const unsigned lane = 4 * q + i;
             const bool told = live.test(lane);

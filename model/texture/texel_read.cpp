@@ -52,6 +52,11 @@ Rgba decode(const TextureUnit& unit,
     return unit.srgb ? linear_from_srgb(color) : color;
 }
 
+Rgba told(TexelObserver* observer, std::span<const std::byte> stored, const Rgba& color) {
+    if (observer) observer->texel(stored, color);
+    return color;
+}
+
 } // namespace
 
 std::uint16_t stored_coordinate(const TextureUnit& unit, std::int32_t index, std::int32_t size) {
@@ -74,9 +79,13 @@ Rgba read_texel(const TextureUnit& unit,
     if (observer) observer->read(place.level, layer, x, y);
 
     constexpr std::uint16_t Border = TexelAccess::BorderTexel;
-    if (x == Border || y == Border || layer == Border) return border_texel(unit, reference);
+    if (x == Border || y == Border || layer == Border)
+        return told(observer, {}, border_texel(unit, reference));
     const StoredTexel texel{x, y, layer};
-    return decode(unit, block_address(unit, place.level, texel), texel, reference);
+    const std::byte* const block = block_address(unit, place.level, texel);
+    return told(observer,
+                {block, format_info(unit.format).block_bytes},
+                decode(unit, block, texel, reference));
 }
 
 } // namespace ffgpu

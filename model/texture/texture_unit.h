@@ -70,12 +70,25 @@ void sample(const TextureUnit& unit,
             ColorPlanes& out,
             TexelFootprints* footprints);
 
-// Told of each texel as the reference reads it; tests hold the footprints against it. Coordinates
-// as in TexelAccess.
+struct QuadSampling; // level_of_detail.h
+struct TexCoord;     // coordinates.h
+
+// Told of what the reference does for the live lanes, in its order; tests hold the footprints
+// against it, the stage probe hands it on.
 class TexelObserver {
 public:
     virtual ~TexelObserver() = default;
+
+    virtual void quad(unsigned /*quad*/, const QuadSampling&) {}
+    // A probe of a fragment begins, then one level of it: its access, and the texels of each axis.
+    virtual void probe(unsigned /*lane*/, unsigned /*face*/, const TexCoord&) {}
+    virtual void level(const TexelAccess&, const std::array<AxisTexels, 3>&) {}
+    // A texel, at coordinates as in TexelAccess; then its bytes (none where the border colour
+    // stands for it) and its colour.
     virtual void read(unsigned level, unsigned layer, unsigned x, unsigned y) = 0;
+    virtual void texel(std::span<const std::byte>, const std::array<std::uint8_t, 4>&) {}
+    // What the filter gave along x (0), y (1), between layers (2), and at last between levels (3).
+    virtual void filtered(unsigned /*axis*/, const std::array<std::uint8_t, 4>&) {}
 };
 
 void sample_reference(const TextureUnit& unit,

@@ -1,5 +1,5 @@
 #include "model/fragment/fragment_pipe.h"
-#include "model/fragment/fragment_reference.h"
+#include "tests/fragment/one_by_one.h"
 #include "tests/fragment/random_fragments.h"
 
 #include <catch2/catch.hpp>
@@ -56,45 +56,49 @@ void with_each_target(Test&& test) {
     test();
 }
 
-void require_equal_forms() {
-    auto vector = std::make_unique<Run>();
-    auto scalar = std::make_unique<Run>();
+void require_equal_forms(const FragmentStages& stages) {
+    auto batched = std::make_unique<Run>();
+    auto single = std::make_unique<Run>();
     for (std::uint32_t seed = 0; seed < 3000; ++seed) {
         INFO("seed " << seed);
         Draws draws(seed);
-        vector->scene = {};
-        test::randomize(draws, vector->scene);
-        test::randomize(draws, vector->scene, vector->batch);
-        scalar->scene = vector->scene;
-        scalar->batch = vector->batch;
+        batched->scene = {};
+        test::randomize(draws, batched->scene);
+        test::randomize(draws, batched->scene, batched->batch);
+        single->scene = batched->scene;
+        single->batch = batched->batch;
 
-        const FragmentPipe vector_pipe = vector->scene.compile();
-        early_depth_test(vector_pipe, vector->batch);
-        const FragmentPipe scalar_pipe = scalar->scene.compile();
-        early_depth_test_reference(scalar_pipe, scalar->batch);
-        REQUIRE(vector->batch.live == scalar->batch.live);
-        REQUIRE(vector->batch.samples == scalar->batch.samples);
+        const FragmentPipe batched_pipe = batched->scene.compile(stages);
+        early_depth_test(batched_pipe, batched->batch);
+        const FragmentPipe single_pipe = single->scene.compile();
+        test::early_depth_test_one_by_one(single_pipe, single->batch);
+        REQUIRE(batched->batch.live == single->batch.live);
+        REQUIRE(batched->batch.samples == single->batch.samples);
 
-        shade(vector_pipe, vector->batch);
-        shade_reference(scalar_pipe, scalar->batch);
-        REQUIRE(same_lanes(vector->batch.color, scalar->batch.color, scalar->batch.lanes()));
+        shade(batched_pipe, batched->batch);
+        test::shade_one_by_one(single_pipe, single->batch);
+        REQUIRE(same_lanes(batched->batch.color, single->batch.color, single->batch.lanes()));
 
-        write(vector_pipe, vector->batch, vector->fates);
-        write_reference(scalar_pipe, scalar->batch, scalar->fates);
-        REQUIRE(vector->fates.after_coverage == scalar->fates.after_coverage);
-        REQUIRE(vector->fates.after_alpha == scalar->fates.after_alpha);
-        REQUIRE(vector->fates.after_stencil == scalar->fates.after_stencil);
-        REQUIRE(vector->fates.after_depth == scalar->fates.after_depth);
-        REQUIRE(vector->batch.live == scalar->batch.live);
-        REQUIRE(vector->batch.samples == scalar->batch.samples);
-        REQUIRE((vector->scene.memory == scalar->scene.memory));
+        write(batched_pipe, batched->batch, batched->fates);
+        test::write_one_by_one(single_pipe, single->batch, single->fates);
+        REQUIRE(batched->fates.after_coverage == single->fates.after_coverage);
+        REQUIRE(batched->fates.after_alpha == single->fates.after_alpha);
+        REQUIRE(batched->fates.after_stencil == single->fates.after_stencil);
+        REQUIRE(batched->fates.after_depth == single->fates.after_depth);
+        REQUIRE(batched->batch.live == single->batch.live);
+        REQUIRE(batched->batch.samples == single->batch.samples);
+        REQUIRE((batched->scene.memory == single->scene.memory));
     }
 }
 
 } // namespace
 
-TEST_CASE("The batch stages yield the bits of the scalar pipe for random states and batches") {
-    with_each_target(require_equal_forms);
+TEST_CASE("The batch stages yield the bits of single fragments for random states and batches") {
+    with_each_target([] { require_equal_forms(FastFragmentStages); });
+}
+
+TEST_CASE("The stages' scalar forms yield the bits of single fragments") {
+    require_equal_forms(ReferenceFragmentStages);
 }
 
 TEST_CASE("No byte changes but those of live fragments' pixels") {
@@ -156,15 +160,16 @@ TEST_CASE("A target that leaves memory is left out") {
     }
 }
 
-TEST_CASE("Register values beyond their lists draw the same pixels in both forms") {
-    auto vector = std::make_unique<Run>();
-    auto scalar = std::make_unique<Run>();
+TEST_CASE("Register values beyond their lists draw the same pixels in all forms") {
+    const FragmentStages& stages = *GENERATE(&FastFragmentStages, &ReferenceFragmentStages);
+    auto batched = std::make_unique<Run>();
+    auto single = std::make_unique<Run>();
     for (std::uint32_t seed = 9000; seed < 9300; ++seed) {
         INFO("seed " << seed);
         Draws draws(seed);
-        vector->scene = {};
-        test::randomize(draws, vector->scene);
-        Registers& r = *vector->scene.registers;
+        batched->scene = {};
+        test::randomize(draws, batched->scene);
+        Registers& r = *batched->scene.registers;
         Combiner& combiner = r.combiners[seed % TextureUnits];
         combiner.enable = true;
         combiner.rgb.op = draws.value_below<CombineOp>(16);
@@ -175,17 +180,17 @@ TEST_CASE("Register values beyond their lists draw the same pixels in both forms
         r.blend.enable = true;
         r.blend.rgb_source = draws.value_below<BlendFactor>(16);
         r.blend.rgb_equation = draws.value_below<BlendEquation>(8);
-        test::randomize(draws, vector->scene, vector->batch);
-        scalar->scene = vector->scene;
-        scalar->batch = vector->batch;
+        test::randomize(draws, batched->scene, batched->batch);
+        single->scene = batched->scene;
+        single->batch = batched->batch;
 
-        const FragmentPipe vector_pipe = vector->scene.compile();
-        shade(vector_pipe, vector->batch);
-        const FragmentPipe scalar_pipe = scalar->scene.compile();
-        shade_reference(scalar_pipe, scalar->batch);
-        REQUIRE(same_lanes(vector->batch.color, scalar->batch.color, scalar->batch.lanes()));
-        write(vector_pipe, vector->batch, vector->fates);
-        write_reference(scalar_pipe, scalar->batch, scalar->fates);
-        REQUIRE((vector->scene.memory == scalar->scene.memory));
+        const FragmentPipe batched_pipe = batched->scene.compile(stages);
+        shade(batched_pipe, batched->batch);
+        const FragmentPipe single_pipe = single->scene.compile();
+        test::shade_one_by_one(single_pipe, single->batch);
+        REQUIRE(same_lanes(batched->batch.color, single->batch.color, single->batch.lanes()));
+        write(batched_pipe, batched->batch, batched->fates);
+        test::write_one_by_one(single_pipe, single->batch, single->fates);
+        REQUIRE((batched->scene.memory == single->scene.memory));
     }
 }

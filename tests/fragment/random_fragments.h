@@ -67,9 +67,9 @@ struct Scene {
     DrawState state;
     std::shared_ptr<const SampleDepths> sample_depths; // of the batch
 
-    FragmentPipe compile() {
+    FragmentPipe compile(const FragmentStages& stages = FastFragmentStages) {
         state.registers = registers;
-        return compile_fragment_pipe(state, memory);
+        return compile_fragment_pipe(state, memory, stages);
     }
 };
 

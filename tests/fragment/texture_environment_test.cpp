@@ -1,3 +1,5 @@
+#include "model/fragment/fragment_pipe.h"
+#include "model/fragment/lane_access.h"
 #include "model/fragment/texture_environment.h"
 #include "tests/fragment/random_fragments.h"
 
@@ -238,11 +240,12 @@ Combiner replace_by(CombineSource source) {
     return combiner;
 }
 
-PixelColor lane_color(const ColorPlanes& planes, unsigned lane) {
-    return {static_cast<std::uint8_t>(planes.r[lane]),
-            static_cast<std::uint8_t>(planes.g[lane]),
-            static_cast<std::uint8_t>(planes.b[lane]),
-            static_cast<std::uint8_t>(planes.a[lane])};
+// The pipe's shading with the environments alone.
+void run_environments(const EnvironmentProgram& program, FragmentBatch& batch) {
+    FragmentPipe pipe;
+    pipe.registers = std::make_shared<const Registers>();
+    pipe.environments = program;
+    shade(pipe, batch);
 }
 
 } // namespace

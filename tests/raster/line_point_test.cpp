@@ -253,6 +253,37 @@ TEST_CASE("areas are the same pixel by pixel and row by row") {
     }
 }
 
+TEST_CASE("smooth blocks are the same with each pixel reckoned and by rows that edges cross") {
+    Random random(31);
+    SetupContext setup = context();
+    setup.primitive.polygon_smooth = setup.primitive.point_smooth = true;
+    RecordBuffer buffer;
+    unsigned partial = 0;
+    for (int i = 0; i < 1500; ++i) {
+        const int size = i % 3 == 0 ? 1 << 21 : i % 3 == 1 ? 1 << 14 : 1 << 16;
+        std::array<WindowVertex, 3> v;
+        for (WindowVertex& corner : v)
+            corner = vertex(16384 + random.below(size) - size / 2,
+                            16384 + random.below(size) - size / 2);
+        v[0].point_size = static_cast<float>(1 + random.below(60));
+        const bool point = i % 7 == 0;
+        if (!buffer.set_up(setup,
+                           {.shape = point ? PrimitiveShape::Point : PrimitiveShape::Triangle,
+                            .vertices = {&v[0], &v[1], &v[2]}}))
+            continue;
+        for (int y = 0; y < 256; y += BlockSize)
+            for (int x = 0; x < 256; x += BlockSize) {
+                BlockAntialias one{}, other{};
+                const BlockMask mask = smooth_block(buffer.record(), x, y, one);
+                REQUIRE(mask == smooth_block_scalar(buffer.record(), x, y, other));
+                for (unsigned bit = 0; bit < one.size(); ++bit)
+                    if (mask >> bit & 1) REQUIRE(one[bit] == other[bit]);
+                partial += mask != 0 && mask != FullBlock;
+            }
+    }
+    CHECK(partial > 1000);
+}
+
 TEST_CASE("a pixel's area is what the polygon covers of it") {
     const auto area = [](std::vector<SubPixelPoint> corners, unsigned x, int y) {
         RowAreas areas;

@@ -134,7 +134,9 @@ Picture picture_of(std::uint64_t frame, const Image& image) {
 
 Run run_trace(const std::string& path, const RunOptions& options) {
     Run run;
-    FunctionalGpu gpu({.threads = options.threads, .tile_size = options.tile_size});
+    FunctionalGpu gpu({.threads = options.threads,
+                       .tile_size = options.tile_size,
+                       .stages = options.reference ? &ReferenceStages : &FastStages});
     RegroupingDevice regrouping(gpu, options.grouping == Grouping::Halves);
     const bool as_given = options.grouping == Grouping::AsGiven;
     Device& device = as_given ? static_cast<Device&>(gpu) : regrouping;

@@ -40,6 +40,7 @@ struct RunOptions {
     unsigned tile_size = 64;
     Grouping grouping = Grouping::AsGiven;
     bool record_work = false;
+    bool reference = false; // with the scalar specifications
     std::optional<timing::TimingConfig> timing{};
     std::uint64_t last_frame = ~std::uint64_t{0};
 };

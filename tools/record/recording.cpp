@@ -13,17 +13,19 @@
 namespace ffgpu::tools {
 namespace {
 
-FunctionalGpu::Config gpu_config(const GpuParameters& parameters) {
+FunctionalGpu::Config gpu_config(const RecordingOptions& options) {
+    const GpuParameters& parameters = options.configuration.gpu;
     const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
     return {.threads = parameters.threads == 0 ? processors : parameters.threads,
-            .tile_size = parameters.tile_size};
+            .tile_size = parameters.tile_size,
+            .stages = options.reference ? &ReferenceStages : &FastStages};
 }
 
 } // namespace
 
 Recording::Recording(const RecordingOptions& options)
     : options_(options)
-    , gpu_(gpu_config(options.configuration.gpu))
+    , gpu_(gpu_config(options))
     , capture_(gpu_)
     , report_(options.configuration, options.timing) {
     for (const HeatMap map : options.heat_maps)

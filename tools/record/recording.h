@@ -29,6 +29,7 @@ struct RecordingOptions {
     std::set<HeatMap> heat_maps;
     bool timing = false;
     bool images = true;
+    bool reference = false; // draw with the scalar specifications
 };
 
 class Recording {

@@ -25,6 +25,7 @@ void visit_members(Arguments& arguments, Visitor&& member) {
     member("settings", arguments.settings);
     member("timing", arguments.timing);
     member("no_images", arguments.no_images);
+    member("reference", arguments.reference);
 }
 
 void make_absolute(std::string& path) {
@@ -35,7 +36,7 @@ void make_absolute(std::string& path) {
 
 bool RecordingArguments::any() const {
     return !output.empty() || !capture.empty() || !config.empty() || !settings.empty() ||
-           !frames.empty() || !heat_maps.empty() || threads || timing || no_images;
+           !frames.empty() || !heat_maps.empty() || threads || timing || no_images || reference;
 }
 
 void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {
@@ -56,6 +57,7 @@ void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {
     verb.add_option("--capture", arguments.capture, "Write the frames as a device capture")
         ->type_name("FILE.ffc");
     verb.add_flag("--no-images", arguments.no_images, "Write no frame_*.png");
+    verb.add_flag("--reference", arguments.reference, "Draw with the scalar specifications: slow");
 }
 
 void add_samples_option(CLI::App& verb, unsigned& samples) {
@@ -87,6 +89,7 @@ void resolve(const RecordingArguments& arguments, RecordingOptions& options) {
     options.capture = arguments.capture;
     options.timing = arguments.timing;
     options.images = !arguments.no_images;
+    options.reference = arguments.reference;
 }
 
 std::string to_json(RecordingArguments arguments) {

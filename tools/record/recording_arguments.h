@@ -21,7 +21,7 @@ struct RecordingArguments {
     std::string output, frames, heat_maps, capture, config;
     std::vector<std::string> settings;
     std::optional<std::uint32_t> threads;
-    bool timing = false, no_images = false;
+    bool timing = false, no_images = false, reference = false;
 
     // Something is to be recorded, or the machine is another than the default.
     bool any() const;

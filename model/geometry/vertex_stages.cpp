@@ -1,8 +1,9 @@
 // The vertex stages over one lane: their specification.
 
-#include "model/arith/power.h"
-#include "model/geometry/scalar_lanes.h"
 #include "model/geometry/vertex_stages.h"
+
+#include "model/arith/lanes/scalar_lanes.h"
+#include "model/arith/power.h"
 
 #include <tuple>
 

@@ -1,0 +1,36 @@
+// SamplingLog: what the scalar texture unit does for one batch, kept for a stage probe.
+
+#pragma once
+
+#include "model/packets/stage_probe.h"
+#include "model/texture/texture_unit.h"
+
+#include <vector>
+
+namespace ffgpu {
+
+class SamplingLog final : private TexelObserver {
+public:
+    // Samples the batch's live fragments once more, by the specification. What is told lives until
+    // the next call.
+    probed::Sampling run(const TextureUnit& unit,
+                         const TexCoordPlanes& coordinates,
+                         const FragmentBatch& batch);
+
+private:
+    void quad(unsigned quad, const QuadSampling& sampling) override;
+    void probe(unsigned lane, unsigned face, const TexCoord& at) override;
+    void level(const TexelAccess& access, const std::array<AxisTexels, 3>& axes) override;
+    void read(unsigned level, unsigned layer, unsigned x, unsigned y) override;
+    void texel(std::span<const std::byte> stored,
+               const std::array<std::uint8_t, 4>& color) override;
+    void filtered(unsigned axis, const std::array<std::uint8_t, 4>& color) override;
+
+    std::vector<probed::QuadLevels> quads_;
+    std::vector<probed::Probe> probes_;
+    std::vector<probed::LevelFilter> levels_;
+    unsigned along_x_ = 0, along_y_ = 0; // of the last level's interpolations
+    ColorPlanes colors_{};
+};
+
+} // namespace ffgpu

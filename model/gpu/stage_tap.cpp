@@ -1,0 +1,95 @@
+#include "model/gpu/stage_tap.h"
+
+namespace ffgpu {
+namespace {
+
+static_assert(probed::Coverage::Edges == MaxEdges);
+
+// Calls visit(record, lane, x, y) for all lanes of the batch, x and y being the lane's pixel.
+template <class Visit>
+void for_each_lane(std::span<const probed::Run> runs, const FragmentBatch& batch, Visit&& visit) {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const unsigned end = i + 1 < runs.size() ? runs[i + 1].first_quad : batch.quad_count;
+        for (unsigned lane = 4 * runs[i].first_quad; lane < 4 * end; ++lane)
+            visit(*runs[i].record,
+                  lane,
+                  batch.x[lane / 4] + static_cast<int>(lane & 1),
+                  batch.y[lane / 4] + static_cast<int>(lane >> 1 & 1));
+    }
+}
+
+// As the interpolator has it before w.
+double plane_value(const SetupRecord& record, const AttributePlane& plane, int x, int y) {
+    return plane.at(static_cast<float>(x - record.x_reference),
+                    static_cast<float>(y - record.y_reference));
+}
+
+} // namespace
+
+void StageTap::begin(const BinCommand& command, std::span<const BatchRun> runs) {
+    runs_.clear();
+    for (const BatchRun& run : runs)
+        runs_.push_back({run.record, run.first_quad});
+    tap_.batch = {.draw = command.number,
+                  .frame = command.frame,
+                  .registers = &command.context->regs(),
+                  .runs = runs_,
+                  .fragments = &batch_};
+}
+
+void StageTap::coverage() {
+    coverage_ = {};
+    for_each_lane(runs_, batch_, [&](const SetupRecord& record, unsigned lane, int x, int y) {
+        for (unsigned i = 0; i < record.edge_count; ++i)
+            coverage_.edges[i][lane] = record.edges[i].at(x, y);
+    });
+    tap_.probe.coverage(tap_.batch, coverage_);
+}
+
+void StageTap::perspective(const PerspectivePlanes& planes) {
+    for_each_lane(runs_, batch_, [&](const SetupRecord& record, unsigned lane, int x, int y) {
+        perspective_.inverse_w[lane] =
+            record.perspective ? plane_value(record, record.inverse_w, x, y) : 1;
+    });
+    perspective_.w = planes.w;
+    tap_.probe.perspective(tap_.batch, perspective_);
+}
+
+void StageTap::plane_values(int first,
+                            unsigned count,
+                            std::span<probed::Lanes<double>> out) const {
+    if (first < 0) return;
+    for_each_lane(runs_, batch_, [&](const SetupRecord& record, unsigned lane, int x, int y) {
+        for (unsigned i = 0; i < count; ++i)
+            out[i][lane] =
+                plane_value(record, record.plane(static_cast<unsigned>(first) + i), x, y);
+    });
+}
+
+void StageTap::colors(const InterpolantLayout& layout) {
+    plane_values(layout.color, 4, colors_.primary_over_w);
+    plane_values(layout.secondary, 3, colors_.secondary_over_w);
+    plane_values(layout.fog, 1, {&colors_.fog_over_w, 1});
+    tap_.probe.colors(tap_.batch, colors_);
+}
+
+void StageTap::tex_coords(const InterpolantLayout& layout,
+                          unsigned unit,
+                          const TexCoordPlanes& result) {
+    tex_coords_.unit = unit;
+    tex_coords_.carried = layout.tex_coord[unit] < 0 ? 0u : layout.tex_components[unit];
+    tex_coords_.result = &result;
+    plane_values(layout.tex_coord[unit], tex_coords_.carried, tex_coords_.over_w);
+    tap_.probe.tex_coords(tap_.batch, tex_coords_);
+}
+
+void StageTap::sampling(const TextureUnit& texture,
+                        unsigned unit,
+                        const TexCoordPlanes& coordinates) {
+    probed::Sampling told = sampling_.run(texture, coordinates, batch_);
+    told.unit = unit;
+    told.result = &batch_.texture[unit];
+    tap_.probe.sampling(tap_.batch, told);
+}
+
+} // namespace ffgpu

@@ -1,0 +1,49 @@
+// StageTap: tells a stage probe what a tile renderer's stages did, from coverage to the texture
+// units; from there on the fragment pipe does (model/fragment/fragment_tap.h). It reads what the
+// stages left, and reckons what they do not leave by the scalar specifications.
+
+#pragma once
+
+#include "model/gpu/bin.h"
+#include "model/gpu/sampling_log.h"
+#include "model/packets/stage_probe.h"
+#include "model/raster/interpolator.h"
+
+#include <span>
+#include <vector>
+
+namespace ffgpu {
+
+class StageTap {
+public:
+    StageTap(StageProbe& probe, const FragmentBatch& batch)
+        : batch_(batch)
+        , tap_{probe, {.fragments = &batch}} {}
+
+    // The batch that the calls from here on are about.
+    void begin(const BinCommand& command, std::span<const BatchRun> runs);
+
+    void coverage();
+    void depth() { tap_.probe.depth(tap_.batch); }
+    void perspective(const PerspectivePlanes& planes);
+    void colors(const InterpolantLayout& layout);
+    void tex_coords(const InterpolantLayout& layout, unsigned unit, const TexCoordPlanes& result);
+    void sampling(const TextureUnit& texture, unsigned unit, const TexCoordPlanes& coordinates);
+
+    // For the fragment pipe.
+    const ProbeTap& pipe() const { return tap_; }
+
+private:
+    void plane_values(int first, unsigned count, std::span<probed::Lanes<double>> out) const;
+
+    const FragmentBatch& batch_;
+    ProbeTap tap_;
+    std::vector<probed::Run> runs_;
+    SamplingLog sampling_;
+    probed::Coverage coverage_{};
+    probed::Perspective perspective_{};
+    probed::Colors colors_{};
+    probed::TexCoords tex_coords_{};
+};
+
+} // namespace ffgpu

@@ -1,0 +1,45 @@
+#include "model/gpu/stages.h"
+
+namespace ffgpu {
+namespace {
+
+void sample_without_observer(const TextureUnit& unit,
+                             const TexCoordPlanes& coordinates,
+                             unsigned quad_count,
+                             const FragmentMask& live,
+                             ColorPlanes& out,
+                             TexelFootprints* footprints) {
+    sample_reference(unit, coordinates, quad_count, live, out, footprints);
+}
+
+} // namespace
+
+constinit const Stages FastStages{
+    .shade_vertices = shade_vertices_simd,
+    .cover_tile = cover_tile,
+    .cover_tile_samples = cover_tile_samples,
+    .smooth_block = smooth_block,
+    .interpolate_depth = interpolate_depth,
+    .interpolate_sample_depths = interpolate_sample_depths,
+    .interpolate_perspective = interpolate_perspective,
+    .interpolate_colors = interpolate_colors,
+    .interpolate_tex_coords = interpolate_tex_coords,
+    .sample = sample,
+    .fragment = &FastFragmentStages,
+};
+
+constinit const Stages ReferenceStages{
+    .shade_vertices = shade_vertices_scalar,
+    .cover_tile = cover_tile_scalar,
+    .cover_tile_samples = cover_tile_samples_scalar,
+    .smooth_block = smooth_block_scalar,
+    .interpolate_depth = interpolate_depth_scalar,
+    .interpolate_sample_depths = interpolate_sample_depths_scalar,
+    .interpolate_perspective = interpolate_perspective_scalar,
+    .interpolate_colors = interpolate_colors_scalar,
+    .interpolate_tex_coords = interpolate_tex_coords_scalar,
+    .sample = sample_without_observer,
+    .fragment = &ReferenceFragmentStages,
+};
+
+} // namespace ffgpu

@@ -1,0 +1,58 @@
+// Stages: the functions that the functional GPU is made of, in the order of the block diagram. There
+// are two tables of them, wired in stages.cpp: the fast forms, and the scalar specifications, which
+// draw the same frames bit for bit. What a stage does is in the header of its unit.
+//
+// What has one form is not here, and runs in both: fetch, assembly, clipping and set-up; stipple,
+// batches of quads, images' fragments; the sample mask; clears and copies.
+
+#pragma once
+
+#include "model/fragment/fragment_stages.h"
+#include "model/geometry/vertex_stages.h"
+#include "model/raster/interpolator.h"
+#include "model/raster/sample_coverage.h"
+#include "model/raster/smooth_coverage.h"
+#include "model/texture/texture_unit.h"
+
+#include <span>
+
+namespace ffgpu {
+
+using BatchRuns = std::span<const BatchRun>;
+
+struct Stages {
+    ShadeVertices shade_vertices;
+
+    // Coverage of a tile: by centres, by samples; of a block: by areas.
+    void (*cover_tile)(const EdgeSet&, const Rectangle& tile, TileCoverage&);
+    void (*cover_tile_samples)(const SetupRecord&, const Rectangle& tile, TileSampleCoverage&);
+    BlockMask (*smooth_block)(const SetupRecord&, int x, int y, BlockAntialias&);
+
+    void (*interpolate_depth)(BatchRuns, FragmentBatch&);
+    void (*interpolate_sample_depths)(BatchRuns, const FragmentBatch&, SampleDepths&);
+    void (*interpolate_perspective)(BatchRuns, const FragmentBatch&, PerspectivePlanes&);
+    void (*interpolate_colors)(const InterpolantLayout&,
+                               BatchRuns,
+                               const PerspectivePlanes&,
+                               FragmentBatch&);
+    void (*interpolate_tex_coords)(const InterpolantLayout&,
+                                   unsigned unit,
+                                   BatchRuns,
+                                   const PerspectivePlanes&,
+                                   const FragmentBatch&,
+                                   TexCoordPlanes&);
+
+    // Division by q, level of detail, addressing, texels, filter.
+    void (*sample)(const TextureUnit&,
+                   const TexCoordPlanes&,
+                   unsigned quad_count,
+                   const FragmentMask& live,
+                   ColorPlanes&,
+                   TexelFootprints*);
+
+    const FragmentStages* fragment;
+};
+
+extern const Stages FastStages, ReferenceStages;
+
+} // namespace ffgpu

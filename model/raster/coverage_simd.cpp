@@ -1,0 +1,113 @@
+// The SIMD form of cover_tile: one vector operation an edge and 4 to 16 pixels.
+
+#include "model/raster/simd_targets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "model/raster/coverage_simd.cpp"
+
+#include "model/raster/tile_walk.h"
+
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ffgpu {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::CappedTag<std::int32_t, 16>;
+
+constexpr unsigned QuadRow = 16; // The pixels of a block's two rows, in batch order.
+alignas(64) constexpr std::int32_t LaneX[QuadRow] = {
+    0, 1, 0, 1, 2, 3, 2, 3, 4, 5, 4, 5, 6, 7, 6, 7};
+alignas(64) constexpr std::int32_t LaneY[QuadRow] = {
+    0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1};
+
+// What each edge adds from the lower left pixel to those of the lowest row of quads.
+struct EdgeOffsets {
+    alignas(64) std::int32_t lane[MaxEdges][QuadRow];
+};
+
+void prepare_offsets(const TileWalk& walk, EdgeOffsets& offsets) {
+    const Lanes d;
+    for (unsigned i = 0; i < walk.edge_count; ++i) {
+        const auto a = hn::Set(d, walk.edges[i].a);
+        const auto b = hn::Set(d, walk.edges[i].b);
+        for (std::size_t lane = 0; lane < QuadRow; lane += hn::Lanes(d))
+            hn::Store(hn::Add(hn::Mul(a, hn::Load(d, LaneX + lane)),
+                              hn::Mul(b, hn::Load(d, LaneY + lane))),
+                      d,
+                      offsets.lane[i] + lane);
+    }
+}
+
+// `e` holds each edge's value at the block's lower left pixel.
+BlockMask cover_block(const TileWalk& walk, const EdgeOffsets& offsets, const std::int32_t* e) {
+    const Lanes d;
+    BlockMask outside_mask = 0;
+    for (unsigned row = 0; row < BlockQuadsAcross; ++row)
+        for (std::size_t lane = 0; lane < QuadRow; lane += hn::Lanes(d)) {
+            auto outside = hn::Zero(d); // The sign bits of all edges.
+            for (unsigned i = 0; i < walk.edge_count; ++i) {
+                const std::int32_t base =
+                    e[i] + static_cast<std::int32_t>(2 * row) * walk.edges[i].b;
+                outside =
+                    hn::Or(outside, hn::Add(hn::Set(d, base), hn::Load(d, offsets.lane[i] + lane)));
+            }
+            std::uint8_t bytes[8] = {};
+            hn::StoreMaskBits(d, hn::Lt(outside, hn::Zero(d)), bytes);
+            const BlockMask bits = static_cast<BlockMask>(bytes[0] | bytes[1] << 8);
+            outside_mask |= bits << (row * QuadRow + lane);
+        }
+    return ~outside_mask;
+}
+
+BlockMask classify_block(const TileWalk& walk, const EdgeOffsets& offsets, const std::int32_t* e) {
+    bool full = true;
+    for (unsigned i = 0; i < walk.edge_count; ++i) {
+        if (e[i] + walk.edges[i].gain() < 0) return 0;
+        full = full && e[i] + walk.edges[i].loss() >= 0;
+    }
+    return full ? FullBlock : cover_block(walk, offsets, e);
+}
+
+void CoverTile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
+    coverage.count = 0;
+    TileWalk walk;
+    if (!begin_walk(edges, tile, walk)) return;
+    EdgeOffsets offsets;
+    prepare_offsets(walk, offsets);
+    for (int y = walk.blocks.y0; y < walk.blocks.y1; y += BlockSize)
+        for (int x = walk.blocks.x0; x < walk.blocks.x1; x += BlockSize) {
+            std::int32_t e[MaxEdges];
+            for (unsigned i = 0; i < walk.edge_count; ++i)
+                e[i] = walk.edges[i].e + walk.edges[i].a * (x - walk.blocks.x0) +
+                       walk.edges[i].b * (y - walk.blocks.y0);
+            BlockMask mask = classify_block(walk, offsets, e);
+            if (!walk.holds(x, y)) mask &= rectangle_mask(walk.area, x, y);
+            if (mask != 0)
+                coverage.blocks[coverage.count++] = {
+                    static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), mask};
+        }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace ffgpu
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ffgpu {
+
+HWY_EXPORT(CoverTile);
+
+void cover_tile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
+    // Chosen once: a call for each small triangle would feel Highway's own look-up.
+    static const auto cover = [] {
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        return HWY_DYNAMIC_DISPATCH(CoverTile);
+    }();
+    cover(edges, tile, coverage);
+}
+
+} // namespace ffgpu
+#endif
