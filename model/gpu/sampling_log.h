@@ -11,11 +11,11 @@ namespace ffgpu {
 
 class SamplingLog final : private TexelObserver {
 public:
-    // Samples the batch's live fragments once more, by the specification. What is told lives until
+    // Samples the quads' live fragments once more, by the specification. What is told lives until
     // the next call.
     probed::Sampling run(const TextureUnit& unit,
                          const TexCoordPlanes& coordinates,
-                         const FragmentBatch& batch);
+                         const SampleQuads& quads);
 
 private:
     void quad(unsigned quad, const QuadSampling& sampling) override;

@@ -18,15 +18,19 @@ void for_each_lane(std::span<const probed::Run> runs, const FragmentBatch& batch
     }
 }
 
-// As the interpolator has it before w.
+// As the interpolator has it before w: an integer, and the plane's power of two.
 double plane_value(const SetupRecord& record, const AttributePlane& plane, int x, int y) {
-    return plane.at(static_cast<float>(x - record.x_reference),
-                    static_cast<float>(y - record.y_reference));
+    const auto lane = static_cast<unsigned>((x & 1) + 2 * (y & 1));
+    const std::int32_t corner =
+        plane.corner((x & ~1) - record.x_reference, (y & ~1) - record.y_reference);
+    return static_cast<double>(corner + plane.lane_offsets()[lane]) *
+           static_cast<double>(plane.scale);
 }
 
 } // namespace
 
 void StageTap::begin(const BinCommand& command, std::span<const BatchRun> runs) {
+    covered_ = batch_.live;
     runs_.clear();
     for (const BatchRun& run : runs)
         runs_.push_back({run.record, run.first_quad});
@@ -86,7 +90,7 @@ void StageTap::tex_coords(const InterpolantLayout& layout,
 void StageTap::sampling(const TextureUnit& texture,
                         unsigned unit,
                         const TexCoordPlanes& coordinates) {
-    probed::Sampling told = sampling_.run(texture, coordinates, batch_);
+    probed::Sampling told = sampling_.run(texture, coordinates, {batch_.quad_count, covered_, batch_.live});
     told.unit = unit;
     told.result = &batch_.texture[unit];
     tap_.probe.sampling(tap_.batch, told);

@@ -38,6 +38,7 @@ private:
 
     const FragmentBatch& batch_;
     ProbeTap tap_;
+    FragmentMask covered_; // of the batch, before any test
     std::vector<probed::Run> runs_;
     SamplingLog sampling_;
     probed::Coverage coverage_{};

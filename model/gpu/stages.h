@@ -42,13 +42,17 @@ struct Stages {
                                    const FragmentBatch&,
                                    TexCoordPlanes&);
 
-    // Division by q, level of detail, addressing, texels, filter.
-    void (*sample)(const TextureUnit&,
-                   const TexCoordPlanes&,
-                   unsigned quad_count,
-                   const FragmentMask& live,
-                   ColorPlanes&,
-                   TexelFootprints*);
+    // The same planes for cube maps, whose directions have any length.
+    void (*interpolate_directions)(const InterpolantLayout&,
+                                   unsigned unit,
+                                   BatchRuns,
+                                   const PerspectivePlanes&,
+                                   const FragmentBatch&,
+                                   TexCoordPlanes&);
+
+    // Cube face, level of detail, addressing, texels, filter.
+    void (*sample)(
+        const TextureUnit&, TexCoordPlanes&, const SampleQuads&, ColorPlanes&, TexelFootprints*);
 
     const FragmentStages* fragment;
 };
