@@ -9,6 +9,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(ffgpu_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow)
 endif()
 target_include_directories(ffgpu_options INTERFACE ${PROJECT_SOURCE_DIR})
+if(FFGPU_CHECK_RANGES)
+  target_compile_definitions(ffgpu_options INTERFACE FFGPU_CHECK_RANGES)
+endif()
 
 # A finding ends the program. SystemC's library has no type information of its own classes to check
 # (vptr).

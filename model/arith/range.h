@@ -3,8 +3,11 @@
 
 #pragma once
 
+#include "model/base/check.h"
+
 #include <bit>
 #include <cstdint>
+#include <span>
 
 namespace ffgpu {
 
@@ -33,6 +36,20 @@ constexpr bool is_ordinary(float value) {
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(value);
     const std::uint32_t exponent = bits >> 23 & 0xff;
     return (exponent != 0 && exponent != 0xff) || (bits & 0x7fffffff) == 0;
+}
+
+// Whether the fragment path checks its own numbers: a build of its own, with CMake's option
+// FFGPU_CHECK_RANGES.
+#ifdef FFGPU_CHECK_RANGES
+constexpr bool ChecksRanges = true;
+#else
+constexpr bool ChecksRanges = false;
+#endif
+
+inline void check_ordinary(std::span<const float> numbers) {
+    if constexpr (ChecksRanges)
+        for (const float number : numbers)
+            check(is_ordinary(number), "a subnormal, infinity or NaN in the fragment path");
 }
 
 } // namespace ffgpu

@@ -358,6 +358,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ffgpu {
 
+namespace {
+
+void check_coordinates(const TexCoordPlanes& planes, unsigned lanes) {
+    check_ordinary({planes.s.data(), lanes});
+    check_ordinary({planes.t.data(), lanes});
+    check_ordinary({planes.r.data(), lanes});
+}
+
+} // namespace
+
 HWY_EXPORT(InterpolateDepth);
 HWY_EXPORT(InterpolateSampleDepths);
 HWY_EXPORT(InterpolatePerspective);
@@ -379,6 +389,7 @@ void interpolate_perspective(std::span<const BatchRun> runs,
                              const FragmentBatch& batch,
                              PerspectivePlanes& perspective) {
     HWY_DYNAMIC_DISPATCH(InterpolatePerspective)(runs, batch, perspective);
+    check_ordinary({perspective.w.data(), batch.lanes()});
 }
 
 void interpolate_colors(const InterpolantLayout& layout,
@@ -386,6 +397,7 @@ void interpolate_colors(const InterpolantLayout& layout,
                         const PerspectivePlanes& perspective,
                         FragmentBatch& batch) {
     HWY_DYNAMIC_DISPATCH(InterpolateColors)(layout, runs, perspective, batch);
+    if (layout.fog >= 0) check_ordinary({batch.fog_coordinate.data(), batch.lanes()});
 }
 
 void interpolate_tex_coords(const InterpolantLayout& layout,
@@ -396,6 +408,7 @@ void interpolate_tex_coords(const InterpolantLayout& layout,
                             TexCoordPlanes& out) {
     HWY_DYNAMIC_DISPATCH(InterpolateTexCoords)
     (TexCoordSource(layout, unit), runs, perspective, batch, out);
+    check_coordinates(out, batch.lanes());
 }
 
 void interpolate_directions(const InterpolantLayout& layout,
@@ -406,6 +419,7 @@ void interpolate_directions(const InterpolantLayout& layout,
                             TexCoordPlanes& out) {
     HWY_DYNAMIC_DISPATCH(InterpolateDirections)
     (TexCoordSource(layout, unit), runs, perspective, batch, out);
+    check_coordinates(out, batch.lanes());
 }
 
 } // namespace ffgpu

@@ -52,7 +52,7 @@ constexpr unsigned cube_face(const TexCoord& direction) {
 }
 
 // The least length of a major axis that is divided by: products stay finite.
-constexpr float LeastMajorAxis = 0x1p-62f;
+constexpr float LeastMajorAxis = 0x1p-40f;
 
 // GL 1.5, table 3.19: (s, t) on the given face. Equation 3.21 by one reciprocal:
 // (sc * (1 / |ma|)) / 2 + 1/2. The centre stands for a direction that has none.

@@ -1,7 +1,9 @@
 // The vector stages in order, and around them what happens once a batch: the anisotropic probes,
 // their mean, and the order of the accesses in the work stream.
 
+#include "model/arith/range.h"
 #include "model/texture/coordinates.h"
+#include "model/texture/level_of_detail.h"
 #include "model/texture/sampling_batch.h"
 #include "model/texture/texture_unit.h"
 
@@ -150,6 +152,22 @@ void fill_group(const TextureUnit& unit, unsigned quad_count, TexCoordPlanes& pl
     if (unit.dimensions > 2 || unit.kind == TextureKind::Cube || unit.compares()) fill(planes.r);
 }
 
+// What the specification of the level of detail meets on its way.
+void check_levels(const TextureUnit& unit, const TexCoordPlanes& planes, unsigned quad_count) {
+    if constexpr (ChecksRanges)
+        for (unsigned lane = 0; lane < 4 * quad_count; lane += 4) {
+            const std::array<TexCoord, 4> lanes{coordinates_of(planes, lane),
+                                                coordinates_of(planes, lane + 1),
+                                                coordinates_of(planes, lane + 2),
+                                                coordinates_of(planes, lane + 3)};
+            const QuadSampling quad = sample_quad(unit, lanes, true);
+            const float moved = move_to_probe(lanes[0].s, quad.major_step.s, probe_position(1, 16));
+            const float numbers[] = {
+                lanes[0].s, lanes[0].t, quad.major_step.s, quad.major_step.t, moved};
+            check_ordinary(std::span(numbers).first(unit.dimensions > 1 ? 5 : 1));
+        }
+}
+
 } // namespace
 
 void sample(const TextureUnit& unit,
@@ -169,6 +187,7 @@ void sample(const TextureUnit& unit,
     const LevelInputs level_inputs{cube ? &projected.level_of_detail : &coordinates,
                                    cube ? projected.one_face.data() : nullptr};
     choose_levels_batch(unit, level_inputs, quads.count, sampling);
+    check_levels(unit, *level_inputs.coordinates, quads.count);
 
     const FilterInputs inputs{cube ? &projected.sample : &coordinates,
                               coordinates.r.data(),

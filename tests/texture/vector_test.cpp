@@ -14,13 +14,20 @@
 namespace ffgpu::test {
 namespace {
 
-// What the interpolator may give: ordinary numbers of magnitudes 2^-91 to 2^108.
-float random_float(Random& random) {
+// Powers of two between which the interpolator's numbers lie: of coordinates, of directions.
+struct Magnitudes {
+    int least, most;
+};
+constexpr Magnitudes OfCoordinates{-91, 108}, OfDirections{-32, 60};
+
+float random_float(Random& random, Magnitudes magnitudes) {
     const auto unit = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
     switch (below(random, 16)) {
     case 0:
     case 1: {
-        const std::uint32_t exponent = 127 - 91 + below(random, 91 + 108);
+        const auto span = static_cast<std::uint32_t>(magnitudes.most - magnitudes.least);
+        const std::uint32_t exponent =
+            static_cast<std::uint32_t>(127 + magnitudes.least) + below(random, span);
         return std::bit_cast<float>((exponent << 23) |
                                     (static_cast<std::uint32_t>(random()) & 0x807fffff));
     }
@@ -72,10 +79,12 @@ Sampler random_sampler(Random& random) {
 }
 
 // Half of the batches are smooth, as a triangle's are, with any steepness; the others are noise.
-std::unique_ptr<TexCoordPlanes> random_planes(Random& random, unsigned quads) {
+std::unique_ptr<TexCoordPlanes>
+random_planes(Random& random, unsigned quads, Magnitudes magnitudes) {
     if (random() % 2)
         return make_planes(quads, [&](unsigned) {
-            return Coordinates{random_float(random), random_float(random), random_float(random)};
+            const auto one = [&] { return random_float(random, magnitudes); };
+            return Coordinates{one(), one(), one()};
         });
     const auto step = [&] {
         const float power = std::bit_cast<float>((116 + below(random, 14)) << 23);
@@ -127,7 +136,8 @@ bool same(const TexelAccess& a, const TexelAccess& b) {
 
 void compare_batches(const TextureUnit& unit, Random& random) {
     const unsigned quads = 1 + below(random, BatchQuads);
-    const auto planes = random_planes(random, quads);
+    const auto planes = random_planes(
+        random, quads, unit.kind == TextureKind::Cube ? OfDirections : OfCoordinates);
     const SampleQuads lanes{quads, random_mask(random, quads), random_mask(random, quads)};
     ColorPlanes expected, actual;
     TexelFootprints expected_reads, actual_reads;
