@@ -37,9 +37,15 @@ private:
     using Control = std::uint32_t; // MXCSR
     static constexpr Control Default = 0x1f80;
     static constexpr Control Flags = 0x3f; // exceptions that came up: no mode
-    static Control read() { return _mm_getcsr(); }
-    static bool is_default(Control control) { return (control & ~Flags) == Default; }
-    static void set_default() { write(Default); }
+    static Control read() {
+        return _mm_getcsr();
+    }
+    static bool is_default(Control control) {
+        return (control & ~Flags) == Default;
+    }
+    static void set_default() {
+        write(Default);
+    }
     // The compiler knows nothing of the mode: it must not move computations over the change.
     static void write(Control control) {
         asm volatile("" ::: "memory");
@@ -53,9 +59,15 @@ private:
         asm volatile("mrs %0, fpcr" : "=r"(control));
         return control;
     }
-    static bool is_default(Control control) { return control == 0; }
-    static void set_default() { write(0); }
-    static void write(Control control) { asm volatile("msr fpcr, %0" ::"r"(control) : "memory"); }
+    static bool is_default(Control control) {
+        return control == 0;
+    }
+    static void set_default() {
+        write(0);
+    }
+    static void write(Control control) {
+        asm volatile("msr fpcr, %0" ::"r"(control) : "memory");
+    }
 #else
     // The standard library does not tell whether subnormals are kept: the mode is set each time.
     using Control = std::fenv_t;
@@ -64,9 +76,15 @@ private:
         std::fegetenv(&environment);
         return environment;
     }
-    static bool is_default(const Control&) { return false; }
-    static void set_default() { std::fesetenv(FE_DFL_ENV); }
-    static void write(const Control& control) { std::fesetenv(&control); }
+    static bool is_default(const Control&) {
+        return false;
+    }
+    static void set_default() {
+        std::fesetenv(FE_DFL_ENV);
+    }
+    static void write(const Control& control) {
+        std::fesetenv(&control);
+    }
 #endif
 
     Control callers_;

@@ -21,8 +21,16 @@ std::vector<std::vector<Vertex>> make_draws() {
     for (std::size_t i = 0; i < draws.size(); ++i)
         for (int corner = 0; corner < 24; ++corner) {
             const float w = 1.5f + unit(), tiny = i % 3 == 0 ? 1e-39f : 1.0f;
-            draws[i].push_back({unit() * w, unit() * w, unit() * w * 0.5f, w, unit(), unit() * tiny,
-                                unit(), 1, unit() * 7, unit() * tiny});
+            draws[i].push_back({unit() * w,
+                                unit() * w,
+                                unit() * w * 0.5f,
+                                w,
+                                unit(),
+                                unit() * tiny,
+                                unit(),
+                                1,
+                                unit() * 7,
+                                unit() * tiny});
         }
     return draws;
 }
@@ -54,7 +62,8 @@ Pictures draw(unsigned threads, SetMode&& set_mode, CheckMode&& check_mode) {
 } // namespace
 
 TEST_CASE("a caller's rounding mode reaches no pixel, on any thread") {
-    const Pictures expected = draw(1, [] {}, [] {});
+    const Pictures expected = draw(
+        1, [] {}, [] {});
     for (const unsigned threads : {1u, 3u})
         for (const int mode : {FE_TOWARDZERO, FE_UPWARD, FE_DOWNWARD}) {
             int found = -1;
@@ -72,7 +81,8 @@ TEST_CASE("a caller's rounding mode reaches no pixel, on any thread") {
 
 #if defined(__x86_64__)
 TEST_CASE("a caller that flushes subnormals to zero gets the same pixels") {
-    const Pictures expected = draw(1, [] {}, [] {});
+    const Pictures expected = draw(
+        1, [] {}, [] {});
     constexpr unsigned Mode = 0xffc0;
     for (const unsigned threads : {1u, 3u})
         for (const unsigned control : {0x9fc0u, 0xffc0u}) { // 0x6000 of the latter: toward zero
