@@ -158,8 +158,7 @@ TEST_CASE("no subnormal, infinity or NaN comes up in the fragment path") {
             checked.add((fog * LeastFog) * (fog * LeastFog) * Log2E);
         }
         for (const unsigned unit : {0u, 1u}) {
-            interpolate_tex_coords_scalar(
-                setup.layout, unit, {&run, 1}, *planes, *batch, *coords);
+            interpolate_tex_coords_scalar(setup.layout, unit, {&run, 1}, *planes, *batch, *coords);
             for (const TexCoord& lane : quad_of(*coords))
                 checked.add(lane);
             check_quad(quad_of(*coords), checked);
