@@ -6,9 +6,9 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/system/trace_run.h"
 #include "tools/frames/frame_source.h"
+#include "tools/record/work_fan_out.h"
 #include "tools/report/heat_maps.h"
 #include "tools/report/statistics_report.h"
-#include "tools/record/work_fan_out.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -161,7 +161,7 @@ TEST_CASE("The statistics of many frames wait in a file, and are whole") {
         add(number);
     CHECK(resident_bytes() <= before + Margin);
     std::stringstream text;
-    report.write(text);
+    report.write([&text](std::string_view part) { text << part; });
     const auto json = nlohmann::ordered_json::parse(text.str());
     CHECK(json.dump(1) + "\n" == text.str());
     REQUIRE(json["frames"].size() == 50);
