@@ -59,9 +59,7 @@ void StageTap::perspective(const PerspectivePlanes& planes) {
     tap_.probe.perspective(tap_.batch, perspective_);
 }
 
-void StageTap::plane_values(int first,
-                            unsigned count,
-                            std::span<probed::Lanes<double>> out) const {
+void StageTap::plane_values(int first, unsigned count, std::span<probed::Lanes<double>> out) const {
     if (first < 0) return;
     for_each_lane(runs_, batch_, [&](const SetupRecord& record, unsigned lane, int x, int y) {
         for (unsigned i = 0; i < count; ++i)
@@ -90,7 +88,8 @@ void StageTap::tex_coords(const InterpolantLayout& layout,
 void StageTap::sampling(const TextureUnit& texture,
                         unsigned unit,
                         const TexCoordPlanes& coordinates) {
-    probed::Sampling told = sampling_.run(texture, coordinates, {batch_.quad_count, covered_, batch_.live});
+    probed::Sampling told =
+        sampling_.run(texture, coordinates, {batch_.quad_count, covered_, batch_.live});
     told.unit = unit;
     told.result = &batch_.texture[unit];
     tap_.probe.sampling(tap_.batch, told);

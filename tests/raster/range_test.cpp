@@ -158,12 +158,11 @@ TEST_CASE("no subnormal, infinity or NaN comes up in the fragment path") {
             checked.add((fog * LeastFog) * (fog * LeastFog) * Log2E);
         }
         for (const unsigned unit : {0u, 1u}) {
-            interpolate_tex_coords_scalar(
-                setup.layout, unit, {&run, 1}, *planes, *batch, *coords);
+            interpolate_tex_coords_scalar(setup.layout, unit, {&run, 1}, *planes, *batch, *coords);
             for (const TexCoord& lane : quad_of(*coords))
                 checked.add(lane);
             check_quad(quad_of(*coords), checked);
-            interpolate_directions_scalar(setup.layout, unit, {&run, 1}, *batch, *coords);
+            interpolate_directions_scalar(setup.layout, unit, {&run, 1}, *planes, *batch, *coords);
             check_faces(quad_of(*coords), checked);
         }
     }

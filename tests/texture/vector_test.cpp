@@ -136,8 +136,8 @@ bool same(const TexelAccess& a, const TexelAccess& b) {
 
 void compare_batches(const TextureUnit& unit, Random& random) {
     const unsigned quads = 1 + below(random, BatchQuads);
-    const auto planes = random_planes(
-        random, quads, unit.kind == TextureKind::Cube ? OfDirections : OfCoordinates);
+    const auto planes =
+        random_planes(random, quads, unit.kind == TextureKind::Cube ? OfDirections : OfCoordinates);
     const SampleQuads lanes{quads, random_mask(random, quads), random_mask(random, quads)};
     ColorPlanes expected, actual;
     TexelFootprints expected_reads, actual_reads;
