@@ -98,7 +98,7 @@ struct Perspective {
     Lanes<float> w;          // its reciprocal
 };
 
-// The planes' values before w: exact, in the record's scale.
+// The planes' values before w: exact, in the record's scale, colours 255 times as large.
 struct Colors {
     std::array<Lanes<double>, 4> primary_over_w, secondary_over_w;
     Lanes<double> fog_over_w;

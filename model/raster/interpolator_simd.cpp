@@ -71,8 +71,8 @@ class RunPlane {
 public:
     HWY_INLINE
     RunPlane(const AttributePlane& plane, const LaneRun& run, const PerspectivePlanes& at)
-        : scale(plane.scale)
-        , offsets_(plane.lane_offsets()) {
+        : scale(plane.scale) {
+        store_offsets(plane.lane_offsets());
         constexpr int Bits = AttributePlane::GuardBits;
         constexpr std::int64_t Low = (std::int64_t{1} << Bits) - 1;
         const hn::CappedTag<std::int32_t, 8> d;
@@ -112,6 +112,17 @@ public:
     const float scale;
 
 private:
+    // By one vector store: what four narrow ones leave, a vector load has to wait for.
+    HWY_INLINE void store_offsets(const std::array<std::int32_t, 4>& offsets) {
+        const hn::FixedTag<std::int32_t, 4> d;
+        alignas(16) static constexpr std::int32_t Lanes[3][4] = {
+            {0, -1, 0, 0}, {0, 0, -1, 0}, {0, 0, 0, -1}};
+        const auto lane = [&](unsigned i) HWY_ATTR {
+            return hn::And(hn::Set(d, offsets[i]), hn::Load(d, Lanes[i - 1]));
+        };
+        hn::Store(hn::Or(hn::Or(lane(1), lane(2)), lane(3)), d, offsets_.data());
+    }
+
     alignas(16) std::array<std::int32_t, 4> offsets_;
     alignas(64) std::array<std::int32_t, PerspectivePlanes::Padded> corners_;
 };

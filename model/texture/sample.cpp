@@ -190,14 +190,9 @@ void sample_scalar(const TextureUnit& unit,
                    TexelObserver* observer) {
     for (unsigned lane = 0; lane < 4 * quads.count && !unit.valid; ++lane)
         store(out, lane, {0, 0, 0, 255});
-<<<<<<< /tmp/ours_s.cpp
     for (unsigned q = 0; q < quads.count && unit.valid; ++q) {
         const Quad quad = make_quad(unit, coordinates, 4 * q, quads.covered.quad(q));
-=======
-    for (unsigned q = 0; q < quad_count && unit.valid; ++q) {
-        const Quad quad = make_quad(unit, coordinates, 4 * q, live.quad(q));
-        if (observer && live.quad(q) != 0) observer->quad(q, quad.sampling);
->>>>>>> /tmp/theirs_s.cpp
+        if (observer && quads.live.quad(q) != 0) observer->quad(q, quad.sampling);
         for (unsigned i = 0; i < 4; ++i) {
             const unsigned lane = 4 * q + i;
             const bool told = quads.live.test(lane);

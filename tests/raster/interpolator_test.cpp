@@ -127,7 +127,8 @@ void compare_forms() {
                     layout, unit, runs, *scalar, *scalar_batch, *scalar_coords);
                 REQUIRE(same());
                 interpolate_directions(layout, unit, runs, *vector, batch, *vector_coords);
-                interpolate_directions_scalar(layout, unit, runs, *scalar_batch, *scalar_coords);
+                interpolate_directions_scalar(
+                    layout, unit, runs, *scalar, *scalar_batch, *scalar_coords);
                 REQUIRE(same());
             }
         });

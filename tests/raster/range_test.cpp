@@ -162,7 +162,7 @@ TEST_CASE("no subnormal, infinity or NaN comes up in the fragment path") {
             for (const TexCoord& lane : quad_of(*coords))
                 checked.add(lane);
             check_quad(quad_of(*coords), checked);
-            interpolate_directions_scalar(setup.layout, unit, {&run, 1}, *batch, *coords);
+            interpolate_directions_scalar(setup.layout, unit, {&run, 1}, *planes, *batch, *coords);
             check_faces(quad_of(*coords), checked);
         }
     }
