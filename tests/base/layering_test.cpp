@@ -48,6 +48,7 @@ const std::map<std::string, Layers> Allowed = {
     {"driver/trace", {"model/base", "model/device", "driver"}},
     {"driver/window_system",
      {"model/base", "model/device", "model/packets", "model/gpu", "model/capture", "driver"}},
+    {"techniques", {}}, // of use to any OpenGL program: it knows no part of the machine
     {"tools",
      {"model/base",
       "model/device",
