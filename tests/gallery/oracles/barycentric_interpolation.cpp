@@ -41,8 +41,8 @@ Claim barycentric_interpolation_claim() {
             "(u, v, 1) = M_uv M_xy^-1 (x, y, 1)",
             oracle,
             1.0 / 16,
-            4,
-            0.9,
+            1.5,
+            0.5,
             "8 bits of the interpolated channels; the normalisation map has 128^2 texels a face",
             "flat shading: the last corner's colour everywhere"};
 }

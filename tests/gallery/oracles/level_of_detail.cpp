@@ -68,8 +68,8 @@ Claim level_of_detail_claim() {
         "D",
         oracle,
         1.25,
-        12,
-        2.0,
+        3,
+        0.4,
         "one level for each quad of 2 x 2 pixels, by differences of neighbours instead of "
         "derivatives (a pixel of reach); log2 with 8 fraction bits",
         "the level is biased by 1/2"};

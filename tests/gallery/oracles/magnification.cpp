@@ -26,8 +26,8 @@ Claim magnification_claim() {
             "lerp(x, a, b) = a + x (b - a)",
             oracle,
             1.0 / 8,
-            2,
-            0.6,
+            1.5,
+            0.5,
             "weights of 8 bits, and each lerp rounds to 8 bits",
             "the right rectangle takes the nearest texel, too"};
 }

@@ -106,7 +106,7 @@ Claim mappings_claim() {
         oracle,
         1.0 / 8,
         40,
-        1.0,
+        0.7,
         "coordinates are linear between the vertices of a mesh of 96 x 48 cells; at a pole the "
         "turn runs "
         "through all values within one cell",

@@ -80,7 +80,7 @@ Claim perspective_correct_claim() {
             oracle,
             1.0 / 8,
             1,
-            0.5,
+            0.2,
             "which square it is has one answer, up to 1/8 pixel of its border",
             "the first panel is affine, too"};
 }

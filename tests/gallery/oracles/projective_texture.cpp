@@ -55,8 +55,8 @@ Claim projective_texture_claim() {
         "(s/q, t/q) where q > 0, the surface's own where q <= 0",
         oracle,
         1.0 / 8,
-        4,
-        0.8,
+        1.5,
+        0.4,
         "8 bits of weights and channels; the picture's coordinates are exact for each fragment",
         "no mask: the projector also throws its picture behind itself"};
 }

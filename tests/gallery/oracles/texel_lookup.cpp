@@ -28,7 +28,7 @@ Claim texel_lookup_claim() {
             oracle,
             1.0 / 8,
             1,
-            0.5,
+            0.4,
             "which texel it is has one answer, up to the texel coordinate's 8 fraction bits (1/8 "
             "pixel)",
             "coordinates begin at 0.5 / w: half a texel too far"};

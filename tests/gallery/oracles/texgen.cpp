@@ -73,7 +73,7 @@ Claim texgen_claim() {
             oracle,
             1.0 / 8,
             16,
-            1.0,
+            0.6,
             "coordinates are linear between the vertices of a mesh of 96 x 48 cells",
             "the second panel generates in object coordinates"};
 }

@@ -60,8 +60,8 @@ Claim wrap_modes_claim() {
         "filter on the border; clamp to edge: the texels at the edge go on; to border: a colour",
         oracle,
         1.0 / 16,
-        2,
-        0.6,
+        1.5,
+        0.4,
         "weights of 8 bits, each of three interpolations rounds to 8 bits",
         "the mirrored panel repeats instead"};
 }

@@ -25,8 +25,24 @@ void perspective_correct(const Scene& scene);
 void magnification(const Scene& scene);
 void mip_pyramid(const Scene& scene);
 void level_of_detail(const Scene& scene);
+void anisotropic_filter(const Scene& scene);
+void supersampling(const Scene& scene);
 void mappings(const Scene& scene);
 void texgen(const Scene& scene);
 void projective_texture(const Scene& scene);
+void cube_map_environment(const Scene& scene);
+void sphere_map_environment(const Scene& scene);
+void normal_mapping(const Scene& scene);
+void bump_mapping(const Scene& scene);
+void displacement_mapping(const Scene& scene);
+void shadow_map(const Scene& scene);
+void painters_cycle(const Scene& scene);
+void transparency(const Scene& scene);
+void noise_textures(const Scene& scene);
+void grown_textures(const Scene& scene);
+void solid_textures(const Scene& scene);
+void baked_occlusion(const Scene& scene);
+void lecture_snippets(const Scene& scene);
+void gloss_map(const Scene& scene);
 
 } // namespace ffgpu::gallery
