@@ -12,6 +12,10 @@ foreach(alias libEGL.so.1 libGLX.so.0 libOpenGL.so.0)
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/driver/window_system/offscreen/osmesa.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ffgpu)
+# The library of texture techniques, for any OpenGL program.
+install(TARGETS techniques ARCHIVE DESTINATION ${FFGPU_PRIVATE_DIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/techniques DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ffgpu
+  FILES_MATCHING PATTERN "*.h")
 
 configure_package_config_file(cmake/ffgpu-config.cmake.in ${PROJECT_BINARY_DIR}/ffgpu-config.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ffgpu

@@ -104,6 +104,7 @@ const std::map<std::string, Layers> Allowed = {
       "model/device"}},
     {"driver/feedback", {"driver", "driver/objects", "driver/device_context", "model/device"}},
     // The raster position is a vertex that the driver computes with the device's arithmetic.
+    {"techniques", {}}, // of use to any OpenGL program: it knows no part of the machine
     {"driver/raster_position", {"driver/math", "model/arith", "model/device"}},
     {"driver/vertex",
      {"driver",

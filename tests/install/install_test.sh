@@ -21,4 +21,5 @@ cc "$source/square.c" -o "$prefix/by_pkg_config" $(pkg-config --cflags --libs ff
 cmake -S "$source/consumer" -B "$prefix/consumer" -DCMAKE_PREFIX_PATH="$installed" >/dev/null
 cmake --build "$prefix/consumer" >/dev/null
 "$prefix/consumer/square"
+"$prefix/consumer/mapping"
 echo "installed package: the program runs by pkg-config and by find_package"

@@ -1,0 +1,111 @@
+// Every technique against its oracle, and every oracle against a program that does one thing wrong.
+
+#include "tests/gallery/offscreen/draw.h"
+#include "tests/gallery/oracles/floor_average.h"
+
+#include <array>
+#include <cmath>
+#include <iostream>
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::gallery {
+namespace {
+
+const Program& program(std::string_view row) {
+    for (const Program& each : programs()) {
+        if (each.row == row) return each;
+    }
+    FAIL("no program of row " << row);
+    return programs().front();
+}
+
+TEST_CASE("the gallery has the textbook's 26 rows, and each program the oracle of its row") {
+    REQUIRE(programs().size() == 26);
+    REQUIRE(claims().size() == 26);
+    for (std::size_t i = 0; i < programs().size(); ++i) {
+        CHECK(programs()[i].row.substr(1) == std::to_string(i + 1));
+        CHECK(claims()[i].row == programs()[i].row);
+    }
+}
+
+TEST_CASE("each technique draws what its formula says, and a broken one does not") {
+    for (std::size_t i = 0; i < programs().size(); ++i) {
+        const Claim& claim = claims()[i];
+        const Difference found = difference(draw_offscreen(programs()[i], false), claim);
+        const Difference broken = difference(draw_offscreen(programs()[i], true), claim);
+        std::cout << claim.row << ' ' << programs()[i].name << ": worst " << found.worst << " of "
+                  << claim.worst_allowed << ", rms " << found.rms << " of " << claim.rms_allowed
+                  << "; broken: worst " << broken.worst << ", rms " << broken.rms << '\n';
+        INFO(claim.row << ' ' << programs()[i].name << " at " << found.worst_x << ','
+                       << found.worst_y);
+        CHECK(found.worst <= claim.worst_allowed);
+        CHECK(found.rms <= claim.rms_allowed);
+        INFO("The oracle does not notice: " << claim.mutation);
+        CHECK_FALSE(holds(broken, claim));
+    }
+}
+
+// Root mean square difference from the area average, of each of the three strips.
+std::array<double, 3> strip_errors(const Picture& picture) {
+    const Image image = gravel(256, 5);
+    const Eye eye = grazing_eye(320.0 / 80);
+    std::array<double, 3> sums{};
+    for (int i = 0; i < WindowWidth * WindowHeight; ++i) {
+        const glm::dvec2 window(i % WindowWidth + 0.5, static_cast<int>(i / WindowWidth) + 0.5);
+        const Place place = place_in(window, 1, 3);
+        const Color average = area_average(image, eye, place, 16);
+        for (int channel = 0; channel < 3; ++channel) {
+            const double value = picture[static_cast<std::size_t>(3 * i + channel)];
+            const double error = value - 255 * average[channel];
+            sums[static_cast<std::size_t>(place.panel)] += error * error;
+        }
+    }
+    for (double& sum : sums)
+        sum = std::sqrt(sum / (WindowWidth * WindowHeight));
+    return sums;
+}
+
+TEST_CASE("anisotropic probes are nearer to the area average than trilinear, more are nearer") {
+    const auto [one, four, sixteen] = strip_errors(draw_offscreen(program("T8"), false));
+    std::cout << "T8: rms from the area average: trilinear " << one << ", 4 probes " << four
+              << ", 16 probes " << sixteen << '\n';
+    CHECK(four < 0.75 * one);
+    CHECK(sixteen < four);
+}
+
+// Pixels that differ between two panels of a grid.
+int differing(const Picture& picture, const Panel& a, const Panel& b) {
+    int count = 0;
+    for (int i = 0; i < a.width * a.height; ++i) {
+        const int x = i % a.width, y = i / a.width;
+        bool same = true;
+        for (int channel = 0; channel < 3; ++channel) {
+            const auto at = [&](const Panel& panel) {
+                return picture[static_cast<std::size_t>(
+                    3 * ((panel.y + y) * WindowWidth + panel.x + x) + channel)];
+            };
+            same = same && at(a) == at(b);
+        }
+        count += !same;
+    }
+    return count;
+}
+
+TEST_CASE("no painter's order of the cycle is right; the z-buffer needs none") {
+    const Picture picture = draw_offscreen(program("T19"), false);
+    const Scene scene{};
+    for (int order = 0; order < 6; ++order)
+        CHECK(differing(picture, panel(scene, order, 4, 2), panel(scene, 6, 4, 2)) > 20);
+    CHECK(differing(picture, panel(scene, 7, 4, 2), panel(scene, 6, 4, 2)) == 0);
+}
+
+TEST_CASE("blending depends on the order of submission") {
+    const Picture picture = draw_offscreen(program("T20"), false);
+    const Scene scene{};
+    CHECK(differing(picture, panel(scene, 0, 2, 2), panel(scene, 1, 2, 2)) > 1000);
+    CHECK(differing(picture, panel(scene, 1, 2, 2), panel(scene, 2, 2, 2)) > 1000);
+}
+
+} // namespace
+} // namespace ffgpu::gallery

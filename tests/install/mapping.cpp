@@ -1,0 +1,10 @@
+// A program of the installed library of techniques.
+#include <techniques/mapping.h>
+
+#include <cstdio>
+
+int main() {
+    const glm::dvec2 uv = ffgpu::techniques::spherical(glm::dvec3(0), {0, 2, 0});
+    std::printf("%g %g\n", uv.x, uv.y);
+    return uv.x == 0.75 && uv.y == 0.5 ? 0 : 1;
+}
