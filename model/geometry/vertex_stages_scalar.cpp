@@ -1,7 +1,7 @@
 // The vertex stages over one lane: their specification.
 
 #include "model/arith/power.h"
-#include "model/geometry/scalar_lanes.h"
+#include "model/arith/lanes/scalar_lanes.h"
 #include "model/geometry/vertex_stages.h"
 
 #include <tuple>

@@ -6,7 +6,7 @@
     (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 
 #include "model/arith/power.h"
-#include "model/geometry/scalar_lanes.h"
+#include "model/arith/lanes/scalar_lanes.h"
 #include "model/geometry/vertex_stages.h"
 
 #include <cstring>
@@ -21,7 +21,7 @@
 #define FFGPU_LANES HWY_NAMESPACE
 
 HWY_BEFORE_NAMESPACE();
-#include "model/geometry/highway_lanes.inl"
+#include "model/arith/lanes/highway_lanes.inl"
 #include "model/geometry/vertex_stages.inl"
 HWY_AFTER_NAMESPACE();
 

@@ -1,5 +1,9 @@
-// One lane: the arithmetic of the vertex stages in plain C++. It is their specification;
+// One lane: the arithmetic of a stage in plain C++. It is the specification;
 // highway_lanes.inl gives the same operations over vectors, with the same bits in each lane.
+//
+// A stage written once over Floats, Integers and Mask is included twice, with FFGPU_LANES the
+// namespace: scalar_lanes in X.cpp, HWY_NAMESPACE between HWY_BEFORE_NAMESPACE and
+// HWY_AFTER_NAMESPACE in X_simd.cpp.
 
 #pragma once
 
