@@ -1,7 +1,8 @@
 // The vertex stages over one lane: their specification.
 
-#include "model/arith/power.h"
 #include "model/arith/lanes/scalar_lanes.h"
+#include "model/arith/power.h"
+#include "model/arith/range.h"
 #include "model/geometry/vertex_stages.h"
 
 #include <tuple>

@@ -5,8 +5,9 @@
 #define HWY_DISABLED_TARGETS                                                                       \
     (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 
-#include "model/arith/power.h"
 #include "model/arith/lanes/scalar_lanes.h"
+#include "model/arith/power.h"
+#include "model/arith/range.h"
 #include "model/geometry/vertex_stages.h"
 
 #include <cstring>

@@ -1,5 +1,7 @@
 #include "model/gpu/tile_renderer.h"
 
+#include "model/arith/range.h"
+#include "model/arith/reciprocal.h"
 #include "model/memory/clear.h"
 #include "model/raster/image_fragments.h"
 #include "model/raster/smooth_coverage.h"
@@ -7,12 +9,14 @@
 namespace ffgpu {
 namespace {
 
-TexCoordPlanes constant_coordinates(const std::array<float, 4>& value) {
+// All four by the range rule; of cube maps q does not matter.
+TexCoordPlanes constant_coordinates(const std::array<float, 4>& value, bool cube) {
+    const float q = in_range(value[3]);
+    const float over_q = cube ? 1.0f : reciprocal(q == 0 ? LeastValue : q);
     TexCoordPlanes planes;
-    planes.s.fill(value[0]);
-    planes.t.fill(value[1]);
-    planes.r.fill(value[2]);
-    planes.q.fill(value[3]);
+    planes.s.fill(in_range(value[0]) * over_q);
+    planes.t.fill(in_range(value[1]) * over_q);
+    planes.r.fill(in_range(value[2]) * over_q);
     return planes;
 }
 
@@ -130,8 +134,8 @@ void TileRenderer::draw_image(const BinCommand& command) {
         if (batch_.live.any()) {
             for (unsigned unit = 0; unit < TextureUnits; ++unit)
                 if (pixels_->samples(unit)) {
-                    coordinates_ = constant_coordinates(image.tex_coords[unit]);
-                    sample_unit(unit);
+                    coordinates_ = constant_coordinates(image.tex_coords[unit], is_cube(unit));
+                    sample_unit(unit, covered);
                 }
         }
         finish_batch(covered);
@@ -160,8 +164,11 @@ void TileRenderer::flush() {
         interpolate_colors(layout, runs, perspective_, batch_);
         for (unsigned unit = 0; unit < TextureUnits; ++unit)
             if (context.samples(unit)) {
-                interpolate_tex_coords(layout, unit, runs, perspective_, batch_, coordinates_);
-                sample_unit(unit);
+                if (is_cube(unit))
+                    interpolate_directions(layout, unit, runs, perspective_, batch_, coordinates_);
+                else
+                    interpolate_tex_coords(layout, unit, runs, perspective_, batch_, coordinates_);
+                sample_unit(unit, covered);
             }
     }
     finish_batch(covered);
@@ -183,7 +190,7 @@ void TileRenderer::begin_samples() {
     batch_.sample_depths = nullptr;
 }
 
-void TileRenderer::sample_unit(unsigned unit) {
+void TileRenderer::sample_unit(unsigned unit, const FragmentMask& covered) {
     TexelFootprints* footprints = nullptr;
     if (recording_) {
         footprints = &footprints_.emplace_back();
@@ -191,8 +198,7 @@ void TileRenderer::sample_unit(unsigned unit) {
     }
     sample(pixels_->textures[unit],
            coordinates_,
-           batch_.quad_count,
-           batch_.live,
+           {batch_.quad_count, covered, batch_.live},
            batch_.texture[unit],
            footprints);
 }

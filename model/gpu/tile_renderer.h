@@ -35,7 +35,9 @@ private:
     void draw_image(const BinCommand& command);
 
     void flush();
-    void sample_unit(unsigned unit);
+    // `covered`: before any test.
+    void sample_unit(unsigned unit, const FragmentMask& covered);
+    bool is_cube(unsigned unit) const { return pixels_->textures[unit].kind == TextureKind::Cube; }
     void finish_batch(const FragmentMask& covered);
     void interpolate_depths();
     void begin_samples();
