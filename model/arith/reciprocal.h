@@ -8,8 +8,8 @@
 
 namespace ffgpu {
 
-// For positive x; 0 gives infinity.
-inline float reciprocal(float x) {
+// x is not 0.
+constexpr float reciprocal(float x) {
     return 1.0f / x;
 }
 

@@ -1,24 +1,27 @@
 #include "model/fragment/fog.h"
 
 #include "model/arith/exp2.h"
+#include "model/arith/range.h"
 #include "model/fragment/lane_access.h"
 #include "model/fragment/unorm8.h"
 
 namespace ffgpu {
 
 FogCurve compile_fog(const Fog& fog) {
-    FogCurve curve{.mode = fog.mode, .end = fog.end, .scale = 1, .color = unpack_rgba8(fog.color)};
+    const float end = in_fog_range(fog.end), start = in_fog_range(fog.start);
+    const float density = in_fog_range(fog.density);
+    FogCurve curve{.mode = fog.mode, .end = end, .scale = 1, .color = unpack_rgba8(fog.color)};
     switch (fog.mode) {
     case FogMode::Off:
         break;
     case FogMode::Linear:
-        curve.scale = 1.0f / (fog.end - fog.start);
+        curve.scale = end == start ? LargestValue : 1.0f / (end - start);
         break;
     case FogMode::Exp:
-        curve.scale = fog.density * Log2E;
+        curve.scale = density * Log2E;
         break;
     case FogMode::Exp2:
-        curve.scale = fog.density;
+        curve.scale = density;
         break;
     }
     return curve;

@@ -6,8 +6,8 @@
 //     Exp      f = 2^-x, x = c * (density * log2 e)
 //     Exp2     f = 2^-x, x = (c * density)^2 * log2 e
 //
-// f is clamped to [0, 1] and rounded to 0 .. 255; NaN is 0: all fog. end = start divides by +0:
-// f is 1 before the end and 0 from there on.
+// f is clamped to [0, 1] and rounded to 0 .. 255. Coordinate and coefficients are 0 or between
+// powers of two (in_fog_range). end = start: f is 1 before the end and 0 from there on.
 
 #pragma once
 

@@ -1,6 +1,7 @@
 // The second half of PrimitiveStage: vertices get their colours, cuts their attributes, and points
 // and lines are handed over.
 
+#include "model/arith/range.h"
 #include "model/geometry/primitive_stage.h"
 #include "model/packets/line_columns.h"
 
@@ -131,12 +132,12 @@ void PrimitiveStage::shade_cuts(Look look) {
     }
 }
 
-// In binary64, rounded once: attributes are linear in clip space.
+// In binary64, rounded once and put in range: attributes are linear in clip space.
 void PrimitiveStage::interpolate(const ClipVertex& cut, WindowVertex& result) const {
     const WindowVertex& a = *shaded_[cut.from];
     const WindowVertex& b = *shaded_[cut.to];
     const auto between = [&](float from, float to) {
-        return static_cast<float>(double{from} + cut.t * (double{to} - double{from}));
+        return in_range(static_cast<float>(double{from} + cut.t * (double{to} - double{from})));
     };
     result.point_size = between(a.point_size, b.point_size);
     for (unsigned i = 0; i < layout_.count; ++i)

@@ -4,6 +4,7 @@
 
 #include "model/arith/lanes/scalar_lanes.h"
 #include "model/arith/power.h"
+#include "model/arith/range.h"
 
 #include <tuple>
 

@@ -13,11 +13,12 @@
 
 namespace ffgpu::FFGPU_LANES {
 
-// Interpolants that are NaN or too large become 0.
-inline void make_finite(const float* from, Plane& to, unsigned count) {
+// The range rule (model/arith/range.h): interpolants that are NaN, too large or too small become 0.
+inline void put_in_range(const float* from, Plane& to, unsigned count) {
     for (unsigned lane = 0; lane < count; lane += LaneCount) {
-        const Floats x = load(from + lane);
-        store(zero_unless(absolute(x) < splat(LargestMagnitude), x), to.at(lane));
+        const Floats x = load(from + lane), magnitude = absolute(x);
+        const Mask inside = (magnitude >= splat(LeastValue)) & (magnitude < splat(LargestValue));
+        store(zero_unless(inside, x), to.at(lane));
     }
 }
 
@@ -46,7 +47,7 @@ move_interpolants(const VertexSetup& setup, const VertexBatch& batch, WindowVert
     for (unsigned first = 0; first < count; first += 4) {
         const unsigned width = count - first < 4 ? count - first : 4;
         for (unsigned i = 0; i < width; ++i)
-            make_finite(sources[first + i]->at(0), finite[i], batch.count);
+            put_in_range(sources[first + i]->at(0), finite[i], batch.count);
         if (first + 4 <= MaxInterpolants) {
             move_rows(lanes_of(finite),
                       reinterpret_cast<std::byte*>(vertices->attributes.data() + first),

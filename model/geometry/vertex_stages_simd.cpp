@@ -7,6 +7,7 @@
 
 #include "model/arith/lanes/scalar_lanes.h"
 #include "model/arith/power.h"
+#include "model/arith/range.h"
 #include "model/geometry/vertex_stages.h"
 
 #include <cstring>

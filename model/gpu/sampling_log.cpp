@@ -11,11 +11,11 @@ namespace ffgpu {
 
 probed::Sampling SamplingLog::run(const TextureUnit& unit,
                                   const TexCoordPlanes& coordinates,
-                                  const FragmentBatch& batch) {
+                                  const SampleQuads& quads) {
     quads_.clear();
     probes_.clear();
     levels_.clear();
-    sample_reference(unit, coordinates, batch.quad_count, batch.live, colors_, nullptr, this);
+    sample_scalar(unit, coordinates, quads, colors_, nullptr, this);
     return {.coordinates = &coordinates,
             .quads = quads_,
             .probes = probes_,

@@ -15,7 +15,7 @@ public:
     // the next call.
     probed::Sampling run(const TextureUnit& unit,
                          const TexCoordPlanes& coordinates,
-                         const FragmentBatch& batch);
+                         const SampleQuads& quads);
 
 private:
     void quad(unsigned quad, const QuadSampling& sampling) override;

@@ -19,9 +19,9 @@ void for_each_lane(std::span<const probed::Run> runs, const FragmentBatch& batch
 }
 
 // As the interpolator has it before w.
-double plane_value(const SetupRecord& record, const AttributePlane& plane, int x, int y) {
-    return plane.at(static_cast<float>(x - record.x_reference),
-                    static_cast<float>(y - record.y_reference));
+double plane_value(
+    const SetupRecord& record, const AttributePlane& plane, unsigned lane, int x, int y) {
+    return double{plane.scale} * plane.at(x - record.x_reference, y - record.y_reference, lane);
 }
 
 } // namespace
@@ -49,7 +49,7 @@ void StageTap::coverage() {
 void StageTap::perspective(const PerspectivePlanes& planes) {
     for_each_lane(runs_, batch_, [&](const SetupRecord& record, unsigned lane, int x, int y) {
         perspective_.inverse_w[lane] =
-            record.perspective ? plane_value(record, record.inverse_w, x, y) : 1;
+            record.perspective ? plane_value(record, record.inverse_w, lane, x, y) : 1;
     });
     perspective_.w = planes.w;
     tap_.probe.perspective(tap_.batch, perspective_);
@@ -62,7 +62,7 @@ void StageTap::plane_values(int first,
     for_each_lane(runs_, batch_, [&](const SetupRecord& record, unsigned lane, int x, int y) {
         for (unsigned i = 0; i < count; ++i)
             out[i][lane] =
-                plane_value(record, record.plane(static_cast<unsigned>(first) + i), x, y);
+                plane_value(record, record.plane(static_cast<unsigned>(first) + i), lane, x, y);
     });
 }
 
@@ -85,8 +85,9 @@ void StageTap::tex_coords(const InterpolantLayout& layout,
 
 void StageTap::sampling(const TextureUnit& texture,
                         unsigned unit,
-                        const TexCoordPlanes& coordinates) {
-    probed::Sampling told = sampling_.run(texture, coordinates, batch_);
+                        const TexCoordPlanes& coordinates,
+                        const SampleQuads& quads) {
+    probed::Sampling told = sampling_.run(texture, coordinates, quads);
     told.unit = unit;
     told.result = &batch_.texture[unit];
     tap_.probe.sampling(tap_.batch, told);

@@ -4,12 +4,21 @@ namespace ffgpu {
 namespace {
 
 void sample_without_observer(const TextureUnit& unit,
-                             const TexCoordPlanes& coordinates,
-                             unsigned quad_count,
-                             const FragmentMask& live,
+                             TexCoordPlanes& coordinates,
+                             const SampleQuads& quads,
                              ColorPlanes& out,
                              TexelFootprints* footprints) {
-    sample_reference(unit, coordinates, quad_count, live, out, footprints);
+    sample_scalar(unit, coordinates, quads, out, footprints);
+}
+
+// A direction needs no w.
+void directions_without_w(const InterpolantLayout& layout,
+                          unsigned unit,
+                          BatchRuns runs,
+                          const PerspectivePlanes& /*perspective*/,
+                          const FragmentBatch& batch,
+                          TexCoordPlanes& out) {
+    interpolate_directions_scalar(layout, unit, runs, batch, out);
 }
 
 } // namespace
@@ -24,6 +33,7 @@ constinit const Stages FastStages{
     .interpolate_perspective = interpolate_perspective,
     .interpolate_colors = interpolate_colors,
     .interpolate_tex_coords = interpolate_tex_coords,
+    .interpolate_directions = interpolate_directions,
     .sample = sample,
     .fragment = &FastFragmentStages,
 };
@@ -38,6 +48,7 @@ constinit const Stages ReferenceStages{
     .interpolate_perspective = interpolate_perspective_scalar,
     .interpolate_colors = interpolate_colors_scalar,
     .interpolate_tex_coords = interpolate_tex_coords_scalar,
+    .interpolate_directions = directions_without_w,
     .sample = sample_without_observer,
     .fragment = &ReferenceFragmentStages,
 };

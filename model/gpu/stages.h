@@ -41,12 +41,17 @@ struct Stages {
                                    const PerspectivePlanes&,
                                    const FragmentBatch&,
                                    TexCoordPlanes&);
+    void (*interpolate_directions)(const InterpolantLayout&,
+                                   unsigned unit,
+                                   BatchRuns,
+                                   const PerspectivePlanes&,
+                                   const FragmentBatch&,
+                                   TexCoordPlanes&);
 
-    // Division by q, level of detail, addressing, texels, filter.
+    // Cube face, level of detail, addressing, texels, filter.
     void (*sample)(const TextureUnit&,
-                   const TexCoordPlanes&,
-                   unsigned quad_count,
-                   const FragmentMask& live,
+                   TexCoordPlanes&,
+                   const SampleQuads&,
                    ColorPlanes&,
                    TexelFootprints*);
 

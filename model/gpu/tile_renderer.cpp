@@ -1,5 +1,7 @@
 #include "model/gpu/tile_renderer.h"
 
+#include "model/arith/range.h"
+#include "model/arith/reciprocal.h"
 #include "model/memory/clear.h"
 #include "model/raster/image_fragments.h"
 #include "model/raster/smooth_coverage.h"
@@ -7,12 +9,14 @@
 namespace ffgpu {
 namespace {
 
-TexCoordPlanes constant_coordinates(const std::array<float, 4>& value) {
+// All four by the range rule; of cube maps q does not matter.
+TexCoordPlanes constant_coordinates(const std::array<float, 4>& value, bool cube) {
+    const float q = in_range(value[3]);
+    const float over_q = cube ? 1.0f : reciprocal(q == 0 ? LeastValue : q);
     TexCoordPlanes planes;
-    planes.s.fill(value[0]);
-    planes.t.fill(value[1]);
-    planes.r.fill(value[2]);
-    planes.q.fill(value[3]);
+    planes.s.fill(in_range(value[0]) * over_q);
+    planes.t.fill(in_range(value[1]) * over_q);
+    planes.r.fill(in_range(value[2]) * over_q);
     return planes;
 }
 
@@ -137,8 +141,8 @@ void TileRenderer::draw_image(const BinCommand& command) {
         if (batch_.live.any()) {
             for (unsigned unit = 0; unit < TextureUnits; ++unit)
                 if (pixels_->samples(unit)) {
-                    coordinates_ = constant_coordinates(image.tex_coords[unit]);
-                    sample_unit(unit);
+                    coordinates_ = constant_coordinates(image.tex_coords[unit], is_cube(unit));
+                    sample_unit(unit, covered);
                 }
         }
         finish_batch(covered);
@@ -163,14 +167,14 @@ void TileRenderer::flush() {
     if (tap_) tap_->coverage();
     if (context.needs_depth) interpolate_depths();
     early_depth_test(context.pipe, batch_, pipe_tap());
-    if (batch_.live.any()) shade_units(runs);
+    if (batch_.live.any()) shade_units(runs, covered);
     finish_batch(covered);
     if (context.antialias) batch_.antialias.fill(255); // Smooth primitives wrote theirs.
     collector_.clear();
 }
 
 // From the primitives' planes to the texture units' samples.
-void TileRenderer::shade_units(std::span<const BatchRun> runs) {
+void TileRenderer::shade_units(std::span<const BatchRun> runs, const FragmentMask& covered) {
     const InterpolantLayout& layout = pixels_->layout;
     if (needs_perspective(layout, runs)) {
         stages_.interpolate_perspective(runs, batch_, perspective_);
@@ -180,9 +184,11 @@ void TileRenderer::shade_units(std::span<const BatchRun> runs) {
     if (tap_) tap_->colors(layout);
     for (unsigned unit = 0; unit < TextureUnits; ++unit)
         if (pixels_->samples(unit)) {
-            stages_.interpolate_tex_coords(layout, unit, runs, perspective_, batch_, coordinates_);
+            const auto interpolate =
+                is_cube(unit) ? stages_.interpolate_directions : stages_.interpolate_tex_coords;
+            interpolate(layout, unit, runs, perspective_, batch_, coordinates_);
             if (tap_) tap_->tex_coords(layout, unit, coordinates_);
-            sample_unit(unit);
+            sample_unit(unit, covered);
         }
 }
 
@@ -204,19 +210,16 @@ void TileRenderer::begin_samples() {
     batch_.sample_depths = nullptr;
 }
 
-void TileRenderer::sample_unit(unsigned unit) {
+void TileRenderer::sample_unit(unsigned unit, const FragmentMask& covered) {
     TexelFootprints* footprints = nullptr;
     if (recording_) {
         footprints = &footprints_.emplace_back();
         footprints->unit = static_cast<std::uint8_t>(unit);
     }
-    stages_.sample(pixels_->textures[unit],
-                   coordinates_,
-                   batch_.quad_count,
-                   batch_.live,
-                   batch_.texture[unit],
-                   footprints);
-    if (tap_) tap_->sampling(pixels_->textures[unit], unit, coordinates_);
+    const SampleQuads quads{batch_.quad_count, covered, batch_.live};
+    stages_.sample(
+        pixels_->textures[unit], coordinates_, quads, batch_.texture[unit], footprints);
+    if (tap_) tap_->sampling(pixels_->textures[unit], unit, coordinates_, quads);
 }
 
 void TileRenderer::finish_batch(const FragmentMask& covered) {

@@ -42,8 +42,10 @@ private:
     void draw_image(const BinCommand& command);
 
     void flush();
-    void shade_units(std::span<const BatchRun> runs);
-    void sample_unit(unsigned unit);
+    // `covered`: before any test.
+    void shade_units(std::span<const BatchRun> runs, const FragmentMask& covered);
+    void sample_unit(unsigned unit, const FragmentMask& covered);
+    bool is_cube(unsigned unit) const { return pixels_->textures[unit].kind == TextureKind::Cube; }
     void finish_batch(const FragmentMask& covered);
     void interpolate_depths();
     void begin_samples();

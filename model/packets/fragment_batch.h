@@ -66,9 +66,10 @@ struct ColorPlanes {
     alignas(64) std::array<std::uint16_t, BatchFragments> r, g, b, a;
 };
 
-// Texture coordinates of one unit, before the division by q, and the perspective already undone.
+// Texture coordinates of one unit, perspective and q already divided out; of cube maps a direction
+// of any length. Ordinary numbers: none is subnormal, infinite or NaN.
 struct TexCoordPlanes {
-    alignas(64) std::array<float, BatchFragments> s, t, r, q;
+    alignas(64) std::array<float, BatchFragments> s, t, r;
 };
 
 // Four masks, one a sample: the fragments that cover it.

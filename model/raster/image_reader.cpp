@@ -1,5 +1,7 @@
 #include "model/raster/image_reader.h"
 
+#include "model/arith/range.h"
+
 namespace ffgpu {
 namespace {
 
@@ -60,7 +62,7 @@ void ImageReader::fill_constants(FragmentBatch& batch) const {
         set_color(batch.secondary, lane, secondary_);
     }
     batch.depth.fill(depth_);
-    batch.fog_coordinate.fill(image_.fog_coordinate);
+    batch.fog_coordinate.fill(in_fog_range(image_.fog_coordinate));
     batch.antialias.fill(255);
     batch.primitive.fill(0);
     batch.front_facing.fill(~std::uint64_t{0});

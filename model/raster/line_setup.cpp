@@ -169,7 +169,9 @@ bool set_up_line(const SetupContext& context, const Primitive& primitive, SetupR
         record.stipple_counter = primitive.stipple_counter;
     }
 
-    set_up_planes(context, {&a, &b, &a}, line_basis(a, b), record);
+    const float width = context.primitive.line_width;
+    set_up_planes(
+        context, line_geometry(a, b, width > 0 ? std::min(width, MaxLineWidth) : 1), record);
     if (primitive.from_polygon && context.primitive.offset_line) {
         const WindowVertex* const third = primitive.vertices[2];
         const PlaneVertices plane{&a, &b, third ? third : &a};

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <cstring>
 
 namespace ffgpu {
 namespace {
 
-constexpr double SubPixels = 1 << SubPixelBits;
 constexpr double DepthOne = std::int64_t{1} << DepthPlane::FractionBits;
 
 // A step beyond 16 times the full depth range from pixel to pixel is cut off: then no two centres
@@ -39,9 +39,11 @@ struct DepthSteps {
 };
 
 DepthSteps depth_steps(const std::array<std::int64_t, 3>& z, const PlaneBasis& basis) {
+    const double scale = (1 << SubPixelBits) / static_cast<double>(basis.divisor);
     const auto e1 = static_cast<double>(z[1] - z[0]);
     const auto e2 = static_cast<double>(z[2] - z[0]);
-    return {e1 * basis.x1 + e2 * basis.x2, e1 * basis.y1 + e2 * basis.y2};
+    return {e1 * (basis.x1 * scale) + e2 * (basis.x2 * scale),
+            e1 * (basis.y1 * scale) + e2 * (basis.y2 * scale)};
 }
 
 std::array<std::int64_t, 3> vertex_depths(const SetupContext& context, const PlaneVertices& v) {
@@ -50,11 +52,6 @@ std::array<std::int64_t, 3> vertex_depths(const SetupContext& context, const Pla
             plane_depth(context, v[2]->depth)};
 }
 
-// From vertex 0 to the centre of the reference pixel, in 1/256 pixel.
-struct ReferenceOffset {
-    std::int32_t x, y;
-};
-
 ReferenceOffset reference_offset(const WindowVertex& vertex, const SetupRecord& record) {
     constexpr int Half = 1 << (SubPixelBits - 1);
     return {(record.x_reference << SubPixelBits) + Half - vertex.x,
@@ -62,15 +59,14 @@ ReferenceOffset reference_offset(const WindowVertex& vertex, const SetupRecord& 
 }
 
 void set_up_depth(const SetupContext& context,
-                  const PlaneVertices& vertices,
-                  const PlaneBasis& basis,
+                  const PlaneGeometry& geometry,
+                  ReferenceOffset offset,
                   SetupRecord& record) {
-    const std::array<std::int64_t, 3> z = vertex_depths(context, vertices);
-    const DepthSteps steps = depth_steps(z, basis);
+    const std::array<std::int64_t, 3> z = vertex_depths(context, geometry.vertices);
+    const DepthSteps steps = depth_steps(z, geometry.depth);
     DepthPlane& plane = record.depth;
     plane.dx = round_clamped(steps.dx, MaxDepthStep);
     plane.dy = round_clamped(steps.dy, MaxDepthStep);
-    const ReferenceOffset offset = reference_offset(*vertices[0], record);
     plane.origin =
         z[0] +
         ((plane.dx * offset.x + plane.dy * offset.y + (1 << (SubPixelBits - 1))) >> SubPixelBits);
@@ -80,104 +76,171 @@ void set_up_depth(const SetupContext& context,
 }
 
 // The power of two that brings `value`, positive and finite, into [1, 2).
-float scale_to_one(float value) {
-    const std::uint32_t exponent = std::bit_cast<std::uint32_t>(value) >> 23;
-    return std::bit_cast<float>((254 - std::clamp<std::uint32_t>(exponent, 1, 253)) << 23);
+double scale_to_one(float value) {
+    const auto exponent = static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(value) >> 23);
+    return std::bit_cast<double>((1023 + 127 - exponent) << 52);
 }
 
-// The binary32 form of the basis, and of the way to the reference pixel in pixels.
-struct FloatBasis {
-    float x1, x2, y1, y2;
-    float x, y;
+float power_of_two(std::int64_t exponent) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(exponent + 127) << 23);
+}
 
-    AttributePlane plane(float v0, float v1, float v2) const {
-        const float e1 = v1 - v0, e2 = v2 - v0;
-        const float dx = e1 * x1 + e2 * x2;
-        const float dy = e1 * y1 + e2 * y2;
-        return {v0 + (dx * x + dy * y), dx, dy};
+// Values at the vertices: colours 255 times the attribute, all times k where k varies; behind the
+// attributes k itself.
+void gather_values(const PlaneVertices& v,
+                   const InterpolantLayout& layout,
+                   const std::array<double, 3>& k,
+                   VertexValues& values) {
+    for (unsigned j = 0; j < 3; ++j) {
+        std::array<double, VertexValues::Capacity>& to = values.of[j];
+        for (unsigned i = 0; i < layout.count; ++i)
+            to[i] = static_cast<double>(v[j]->attributes[i]);
+        const auto scale = [&](int first, int count) {
+            for (int i = first; first >= 0 && i < first + count; ++i)
+                to[static_cast<unsigned>(i)] *= 255;
+        };
+        scale(layout.color, 4);
+        scale(layout.secondary, 3);
+        // A k of 1 is exact: one loop serves planes with and without perspective.
+        for (unsigned i = 0; i < layout.count; ++i)
+            to[i] *= k[j];
+        std::fill_n(to.begin() + layout.count, 4, k[j]);
     }
-};
+}
 
-void set_up_attributes(const PlaneVertices& v,
-                       const std::array<float, 3>& weights,
-                       const FloatBasis& basis,
-                       SetupRecord& record) {
+void store_planes(const BlockPlanes& planes, std::int64_t base_exponent, SetupRecord& record) {
     const unsigned count = record.plane_count;
-    float* const c = record.plane_c();
-    float* const dx = record.plane_dx();
-    float* const dy = record.plane_dy();
-    for (unsigned i = 0; i < count; ++i) {
-        // A weight of 1 is exact: one loop serves planes with and without perspective.
-        const AttributePlane plane = basis.plane(v[0]->attributes[i] * weights[0],
-                                                 v[1]->attributes[i] * weights[1],
-                                                 v[2]->attributes[i] * weights[2]);
-        c[i] = plane.c;
-        dx[i] = plane.dx;
-        dy[i] = plane.dy;
-    }
+    std::copy_n(planes.c.data(), count, record.plane_c());
+    std::copy_n(planes.dx.data(), count, record.plane_c() + count);
+    std::copy_n(planes.dy.data(), count, record.plane_c() + 2 * count);
+    float* const scale = record.plane_scale();
+    for (unsigned i = 0; i < count; ++i)
+        scale[i] = power_of_two(planes.exponent[i] - base_exponent);
 }
 
-// Where all vertices carry the same bits from `first` on, the planes' c become those values.
-bool set_up_constant(const PlaneVertices& v, int first, std::size_t count, SetupRecord& record) {
+// All planes, and that of k, which stands behind them.
+void set_up_attributes(const SetupContext& context,
+                       const PlaneGeometry& geometry,
+                       const AttributeFrame& frame,
+                       SetupRecord& record) {
+    const PlaneVertices& v = geometry.vertices;
+    record.perspective = v[0]->inverse_w != v[1]->inverse_w || v[0]->inverse_w != v[2]->inverse_w;
+    const auto [lowest, highest] = std::minmax({v[0]->inverse_w, v[1]->inverse_w, v[2]->inverse_w});
+    const double to_one = scale_to_one(highest);
+    std::array<double, 3> k{1, 1, 1};
+    for (unsigned j = 0; j < 3 && record.perspective; ++j)
+        k[j] = static_cast<double>(v[j]->inverse_w) * to_one;
+
+    const unsigned count = context.layout.count;
+    VertexValues values;
+    BlockPlanes planes;
+    gather_values(v, context.layout, k, values);
+    set_up_block_planes(values, count + record.perspective, frame, planes);
+    std::int64_t base_exponent = ValueBits;
+    if (record.perspective) {
+        base_exponent = planes.exponent[count];
+        record.inverse_w = {planes.c[count], planes.dx[count], planes.dy[count], 1};
+        const double half =
+            static_cast<double>(lowest) * to_one *
+            std::bit_cast<double>((1023 + ValueBits - 1 - static_cast<std::uint64_t>(base_exponent))
+                                  << 52);
+        record.inverse_w_floor = std::max(1, static_cast<std::int32_t>(half));
+    }
+    record.plane_count = static_cast<std::uint8_t>(count);
+    store_planes(planes, base_exponent, record);
+}
+
+// Where all vertices carry the same colour, `color` becomes it.
+bool set_up_constant(const PlaneVertices& v,
+                     int first,
+                     std::size_t count,
+                     std::array<std::uint8_t, 4>& color) {
     if (first < 0) return false;
     const float* const value = v[0]->attributes.data() + first;
     const std::size_t bytes = count * sizeof(float);
     if (std::memcmp(value, v[1]->attributes.data() + first, bytes) != 0 ||
         std::memcmp(value, v[2]->attributes.data() + first, bytes) != 0)
         return false;
-    std::copy_n(value, count, record.plane_c() + first);
+    for (std::size_t i = 0; i < count; ++i)
+        color[i] = color_byte(value[i]);
     return true;
 }
 
+std::uint8_t divided_units(const PlaneVertices& v, const InterpolantLayout& layout) {
+    unsigned units = 0;
+    for (unsigned unit = 0; unit < TextureUnits; ++unit) {
+        if (layout.tex_coord[unit] < 0 || layout.tex_components[unit] < 4) continue;
+        const auto q = static_cast<unsigned>(layout.tex_coord[unit] + 3);
+        const bool divides =
+            v[0]->attributes[q] != 1 || v[1]->attributes[q] != 1 || v[2]->attributes[q] != 1;
+        units |= static_cast<unsigned>(divides) << unit;
+    }
+    return static_cast<std::uint8_t>(units);
+}
+
+std::int32_t longest_axis(const WindowVertex& a, const WindowVertex& b) {
+    return std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
+}
+
+// The cyclic order that puts the longest edge first.
+PlaneVertices longest_edge_first(const PlaneVertices& v) {
+    const std::int32_t a = longest_axis(*v[0], *v[1]), b = longest_axis(*v[1], *v[2]),
+                       c = longest_axis(*v[2], *v[0]);
+    if (a >= b && a >= c) return v;
+    return b >= c ? PlaneVertices{v[1], v[2], v[0]} : PlaneVertices{v[2], v[0], v[1]};
+}
+
 } // namespace
+
+std::uint8_t color_byte(float color) {
+    const float positive = color > 0 ? color : 0; // NaN is 0.
+    return static_cast<std::uint8_t>(std::min(positive, 1.0f) * 255.0f + 0.5f);
+}
 
 PlaneBasis triangle_basis(const PlaneVertices& v) {
     const std::int32_t dx1 = v[1]->x - v[0]->x, dy1 = v[1]->y - v[0]->y;
     const std::int32_t dx2 = v[2]->x - v[0]->x, dy2 = v[2]->y - v[0]->y;
     const std::int64_t area = std::int64_t{dx1} * dy2 - std::int64_t{dx2} * dy1;
     if (area == 0) return {};
-    const double scale = SubPixels / static_cast<double>(area);
-    return {dy2 * scale, -dy1 * scale, -dx2 * scale, dx1 * scale};
+    if (area < 0) return {-dy2, dy1, dx2, -dx1, -area};
+    return {dy2, -dy1, -dx2, dx1, area};
 }
 
 PlaneBasis line_basis(const WindowVertex& from, const WindowVertex& to) {
-    const std::int64_t dx = to.x - from.x, dy = to.y - from.y;
-    const std::int64_t square = dx * dx + dy * dy;
+    const std::int32_t dx = to.x - from.x, dy = to.y - from.y;
+    const std::int64_t square = std::int64_t{dx} * dx + std::int64_t{dy} * dy;
     if (square == 0) return {};
-    const double scale = SubPixels / static_cast<double>(square);
-    return {.x1 = static_cast<double>(dx) * scale, .y1 = static_cast<double>(dy) * scale};
+    return {.x1 = dx, .y1 = dy, .divisor = square};
+}
+
+PlaneGeometry triangle_geometry(const PlaneVertices& vertices) {
+    const PlaneBasis basis = triangle_basis(vertices);
+    const PlaneVertices longest = longest_edge_first(vertices);
+    if (basis.divisor >= longest_axis(*longest[0], *longest[1])) return {vertices, basis, basis};
+    return {longest, triangle_basis(longest), line_basis(*longest[0], *longest[1])};
+}
+
+PlaneGeometry line_geometry(const WindowVertex& from, const WindowVertex& to, float width) {
+    const PlaneBasis basis = line_basis(from, to);
+    return {{&from, &to, &from}, basis, basis, static_cast<int>(width * 0.5f) + 3};
+}
+
+PlaneGeometry point_geometry(const WindowVertex& vertex) {
+    return {{&vertex, &vertex, &vertex}, {}, {}};
 }
 
 void set_up_planes(const SetupContext& context,
-                   const PlaneVertices& v,
-                   const PlaneBasis& basis,
+                   const PlaneGeometry& geometry,
                    SetupRecord& record) {
+    const PlaneVertices& v = geometry.vertices;
     record.x_reference = v[0]->x >> SubPixelBits;
     record.y_reference = v[0]->y >> SubPixelBits;
-    set_up_depth(context, v, basis, record);
-
     const ReferenceOffset offset = reference_offset(*v[0], record);
-    const FloatBasis float_basis{static_cast<float>(basis.x1),
-                                 static_cast<float>(basis.x2),
-                                 static_cast<float>(basis.y1),
-                                 static_cast<float>(basis.y2),
-                                 static_cast<float>(offset.x) / static_cast<float>(SubPixels),
-                                 static_cast<float>(offset.y) / static_cast<float>(SubPixels)};
-    std::array<float, 3> weights{1, 1, 1};
-    record.perspective = v[0]->inverse_w != v[1]->inverse_w || v[0]->inverse_w != v[2]->inverse_w;
-    if (record.perspective) {
-        const auto [lowest, highest] =
-            std::minmax({v[0]->inverse_w, v[1]->inverse_w, v[2]->inverse_w});
-        const float scale = scale_to_one(highest);
-        for (unsigned i = 0; i < 3; ++i)
-            weights[i] = v[i]->inverse_w * scale;
-        record.inverse_w = float_basis.plane(weights[0], weights[1], weights[2]);
-        record.inverse_w_floor = lowest * scale * 0.5f;
-    }
-    record.plane_count = context.layout.count;
-    set_up_attributes(v, weights, float_basis, record);
-    record.constant_color = set_up_constant(v, context.layout.color, 4, record);
-    record.constant_secondary = set_up_constant(v, context.layout.secondary, 3, record);
+    set_up_depth(context, geometry, offset, record);
+    set_up_attributes(context, geometry, {geometry.attributes, offset, geometry.reach}, record);
+    record.constant_color = set_up_constant(v, context.layout.color, 4, record.color);
+    record.constant_secondary = set_up_constant(v, context.layout.secondary, 3, record.secondary);
+    record.divided_units = divided_units(v, context.layout);
 }
 
 void add_depth_offset(const SetupContext& context,

@@ -1,30 +1,37 @@
-// The planes of a primitive: depth exact in 64-bit integers, attributes in binary32.
+// The planes of a primitive: depth exact in 64-bit integers, attributes in block floating point.
 
 #pragma once
 
+#include "model/raster/attribute_setup.h"
 #include "model/raster/setup.h"
 
 #include <array>
 
 namespace ffgpu {
 
-// How a plane's steps follow from its values at the vertices, per pixel:
-//     dx = (v1 - v0) x1 + (v2 - v0) x2,  dy = (v1 - v0) y1 + (v2 - v0) y2.
-// A line has v2 = v0, a point v2 = v1 = v0.
-struct PlaneBasis {
-    double x1 = 0, x2 = 0, y1 = 0, y2 = 0;
-};
-
 using PlaneVertices = std::array<const WindowVertex*, 3>;
 
 PlaneBasis triangle_basis(const PlaneVertices& vertices);
 PlaneBasis line_basis(const WindowVertex& from, const WindowVertex& to);
 
-// Fills reference pixel, depth, inverse_w and all attribute planes of `record`.
-void set_up_planes(const SetupContext& context,
-                   const PlaneVertices& vertices,
-                   const PlaneBasis& basis,
-                   SetupRecord& record);
+// From which vertices, and how, the planes of a primitive follow.
+struct PlaneGeometry {
+    PlaneVertices vertices;
+    PlaneBasis depth, attributes;
+    int reach = 2; // AttributeFrame
+};
+
+// Triangles less than 1/256 pixel high have their attributes from their longest edge alone.
+PlaneGeometry triangle_geometry(const PlaneVertices& vertices);
+// Of a line `width` pixels wide.
+PlaneGeometry line_geometry(const WindowVertex& from, const WindowVertex& to, float width);
+PlaneGeometry point_geometry(const WindowVertex& vertex);
+
+// Fills reference pixel, depth, inverse_w, constant colours and all attribute planes of `record`.
+void set_up_planes(const SetupContext& context, const PlaneGeometry& geometry, SetupRecord& record);
+
+// A colour, clamped to [0, 1], to 0 .. 255; halves up.
+std::uint8_t color_byte(float color);
 
 // Adds GL 1.5's (3.5.5) m * factor + r * units, m being the steeper of the basis' depth steps.
 void add_depth_offset(const SetupContext& context,

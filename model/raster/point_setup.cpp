@@ -6,6 +6,7 @@
 #include "model/raster/shape_setup.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ffgpu {
 namespace {
@@ -30,10 +31,13 @@ PointSize faded_size(const SetupContext& context, float size) {
     return {clamped_size(threshold), (size / threshold) * (size / threshold)};
 }
 
-void fade_alpha(const SetupContext& context, float fade, SetupRecord& record) {
+void fade_alpha(const SetupContext& context,
+                const WindowVertex& vertex,
+                float fade,
+                SetupRecord& record) {
     if (fade == 1 || context.layout.color < 0) return;
-    float& alpha = record.plane_c()[context.layout.color + 3];
-    alpha = (alpha > 0 ? std::min(alpha, 1.0f) : 0.0f) * fade;
+    const float alpha = vertex.attributes[static_cast<unsigned>(context.layout.color) + 3];
+    record.color[3] = color_byte((alpha > 0 ? std::min(alpha, 1.0f) : 0.0f) * fade);
 }
 
 // Half a size in pixels, in 1/256 pixel, to nearest.
@@ -86,28 +90,57 @@ void set_up_circle(const WindowVertex& vertex, std::int32_t half, SetupRecord& r
     record.corners[1] = {half, 0};
 }
 
+// A sprite's coordinate along one axis: 1/2 `offset` pixels from the point, and `step` a pixel.
+struct SpriteAxis {
+    double offset, step;
+    bool along_x;
+};
+
+AttributePlane sprite_plane(const SpriteAxis& axis) {
+    // Lanes of touched quads lie up to two pixels outside.
+    int exponent = 1;
+    for (double reached = 1 + 2 * std::abs(axis.step); reached >= 4; reached *= 0.5)
+        ++exponent;
+    const double one =
+        static_cast<double>(std::int64_t{1} << (ValueBits + AttributePlane::GuardBits)) /
+        static_cast<double>(1 << exponent);
+    const auto step = static_cast<std::int64_t>(std::floor(axis.step * one + 0.5));
+    const double c = (0.5 + axis.offset * axis.step) * one;
+    return {static_cast<std::int64_t>(std::floor(c + 0.5)),
+            axis.along_x ? step : 0,
+            axis.along_x ? 0 : step,
+            static_cast<float>(1 << exponent) / static_cast<float>(1 << ValueBits)};
+}
+
+AttributePlane constant_plane(int value) {
+    constexpr int Bits = ValueBits - 1;
+    return {value * (std::int64_t{1} << (Bits + AttributePlane::GuardBits)),
+            0,
+            0,
+            1.0f / static_cast<float>(1 << Bits)};
+}
+
 // s = 1/2 + (X + 1/2 - x) / size, t = 1/2 -+ (Y + 1/2 - y) / size, r = 0, q = 1.
 void set_up_sprite(const SetupContext& context,
                    const WindowVertex& vertex,
                    float size,
                    SetupRecord& record) {
-    const float step = 1.0f / size;
-    const float t_step = context.primitive.point_sprite_origin_lower_left ? step : -step;
+    const double step = 1 / std::max(static_cast<double>(size), 1.0 / (One / 2));
+    const double t_step = context.primitive.point_sprite_origin_lower_left ? step : -step;
     const auto offset = [](int reference, std::int32_t at) {
-        return static_cast<float>((reference << SubPixelBits) + Half - at) /
-               static_cast<float>(One);
+        return static_cast<double>((reference << SubPixelBits) + Half - at) / One;
     };
-    const AttributePlane s{0.5f + offset(record.x_reference, vertex.x) * step, step, 0};
-    const AttributePlane t{0.5f + offset(record.y_reference, vertex.y) * t_step, 0, t_step};
-    const std::array<AttributePlane, 4> planes{s, t, {0, 0, 0}, {1, 0, 0}};
+    const std::array<AttributePlane, 4> planes{
+        sprite_plane({offset(record.x_reference, vertex.x), step, true}),
+        sprite_plane({offset(record.y_reference, vertex.y), t_step, false}),
+        constant_plane(0),
+        constant_plane(1)};
     for (unsigned unit = 0; unit < TextureUnits; ++unit) {
         const int first = context.layout.tex_coord[unit];
         if (first < 0 || !((context.primitive.point_sprite_replace >> unit) & 1)) continue;
-        for (unsigned i = 0; i < context.layout.tex_components[unit]; ++i) {
-            record.plane_c()[first + static_cast<int>(i)] = planes[i].c;
-            record.plane_dx()[first + static_cast<int>(i)] = planes[i].dx;
-            record.plane_dy()[first + static_cast<int>(i)] = planes[i].dy;
-        }
+        record.divided_units &= static_cast<std::uint8_t>(~(1u << unit));
+        for (unsigned i = 0; i < context.layout.tex_components[unit]; ++i)
+            record.set_plane(static_cast<unsigned>(first) + i, planes[i]);
     }
 }
 
@@ -140,8 +173,8 @@ bool set_up_point(const SetupContext& context, const Primitive& primitive, Setup
     if (record.box.empty()) return false;
 
     const PlaneVertices all{&vertex, &vertex, &vertex};
-    set_up_planes(context, all, {}, record);
-    fade_alpha(context, fade, record);
+    set_up_planes(context, point_geometry(vertex), record);
+    fade_alpha(context, vertex, fade, record);
     if (context.primitive.point_sprite) set_up_sprite(context, vertex, size, record);
     if (primitive.from_polygon && context.primitive.offset_point) {
         const bool has_slope = primitive.vertices[1] && primitive.vertices[2];

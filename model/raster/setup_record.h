@@ -7,6 +7,7 @@
 
 #include "model/packets/interpolants.h"
 #include "model/packets/rectangle.h"
+#include "model/raster/attribute_plane.h"
 #include "model/raster/edge.h"
 
 #include <array>
@@ -39,13 +40,6 @@ struct DepthPlane {
     }
 };
 
-// value(x, y) = (c + dx x) + dy y in binary32, x and y relative to the reference pixel.
-struct AttributePlane {
-    float c = 0, dx = 0, dy = 0;
-
-    float at(float x, float y) const { return (c + dx * x) + dy * y; }
-};
-
 enum class CoverageKind : std::uint8_t {
     Centre,        // Pixels whose centre lies inside the edges.
     SmoothPolygon, // The area of each pixel that lies inside the corners.
@@ -64,17 +58,19 @@ struct SetupRecord {
     StippleKind stipple = StippleKind::None;
     bool front_facing = true;
     bool perspective = false;        // Attribute planes hold a / w, and inverse_w is valid.
-    bool constant_color = false;     // All vertices alike: the plane's c is the value itself.
+    bool constant_color = false;     // All vertices alike: `color` is the value itself.
     bool constant_secondary = false; // The same.
     std::uint8_t plane_count = 0;
-    std::uint32_t key = 0; // PrimitiveKey::primitive
+    std::uint8_t divided_units = 0; // A bit a texture unit whose q is not 1 at every vertex.
+    std::array<std::uint8_t, 4> color{}, secondary{}; // r g b a, 0 .. 255
+    std::uint32_t key = 0;                            // PrimitiveKey::primitive
 
     int x_reference = 0, y_reference = 0;
     std::array<std::uint8_t, MaxEdges> edge_fractions; // Samples: ExactEdge::fraction
     DepthPlane depth;
     std::uint32_t depth_min = 0, depth_max = 0; // Of the vertices: no fragment lies outside.
-    AttributePlane inverse_w;                   // Scaled: the largest vertex is in [1, 2).
-    float inverse_w_floor = 0; // Half the smallest vertex: below it 1/w is not believed.
+    AttributePlane inverse_w;         // Its scale is folded into those of the other planes.
+    std::int32_t inverse_w_floor = 1; // Half the smallest vertex: below it 1/w is not believed.
 
     // Line stipple: the counter's value at pixel stipple_start of the major axis, and whether it
     // counts up or down from there.
@@ -92,18 +88,30 @@ struct SetupRecord {
     }
     ExactEdge exact_edge(unsigned i) const { return {edges[i], edge_fractions[i]}; }
 
-    // Planes by InterpolantLayout, each component of all planes together: c, then dx, then dy.
-    const float* plane_c() const { return reinterpret_cast<const float*>(this + 1); }
-    const float* plane_dx() const { return plane_c() + plane_count; }
-    const float* plane_dy() const { return plane_dx() + plane_count; }
-    float* plane_c() { return reinterpret_cast<float*>(this + 1); }
-    float* plane_dx() { return plane_c() + plane_count; }
-    float* plane_dy() { return plane_dx() + plane_count; }
-    AttributePlane plane(unsigned i) const { return {plane_c()[i], plane_dx()[i], plane_dy()[i]}; }
+    // Planes by InterpolantLayout, each component of all planes together: c, dx, dy, scale.
+    const std::int64_t* plane_c() const { return reinterpret_cast<const std::int64_t*>(this + 1); }
+    const float* plane_scale() const {
+        return reinterpret_cast<const float*>(plane_c() + 3 * plane_count);
+    }
+    std::int64_t* plane_c() { return reinterpret_cast<std::int64_t*>(this + 1); }
+    float* plane_scale() { return reinterpret_cast<float*>(plane_c() + 3 * plane_count); }
 
+    AttributePlane plane(unsigned i) const {
+        const std::int64_t* const c = plane_c() + i;
+        return {c[0], c[plane_count], c[2 * plane_count], plane_scale()[i]};
+    }
+    void set_plane(unsigned i, const AttributePlane& plane) {
+        std::int64_t* const c = plane_c() + i;
+        c[0] = plane.c;
+        c[plane_count] = plane.dx;
+        c[2 * plane_count] = plane.dy;
+        plane_scale()[i] = plane.scale;
+    }
+
+    static constexpr std::size_t PlaneBytes = 3 * sizeof(std::int64_t) + sizeof(float);
     std::size_t bytes() const { return bytes_for(plane_count); }
     static constexpr std::size_t bytes_for(std::size_t planes) {
-        return (sizeof(SetupRecord) + 3 * planes * sizeof(float) + 15) & ~std::size_t{15};
+        return (sizeof(SetupRecord) + planes * PlaneBytes + 15) & ~std::size_t{15};
     }
 };
 

@@ -76,9 +76,9 @@ bool set_up_triangle(const SetupContext& context, const Primitive& primitive, Se
     }
     if (context.primitive.polygon_stipple) record.stipple = StippleKind::Polygon;
 
-    const PlaneBasis basis = triangle_basis(v);
-    set_up_planes(context, v, basis, record);
-    if (context.primitive.offset_fill) add_depth_offset(context, v, basis, record);
+    const PlaneGeometry geometry = triangle_geometry(v);
+    set_up_planes(context, geometry, record);
+    if (context.primitive.offset_fill) add_depth_offset(context, v, triangle_basis(v), record);
     return true;
 }
 

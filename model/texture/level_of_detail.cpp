@@ -1,28 +1,21 @@
 #include "model/texture/level_of_detail.h"
 
-#include "model/arith/log2.h"
-
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace ffgpu {
 namespace {
 
-constexpr std::uint32_t OneBits = std::bit_cast<std::uint32_t>(1.0f);
-
-// The sign of a NaN differs between processors, so it is dropped.
-std::uint32_t magnitude_bits(float x) {
-    return std::bit_cast<std::uint32_t>(x) & 0x7fffffff;
-}
-
 std::uint32_t squared_length(const TextureUnit& unit, const std::array<float, 3>& step) {
     float sum = 0;
     for (unsigned axis = 0; axis < unit.dimensions; ++axis) {
-        const float texels = step[axis] * unit.density[axis];
+        const float texels =
+            std::clamp(std::fabs(step[axis] * unit.density[axis]), LeastStep, LargestStep);
         const float square = texels * texels;
         sum = axis == 0 ? square : sum + square;
     }
-    return magnitude_bits(sum);
+    return std::bit_cast<std::uint32_t>(sum);
 }
 
 CoordinateSteps coordinate_steps(const std::array<TexCoord, 4>& lanes) {
@@ -40,21 +33,19 @@ PixelFootprint pixel_footprint(const TextureUnit& unit, const CoordinateSteps& s
 }
 
 unsigned count_probes(const PixelFootprint& footprint, unsigned most) {
-    const auto longer = std::bit_cast<float>(std::max(footprint.x, footprint.y));
-    const auto shorter =
-        std::bit_cast<float>(std::max(std::min(footprint.x, footprint.y), OneBits));
+    const std::int32_t x = log2_fixed8_bits(footprint.x), y = log2_fixed8_bits(footprint.y);
+    const std::int32_t longer = std::max(x, y) - std::max(std::min(x, y), 0);
     unsigned probes = 1;
-    while (probes < most && !(static_cast<float>(probes * probes) * shorter >= longer))
+    while (probes < most && longer > ProbeLogarithms[probes])
         ++probes;
     return probes;
 }
 
 std::int32_t
 level_of_detail(const TextureUnit& unit, const PixelFootprint& footprint, unsigned probes) {
-    const auto longer = std::bit_cast<float>(std::max(footprint.x, footprint.y));
-    const float over_probes = longer / static_cast<float>(probes * probes);
+    const std::int32_t longer = log2_fixed8_bits(std::max(footprint.x, footprint.y));
     // Half of the square's logarithm, rounded down.
-    const std::int32_t lambda = (log2_fixed8(over_probes) >> 1) + unit.sampler.bias;
+    const std::int32_t lambda = ((longer - ProbeLogarithms[probes]) >> 1) + unit.sampler.bias;
     return std::min<std::int32_t>(std::max<std::int32_t>(lambda, unit.sampler.min_lod),
                                   unit.sampler.max_lod);
 }

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "model/arith/log2.h"
 #include "model/texture/coordinates.h"
 #include "model/texture/texture_unit.h"
 
@@ -18,11 +19,23 @@ struct CoordinateSteps {
     std::array<float, 3> x{}, y{};
 };
 
+// A step of this many texels is taken as 2^-60 or 2^60: squares stay ordinary numbers.
+constexpr float LeastStep = 0x1p-60f;
+constexpr float LargestStep = 0x1p60f;
+
 // The squared lengths of a pixel's two sides in texels of level 0, as the bits of binary32
-// numbers: not negative, so they compare as integers do; a NaN is larger than infinity.
+// numbers: not negative, so they compare as integers do.
 struct PixelFootprint {
     std::uint32_t x = 0, y = 0;
 };
+
+// 512 log2(n), rounded down: what n probes take off the logarithm of a squared length.
+constexpr auto ProbeLogarithms = [] {
+    std::array<std::int32_t, MaxProbes + 1> table{};
+    for (unsigned n = 1; n <= MaxProbes; ++n)
+        table[n] = log2_fixed8(static_cast<float>(n * n));
+    return table;
+}();
 
 // How the fragments of one quad are sampled.
 struct QuadSampling {
@@ -42,7 +55,7 @@ struct QuadSampling {
 PixelFootprint pixel_footprint(const TextureUnit& unit, const CoordinateSteps& steps);
 
 // Samples along the longer side: the fewest that leave none longer than the shorter side, or than
-// a texel of level 0 if that is more.
+// a texel of level 0 if that is more; by differences of logarithms.
 unsigned count_probes(const PixelFootprint& footprint, unsigned most);
 
 // lambda with 8 fraction bits: log2 of the longer side over the probes, biased and clamped.

@@ -1,175 +1,207 @@
-// The vector stages in order, and around them what happens once a batch: the anisotropic probes,
-// their mean, and the order of the accesses in the work stream.
+// The texture unit's scalar specification: one fragment after the other, one texel after the other.
 
 #include "model/texture/coordinates.h"
-#include "model/texture/sampling_batch.h"
+#include "model/texture/depth_compare.h"
+#include "model/texture/level_of_detail.h"
+#include "model/texture/texel_read.h"
 #include "model/texture/texture_unit.h"
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
 namespace ffgpu {
 namespace {
 
-void fill_opaque_black(unsigned lanes, ColorPlanes& out) {
-    std::fill_n(out.r.begin(), lanes, std::uint16_t{0});
-    std::fill_n(out.g.begin(), lanes, std::uint16_t{0});
-    std::fill_n(out.b.begin(), lanes, std::uint16_t{0});
-    std::fill_n(out.a.begin(), lanes, std::uint16_t{255});
-}
+struct Fragment {
+    TexCoord coord; // of cube maps: on the face
+    unsigned face = 0;
+    std::uint32_t reference = 0; // depth to compare with
+};
 
-// One coordinate at probe i; quads that have fewer repeat their first.
-void move_plane(const std::array<float, BatchFragments>& from,
-                const std::array<float, BatchFragments>& step,
-                const std::array<float, BatchFragments>& position,
-                unsigned lanes,
-                std::array<float, BatchFragments>& to) {
-    for (unsigned lane = 0; lane < lanes; ++lane)
-        to[lane] = move_to_probe(from[lane], step[lane], position[lane]);
-}
+// Where reads and accesses are told; both may be null.
+struct Witness {
+    TexelObserver* observer = nullptr;
+    std::vector<TexelAccess>* accesses = nullptr;
+    unsigned lane = 0;
 
-void move_batch(const TextureUnit& unit,
-                const CoordinatePlanes& from,
-                const SamplingBatch& sampling,
-                unsigned i,
-                unsigned lanes,
-                CoordinatePlanes& to) {
-    alignas(64) std::array<float, BatchFragments> position;
-    for (unsigned lane = 0; lane < lanes; ++lane) {
-        const unsigned probes = sampling.probes[lane / 4];
-        position[lane] = probe_position(i <= probes ? i : 1, probes);
-    }
-    const CoordinatePlanes& step = sampling.major_step;
-    move_plane(from.s, step.s, position, lanes, to.s);
-    if (unit.dimensions > 1) move_plane(from.t, step.t, position, lanes, to.t);
-    if (unit.dimensions > 2) move_plane(from.r, step.r, position, lanes, to.r);
-}
-
-// Sums of the probes, and at the end their mean, in place.
-struct ProbeMean {
-    ColorPlanes sum{};
-
-    void add(const ColorPlanes& color, const SamplingBatch& sampling, unsigned i, unsigned lanes) {
-        for (unsigned lane = 0; lane < lanes; ++lane) {
-            const auto counts = static_cast<std::uint16_t>(i <= sampling.probes[lane / 4] ? -1 : 0);
-            sum.r[lane] = static_cast<std::uint16_t>(sum.r[lane] + (color.r[lane] & counts));
-            sum.g[lane] = static_cast<std::uint16_t>(sum.g[lane] + (color.g[lane] & counts));
-            sum.b[lane] = static_cast<std::uint16_t>(sum.b[lane] + (color.b[lane] & counts));
-            sum.a[lane] = static_cast<std::uint16_t>(sum.a[lane] + (color.a[lane] & counts));
-        }
-    }
-    void store(const SamplingBatch& sampling, unsigned lanes, ColorPlanes& out) const {
-        for (unsigned lane = 0; lane < lanes; ++lane) {
-            const unsigned n = sampling.probes[lane / 4];
-            const auto mean = [n](unsigned total) {
-                return static_cast<std::uint16_t>((total + n / 2) / n);
-            };
-            out.r[lane] = mean(sum.r[lane]);
-            out.g[lane] = mean(sum.g[lane]);
-            out.b[lane] = mean(sum.b[lane]);
-            out.a[lane] = mean(sum.a[lane]);
-        }
+    const Rgba& told(unsigned axis, const Rgba& color) const {
+        if (observer) observer->filtered(axis, color);
+        return color;
     }
 };
 
-// Where one probe's accesses are in memory: batch-sized, so kept apart from the usual case of one.
-struct AccessLog {
-    AccessBatch first;
-    std::vector<AccessBatch> others;
-
-    AccessBatch& probe(unsigned i) {
-        if (i == 0) return first;
-        if (others.size() < i) others.resize(i);
-        return others[i - 1];
-    }
+struct Neighbourhood {
+    std::array<AxisTexels, 3> axes;
+    bool linear = false;
 };
 
-// The accesses of one lane: probe after probe, of each the finer level first.
-TexelAccess*
-append_lane(const SamplingBatch& sampling, AccessLog& log, unsigned lane, TexelAccess* to) {
-    const bool two_levels = (sampling.choice[lane] >> 16 & 0xff) != 0;
-    const unsigned count = sampling.max_probes > 1 ? sampling.probes[lane / 4] : 1;
-    for (unsigned i = 0; i < count; ++i) {
-        const AccessBatch& accesses = log.probe(i);
-        *to++ = accesses.level[lane];
-        if (two_levels) *to++ = accesses.next_level[lane];
-    }
-    return to;
+AxisTexels
+axis_texels(const TextureUnit& unit, unsigned axis, unsigned level, float s, bool linear) {
+    const WrapRule& rule = linear ? unit.linear_rules[axis] : unit.nearest_rules[axis];
+    const std::int32_t size = level_extent(unit, axis, level);
+    const float scale = unit.normalized ? static_cast<float>(256 * size) : 256.0f;
+    const float folded = fold_coordinate(rule.fold, s, unit.extent[axis]);
+    const std::int32_t coordinate = texel_coordinate(folded, scale, size, rule);
+    return linear ? linear_texels(coordinate, size, rule) : nearest_texel(coordinate, size, rule);
 }
 
-// Appends the live lanes' accesses in order. The vector is made as long as it can get, filled, and
-// cut.
-void append_accesses(const SamplingBatch& sampling,
-                     AccessLog& log,
-                     const FragmentMask& live,
-                     unsigned quad_count,
-                     std::vector<TexelAccess>& out) {
-    const std::size_t begin = out.size();
-    const unsigned levels = sampling.any_weight() ? 2 : 1;
-    const bool one_each = levels == 1 && sampling.max_probes == 1;
-    out.resize(begin + std::size_t{4} * quad_count * levels * sampling.max_probes);
-    TexelAccess* to = out.data() + begin;
-    for (unsigned quad = 0; quad < quad_count; ++quad) {
-        const unsigned lanes = live.quad(quad);
-        if (one_each && lanes == 0xf) {
-            to = std::copy_n(log.first.level.data() + 4 * quad, 4, to);
-            continue;
-        }
-        for (unsigned i = 0; i < 4; ++i)
-            if (lanes >> i & 1) to = append_lane(sampling, log, 4 * quad + i, to);
-    }
-    out.resize(static_cast<std::size_t>(to - out.data()));
+Neighbourhood
+neighbourhood(const TextureUnit& unit, const TexCoord& coord, unsigned level, bool linear) {
+    Neighbourhood result{{}, linear};
+    const std::array<float, 3> coords{coord.s, coord.t, coord.r};
+    for (unsigned axis = 0; axis < unit.dimensions; ++axis)
+        result.axes[axis] = axis_texels(unit, axis, level, coords[axis], linear);
+    return result;
 }
 
-// One filter pass for each probe, and the mean of what they give.
-void filter_probes(const TextureUnit& unit,
-                   const ProjectedBatch& projected,
-                   FilterInputs inputs,
-                   ColorPlanes& out,
-                   AccessLog* log) {
-    const SamplingBatch& sampling = *inputs.sampling;
-    const unsigned lanes = 4 * grouped_quads(inputs.quad_count);
-    ProbeMean mean;
-    CoordinatePlanes moved;
-    inputs.coordinates = &moved;
-    for (unsigned i = 1; i <= sampling.max_probes; ++i) {
-        move_batch(unit, projected.sample, sampling, i, lanes, moved);
-        filter_batch(unit, inputs, out);
-        mean.add(out, sampling, i, lanes);
-        if (log) record_batch(unit, inputs, log->probe(i - 1));
+TexelAccess make_access(const TextureUnit& unit,
+                        const Neighbourhood& near,
+                        unsigned level,
+                        unsigned face,
+                        unsigned lane) {
+    const auto stored = [&](unsigned axis, std::int32_t index) -> std::uint16_t {
+        if (axis >= unit.dimensions) return static_cast<std::uint16_t>(axis == 2 ? face : 0);
+        return stored_coordinate(unit, index, level_extent(unit, axis, level));
+    };
+    const auto& [x, y, z] = near.axes;
+    const unsigned linear = near.linear ? (1u << unit.dimensions) - 1 : 0;
+    return {static_cast<std::uint16_t>(lane),
+            static_cast<std::uint8_t>(level),
+            static_cast<std::uint8_t>(linear),
+            stored(0, x.first),
+            stored(0, x.second),
+            stored(1, y.first),
+            stored(1, y.second),
+            stored(2, z.first),
+            stored(2, z.second)};
+}
+
+// Horizontally, then vertically, then between slices; an axis that the filter does not have, or a
+// nearest filter, reads no second texel.
+Rgba filter_level(const TextureUnit& unit,
+                  const Fragment& fragment,
+                  unsigned level,
+                  bool linear,
+                  const Witness& witness) {
+    const Neighbourhood near = neighbourhood(unit, fragment.coord, level, linear);
+    const AxisTexels &x = near.axes[0], &y = near.axes[1], &z = near.axes[2];
+    const TexelAccess access = make_access(unit, near, level, fragment.face, witness.lane);
+    if (witness.accesses) witness.accesses->push_back(access);
+    if (witness.observer) witness.observer->level(access, near.axes);
+
+    const auto texel = [&](std::int32_t at_x, std::int32_t at_y, std::int32_t at_z) {
+        const TexelPlace place{level, fragment.face, at_x, at_y, at_z};
+        return read_texel(unit, place, fragment.reference, witness.observer);
+    };
+    const auto row = [&](std::int32_t at_y, std::int32_t at_z) {
+        const Rgba first = texel(x.first, at_y, at_z);
+        return witness.told(0,
+                            linear ? lerp8w(first, texel(x.second, at_y, at_z), x.weight) : first);
+    };
+    const auto slice = [&](std::int32_t at_z) {
+        const Rgba first = row(y.first, at_z);
+        if (!linear || unit.dimensions < 2) return witness.told(1, first);
+        return witness.told(1, lerp8w(first, row(y.second, at_z), y.weight));
+    };
+    const Rgba first = slice(z.first);
+    if (!linear || unit.dimensions < 3) return witness.told(2, first);
+    return witness.told(2, lerp8w(first, slice(z.second), z.weight));
+}
+
+Rgba filter_levels(const TextureUnit& unit,
+                   const Fragment& fragment,
+                   const QuadSampling& quad,
+                   const Witness& witness) {
+    if (witness.observer) witness.observer->probe(witness.lane, fragment.face, fragment.coord);
+    const Rgba fine = filter_level(unit, fragment, quad.level, quad.linear, witness);
+    if (quad.weight == 0) return witness.told(3, fine);
+    const Rgba coarse = filter_level(unit, fragment, quad.next_level, quad.linear, witness);
+    return witness.told(3, lerp8w(fine, coarse, quad.weight));
+}
+
+Fragment probe(const Fragment& fragment, const QuadSampling& quad, unsigned i) {
+    const float at = probe_position(i, quad.probes);
+    Fragment result = fragment;
+    result.coord.s = move_to_probe(fragment.coord.s, quad.major_step.s, at);
+    result.coord.t = move_to_probe(fragment.coord.t, quad.major_step.t, at);
+    result.coord.r = move_to_probe(fragment.coord.r, quad.major_step.r, at);
+    return result;
+}
+
+Rgba filter_fragment(const TextureUnit& unit,
+                     const Fragment& fragment,
+                     const QuadSampling& quad,
+                     const Witness& witness) {
+    if (quad.probes == 1) return filter_levels(unit, fragment, quad, witness);
+    std::array<unsigned, 4> sum{};
+    for (unsigned i = 1; i <= quad.probes; ++i) {
+        const Rgba sampled = filter_levels(unit, probe(fragment, quad, i), quad, witness);
+        for (unsigned channel = 0; channel < 4; ++channel)
+            sum[channel] += sampled[channel];
     }
-    mean.store(sampling, lanes, out);
+    Rgba mean{};
+    for (unsigned channel = 0; channel < 4; ++channel)
+        mean[channel] = static_cast<std::uint8_t>((sum[channel] + quad.probes / 2u) / quad.probes);
+    return mean;
+}
+
+struct Quad {
+    std::array<Fragment, 4> fragments;
+    QuadSampling sampling;
+};
+
+Quad make_quad(const TextureUnit& unit,
+               const TexCoordPlanes& planes,
+               unsigned first_lane,
+               unsigned covered) {
+    Quad quad;
+    std::array<TexCoord, 4> coords;
+    bool one_face = true;
+    const unsigned quad_face = cube_face(coordinates_of(planes, first_lane + face_lane(covered)));
+    for (unsigned i = 0; i < 4; ++i) {
+        coords[i] = coordinates_of(planes, first_lane + i);
+        Fragment& fragment = quad.fragments[i];
+        fragment.reference = reference_depth(coords[i].r);
+        fragment.coord = coords[i];
+        if (unit.kind != TextureKind::Cube) continue;
+        fragment.face = cube_face(coords[i]);
+        fragment.coord = project_to_face(fragment.face, coords[i]);
+        coords[i] = project_to_face(quad_face, coords[i]);
+        one_face &= fragment.face == quad_face;
+    }
+    quad.sampling = sample_quad(unit, coords, one_face);
+    return quad;
+}
+
+void store(ColorPlanes& out, unsigned lane, const Rgba& color) {
+    out.r[lane] = color[0];
+    out.g[lane] = color[1];
+    out.b[lane] = color[2];
+    out.a[lane] = color[3];
 }
 
 } // namespace
 
-void sample(const TextureUnit& unit,
-            const TexCoordPlanes& coordinates,
-            unsigned quad_count,
-            const FragmentMask& live,
-            ColorPlanes& out,
-            TexelFootprints* footprints) {
-    if (!unit.valid) return fill_opaque_black(4 * quad_count, out);
-    if (quad_count == 0) return;
-    if (!can_filter_batches())
-        return sample_reference(unit, coordinates, quad_count, live, out, footprints);
-
-    ProjectedBatch projected;
-    SamplingBatch sampling;
-    project_batch(unit, coordinates, quad_count, live, projected);
-    choose_levels_batch(unit, projected, quad_count, sampling);
-
-    const FilterInputs inputs{
-        &projected.sample, projected.sample.r.data(), projected.face.data(), &sampling, quad_count};
-    AccessLog log;
-    if (sampling.max_probes > 1) {
-        filter_probes(unit, projected, inputs, out, footprints ? &log : nullptr);
-    } else {
-        filter_batch(unit, inputs, out);
-        if (footprints) record_batch(unit, inputs, log.first);
+void sample_scalar(const TextureUnit& unit,
+                   const TexCoordPlanes& coordinates,
+                   const SampleQuads& quads,
+                   ColorPlanes& out,
+                   TexelFootprints* footprints,
+                   TexelObserver* observer) {
+    for (unsigned lane = 0; lane < 4 * quads.count && !unit.valid; ++lane)
+        store(out, lane, {0, 0, 0, 255});
+    for (unsigned q = 0; q < quads.count && unit.valid; ++q) {
+        const Quad quad = make_quad(unit, coordinates, 4 * q, quads.covered.quad(q));
+        if (observer && quads.live.quad(q) != 0) observer->quad(q, quad.sampling);
+        for (unsigned i = 0; i < 4; ++i) {
+            const unsigned lane = 4 * q + i;
+            const bool told = quads.live.test(lane);
+            const Witness witness{told ? observer : nullptr,
+                                  told && footprints ? &footprints->accesses : nullptr,
+                                  lane};
+            store(out, lane, filter_fragment(unit, quad.fragments[i], quad.sampling, witness));
+        }
     }
-    if (footprints) append_accesses(sampling, log, live, quad_count, footprints->accesses);
 }
 
 } // namespace ffgpu

@@ -1,7 +1,7 @@
 // The texture unit's vector stages, and what passes between them. Each equals the scalar code of
 // the same purpose bit for bit.
 //
-//   project_batch (coordinates.h) -> choose_levels_batch (level_of_detail.h)
+//   project_batch (coordinates.h, cube maps only) -> choose_levels_batch (level_of_detail.h)
 //     -> for each anisotropic probe: filter_batch (wrap.h, texel_read.h, filter.h)
 
 #pragma once
@@ -21,18 +21,20 @@ constexpr unsigned grouped_quads(unsigned quad_count) {
     return (quad_count + QuadGroup - 1) / QuadGroup * QuadGroup;
 }
 
-struct CoordinatePlanes {
-    alignas(64) std::array<float, BatchFragments> s, t, r;
+// Of cube maps: coordinates on the fragment's face, and on the face of the quad's first covered
+// fragment for its level of detail.
+struct ProjectedBatch {
+    TexCoordPlanes sample;
+    TexCoordPlanes level_of_detail;
+    alignas(64) std::array<std::int32_t, BatchFragments> face;
+    std::array<bool, BatchQuads> one_face;
 };
 
-// Coordinates after the division by q, those of them that the unit needs; of cube maps, on the
-// fragment's face. `level_of_detail` has them on the face of the quad's first live fragment; only
-// cube maps fill it.
-struct ProjectedBatch {
-    CoordinatePlanes sample;
-    CoordinatePlanes level_of_detail;
-    alignas(64) std::array<std::int32_t, BatchFragments> face; // only of cube maps
-    std::array<bool, BatchQuads> one_face;                     // only of cube maps
+// What levels of detail are chosen from: coordinates of whole groups, and of cube maps which quads
+// lie on one face.
+struct LevelInputs {
+    const TexCoordPlanes* coordinates = nullptr;
+    const bool* one_face = nullptr; // null: all
 };
 
 // How each fragment is sampled, in one word: level in bits 7..0, next level in 15..8, weight in
@@ -46,7 +48,7 @@ struct SamplingBatch {
     // Only if the unit's max_probes > 1. Steps are per fragment, equal in a quad.
     unsigned max_probes = 1;
     std::array<std::uint8_t, BatchQuads> probes;
-    CoordinatePlanes major_step;
+    TexCoordPlanes major_step;
 
     bool any_linear() const { return (any_of & LinearBit) != 0; }
     bool any_nearest() const { return (all_of & LinearBit) == 0; }
@@ -55,19 +57,16 @@ struct SamplingBatch {
     bool one_next_level() const { return ((all_of ^ any_of) >> 8 & 0xff) == 0; }
 };
 
-void project_batch(const TextureUnit& unit,
-                   const TexCoordPlanes& coordinates,
-                   unsigned quad_count,
-                   const FragmentMask& live,
-                   ProjectedBatch& out);
+// Of whole groups of directions.
+void project_batch(const TexCoordPlanes& directions, const SampleQuads& quads, ProjectedBatch& out);
 
 void choose_levels_batch(const TextureUnit& unit,
-                         const ProjectedBatch& coordinates,
+                         const LevelInputs& inputs,
                          unsigned quad_count,
                          SamplingBatch& out);
 
 struct FilterInputs {
-    const CoordinatePlanes* coordinates;
+    const TexCoordPlanes* coordinates;
     const float* reference;   // r of each fragment: what depths are compared with
     const std::int32_t* face; // of cube maps
     const SamplingBatch* sampling;

@@ -1,10 +1,11 @@
 // The texture unit: a stage over a batch's quads. Texture coordinates in, colours out.
 //
-//   divide by q -> cube face -> derivatives -> level of detail -> wrap -> texels -> filter
+//   cube face -> derivatives -> level of detail -> wrap -> texels -> filter
 //
 // compile_texture_unit() turns the two registers into a TextureUnit once a draw; sample() then
-// carries out a batch with vectors, sample_reference() with plain scalar code, which is the
-// specification (docs/arithmetic/texture.md): both give the same bits.
+// carries out a batch with vectors (sample_simd.cpp), sample_scalar() with plain scalar code, which
+// is the specification (sample.cpp; docs/arithmetic/texture.md): both give the same bits. Start
+// reading at sample.cpp: filter_fragment() and, above it, what it calls.
 
 #pragma once
 
@@ -61,12 +62,18 @@ TextureUnit compile_texture_unit(const TextureImage& image,
                                  const Sampler& sampler,
                                  std::span<const std::byte> memory);
 
-// Samples quads 0 .. quad_count - 1. Fragments that are not live get some colour. With footprints,
-// appends the accesses of the live ones.
+// The quads 0 .. count - 1 of a batch: what the primitives cover of them, and what of that no test
+// has killed yet.
+struct SampleQuads {
+    unsigned count = 0;
+    FragmentMask covered, live;
+};
+
+// Samples the quads. Fragments that are not live get some colour. With footprints, appends the
+// accesses of the live ones. What stands behind the last quad's coordinates is overwritten.
 void sample(const TextureUnit& unit,
-            const TexCoordPlanes& coordinates,
-            unsigned quad_count,
-            const FragmentMask& live,
+            TexCoordPlanes& coordinates,
+            const SampleQuads& quads,
             ColorPlanes& out,
             TexelFootprints* footprints);
 
@@ -91,12 +98,11 @@ public:
     virtual void filtered(unsigned /*axis*/, const std::array<std::uint8_t, 4>&) {}
 };
 
-void sample_reference(const TextureUnit& unit,
-                      const TexCoordPlanes& coordinates,
-                      unsigned quad_count,
-                      const FragmentMask& live,
-                      ColorPlanes& out,
-                      TexelFootprints* footprints,
-                      TexelObserver* observer = nullptr);
+void sample_scalar(const TextureUnit& unit,
+                   const TexCoordPlanes& coordinates,
+                   const SampleQuads& quads,
+                   ColorPlanes& out,
+                   TexelFootprints* footprints,
+                   TexelObserver* observer = nullptr);
 
 } // namespace ffgpu

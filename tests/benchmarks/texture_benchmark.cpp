@@ -33,8 +33,7 @@ std::unique_ptr<TexCoordPlanes> tile(const Case& c, float size) {
         const float stretch = c.anisotropy > 1 ? 4 : 1;
         return Coordinates{0.1f + (x * 0.9f - y * 0.3f) * scale * stretch,
                            0.2f + (y * 0.9f + x * 0.3f) * scale,
-                           0.3f,
-                           1};
+                           0.3f};
     });
 }
 
@@ -55,13 +54,13 @@ void run(benchmark::State& state, const Case& c) {
     sampler.max_anisotropy = static_cast<std::uint8_t>(c.anisotropy);
     const TextureUnit unit = memory.compile(sampler);
     const auto planes = tile(c, static_cast<float>(shape.width));
-    const FragmentMask live = all_live(BatchQuads);
+    const SampleQuads quads = all_quads(BatchQuads);
     ColorPlanes out;
     TexelFootprints footprints;
     hwy::SetSupportedTargetsForTest(c.instructions);
     for (auto _ : state) {
         footprints.accesses.clear();
-        sample(unit, *planes, BatchQuads, live, out, c.footprints ? &footprints : nullptr);
+        sample(unit, *planes, quads, out, c.footprints ? &footprints : nullptr);
         benchmark::DoNotOptimize(out);
     }
     hwy::SetSupportedTargetsForTest(0);

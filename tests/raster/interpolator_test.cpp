@@ -3,9 +3,9 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include <catch2/catch.hpp>
+#include <hwy/targets.h>
 
 using namespace ffgpu;
 using namespace ffgpu::test;
@@ -61,8 +61,10 @@ void for_each_batch(unsigned seed, Visit&& visit) {
             c.x = a.x + random.between(-900, 900), c.y = a.y + random.between(-900, 900);
         }
         if (i % 7 == 0) b.attributes = c.attributes = a.attributes;
-        if (i % 31 == 0) a.attributes[2] = std::numeric_limits<float>::quiet_NaN();
-        if (i % 37 == 0) a.attributes[9] = std::numeric_limits<float>::infinity();
+        if (i % 31 == 0) a.attributes[2] = 0;
+        if (i % 37 == 0) a.attributes[9] = -0x1p59f;
+        if (i % 41 == 0) a.attributes[13] = b.attributes[13] = 0;
+        if (i % 5 == 0) a.attributes[13] = b.attributes[13] = c.attributes[13] = 1;
         setup.primitive.offset_fill = i % 5 == 0;
         setup.primitive.offset_factor = 2;
         setup.primitive.offset_units = -3;
@@ -84,9 +86,7 @@ bool same_colors(const ColorPlanes& a, const ColorPlanes& b, unsigned lanes) {
            same_lanes(a.b, b.b, lanes) && same_lanes(a.a, b.a, lanes);
 }
 
-} // namespace
-
-TEST_CASE("vector and scalar interpolation give the same bits") {
+void compare_forms() {
     unsigned batches = 0;
     auto scalar_batch = std::make_unique<FragmentBatch>();
     auto scalar = std::make_unique<PerspectivePlanes>();
@@ -117,20 +117,36 @@ TEST_CASE("vector and scalar interpolation give the same bits") {
             REQUIRE(same_colors(batch.secondary, scalar_batch->secondary, lanes));
             REQUIRE(same_lanes(batch.fog_coordinate, scalar_batch->fog_coordinate, lanes));
             for (const unsigned unit : {0u, 1u, 3u}) {
+                const auto same = [&] {
+                    return same_lanes(vector_coords->s, scalar_coords->s, lanes) &&
+                           same_lanes(vector_coords->t, scalar_coords->t, lanes) &&
+                           same_lanes(vector_coords->r, scalar_coords->r, lanes);
+                };
                 interpolate_tex_coords(layout, unit, runs, *vector, batch, *vector_coords);
                 interpolate_tex_coords_scalar(
                     layout, unit, runs, *scalar, *scalar_batch, *scalar_coords);
-                REQUIRE(same_lanes(vector_coords->s, scalar_coords->s, lanes));
-                REQUIRE(same_lanes(vector_coords->r, scalar_coords->r, lanes));
-                REQUIRE(same_lanes(vector_coords->q, scalar_coords->q, lanes));
-                // A NaN has no one bit pattern, but is one in both.
-                for (unsigned lane = 0; lane < lanes; ++lane) {
-                    const float a = vector_coords->t[lane], b = scalar_coords->t[lane];
-                    REQUIRE((a == b || (a != a && b != b)));
-                }
+                REQUIRE(same());
+                interpolate_directions(layout, unit, runs, *vector, batch, *vector_coords);
+                interpolate_directions_scalar(layout, unit, runs, *scalar_batch, *scalar_coords);
+                REQUIRE(same());
             }
         });
     CHECK(batches > 40);
+}
+
+} // namespace
+
+TEST_CASE("vector and scalar interpolation give the same bits with every instruction set") {
+    const std::int64_t supported = hwy::SupportedTargets();
+    for (const std::int64_t target :
+         {std::int64_t{HWY_SSE4}, std::int64_t{HWY_AVX2}, std::int64_t{HWY_AVX3}}) {
+        if ((supported & target) == 0) continue;
+        INFO("target " << hwy::TargetName(target));
+        hwy::SetSupportedTargetsForTest(target);
+        compare_forms();
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    compare_forms();
 }
 
 TEST_CASE("depth at a pixel is the same whatever path leads there, and rounds the exact plane") {
@@ -305,15 +321,18 @@ TEST_CASE("equal vertices give exactly constant attributes, in perspective as we
         each.attributes.fill(0.3f);
     REQUIRE(buffer.triangle(setup, v[0], v[1], v[2]));
     CHECK(buffer.record().constant_color);
-    CHECK(buffer.record().plane_c()[0] == 0.3f);
+    CHECK(buffer.record().color[0] == 77); // 76.5 and a little: 0.3 in binary32 is above.
     CHECK(buffer.record().perspective);
 
     for (WindowVertex& each : v)
         each.inverse_w = 0.7f;
     REQUIRE(buffer.triangle(setup, v[0], v[1], v[2]));
     CHECK_FALSE(buffer.record().perspective);
-    for (unsigned plane = 0; plane < setup.layout.count; ++plane)
-        CHECK(buffer.record().plane(plane).at(123, -45) == 0.3f);
+    for (unsigned i = 7; i < setup.layout.count; ++i) {
+        const AttributePlane plane = buffer.record().plane(i);
+        CHECK(static_cast<float>(plane.corner(123, -45)) * plane.scale == 0.3f);
+        CHECK(plane.lane_offsets() == std::array<std::int32_t, 4>{});
+    }
 }
 
 TEST_CASE("the depth offset is m * factor + r * units") {

@@ -169,8 +169,9 @@ TEST_CASE("a sprite covers the centres in its square and runs from 0 to 1 across
     const SetupRecord& record = buffer.record();
     CHECK(record.box == Rectangle{16, 26, 24, 34});
     const auto at = [&](unsigned plane, int x, int y) {
-        return record.plane(plane).at(static_cast<float>(x - record.x_reference),
-                                      static_cast<float>(y - record.y_reference));
+        const AttributePlane at_plane = record.plane(plane);
+        return static_cast<float>(at_plane.corner(x - record.x_reference, y - record.y_reference)) *
+               at_plane.scale;
     };
     CHECK(at(0, 16, 30) == 1 / 16.0f);
     CHECK(at(0, 23, 30) == 15 / 16.0f);

@@ -209,17 +209,17 @@ TEST_CASE("a multisampled point below the fade threshold has its size, and fades
         v.point_size = size;
         RecordBuffer buffer;
         REQUIRE(buffer.set_up(setup, {.shape = PrimitiveShape::Point, .vertices = {&v}}));
-        return std::pair{covered_samples(buffer.record()).size(), buffer.record().plane_c()[3]};
+        return std::pair{covered_samples(buffer.record()).size(), int{buffer.record().color[3]}};
     };
     const auto [samples, alpha] = samples_and_alpha(8);
-    CHECK(alpha == 2);
-    CHECK((samples_and_alpha(4) == std::pair{samples, 0.25f}));
+    CHECK(alpha == 255);
+    CHECK((samples_and_alpha(4) == std::pair{samples, 64}));
     setup.multisample = false;
     v.point_size = 4;
     RecordBuffer buffer;
     REQUIRE(buffer.set_up(setup, {.shape = PrimitiveShape::Point, .vertices = {&v}}));
     CHECK(buffer.record().box.width() == 4);
-    CHECK(buffer.record().plane_c()[3] == 2);
+    CHECK(buffer.record().color[3] == 255);
 }
 
 TEST_CASE("a multisampled line is the rectangle of its width") {

@@ -97,7 +97,7 @@ TEST_CASE("quads across a face's edge keep the level of detail of the quads besi
     });
     ColorPlanes out;
     TexelFootprints footprints;
-    sample(unit, *planes, BatchQuads, all_live(BatchQuads), out, &footprints);
+    sample(unit, *planes, all_quads(BatchQuads), out, &footprints);
     unsigned finest = 99, coarsest = 0;
     for (unsigned lane = 96; lane < 160; ++lane) { // Around the edge.
         finest = std::min<unsigned>(finest, footprints.accesses[lane].level);
@@ -108,7 +108,7 @@ TEST_CASE("quads across a face's edge keep the level of detail of the quads besi
 
 // A face drawn texel for pixel from an odd place on: of its first quad just lane 3 is inside of the
 // primitive, and lane 0 looks past the corner at another face, where steps are longer.
-TEST_CASE("lanes that are not live do not choose the face of a quad's derivatives") {
+TEST_CASE("lanes that are not covered do not choose the face of a quad's derivatives") {
     const TextureMemory memory = numbered_faces(64, 7);
     Sampler sampler = linear_sampler(Wrap::ClampToEdge);
     sampler.mip_filter = MipFilter::Nearest;
@@ -118,16 +118,18 @@ TEST_CASE("lanes that are not live do not choose the face of a quad's derivative
         const float y = static_cast<float>(lane / 2) - 0.5f;
         return Coordinates{1 - x / 32, 1 - y / 32, 1};
     });
-    const auto level_with = [&](const FragmentMask& live) {
+    const auto level_with = [&](const FragmentMask& covered, const FragmentMask& live) {
         ColorPlanes out;
         TexelFootprints footprints;
-        sample(unit, *planes, 1, live, out, &footprints);
+        sample(unit, *planes, {1, covered, live}, out, &footprints);
         return unsigned{footprints.accesses.back().level};
     };
     FragmentMask last;
     last.set(3);
-    CHECK(level_with(last) == 0);
-    CHECK(level_with(all_live(1)) == 1);
+    CHECK(level_with(last, last) == 0);
+    CHECK(level_with(all_live(1), all_live(1)) == 1);
+    // What an early depth test killed still chooses, as it does where the test comes late.
+    CHECK(level_with(all_live(1), last) == 1);
 }
 
 } // namespace

@@ -54,7 +54,7 @@ unsigned copy_errors(TextureMemory& memory, const Sampler& sampler, Random& rand
             return Coordinates{(x + 0.5f) * span * noise(), (y + 0.5f) * span * noise()};
         });
         ColorPlanes out;
-        sample(unit, *planes, BatchQuads, all_live(BatchQuads), out, nullptr);
+        sample(unit, *planes, all_quads(BatchQuads), out, nullptr);
         for (unsigned lane = 0; lane < BatchFragments; ++lane)
             for (unsigned c = 0; c < 4; ++c)
                 errors +=

@@ -140,12 +140,19 @@ TEST_CASE("anisotropic probes divide the longer side until it is no longer than 
     CHECK(detail(sample_slopes(make_unit(sampler), {8, 0, 0, 1})) == 2);
 }
 
-TEST_CASE("coordinates without an end give the coarsest level") {
+TEST_CASE("the longest steps give the coarsest level, the shortest the finest") {
     const TextureUnit unit = make_unit(trilinear());
-    CHECK(sample_slopes(unit, {1e38, 0, 0, 0}).level == 8);
-    CHECK(sample_slopes(unit, {INFINITY, 0, 0, 0}).level == 8);
-    CHECK(sample_slopes(unit, {NAN, 0, 0, 0}).level == 8);
+    CHECK(sample_slopes(unit, {0x1p110, 0, 0, 0}).level == 8);
+    CHECK(sample_slopes(unit, {0x1p110, 0x1p110, 0x1p110, 0x1p110}).level == 8);
+    CHECK(sample_slopes(unit, {0x1p-100, 0, 0, 0}).level == 0);
     CHECK(sample_slopes(unit, {0, 0, 0, 0}).level == 0);
+}
+
+// 512 log2(n) in long double, rounded down: what the table of the probes has to be.
+TEST_CASE("n probes take log2(n) off the level of detail") {
+    for (unsigned n = 1; n <= MaxProbes; ++n)
+        CHECK(ProbeLogarithms[n] ==
+              static_cast<int>(std::floor(512 * std::log2(static_cast<long double>(n)))));
 }
 
 } // namespace

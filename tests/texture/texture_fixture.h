@@ -76,8 +76,12 @@ inline FragmentMask all_live(unsigned quad_count) {
     return mask;
 }
 
+inline SampleQuads all_quads(unsigned quad_count) {
+    return {quad_count, all_live(quad_count), all_live(quad_count)};
+}
+
 struct Coordinates {
-    float s = 0, t = 0, r = 0, q = 1;
+    float s = 0, t = 0, r = 0;
 };
 
 inline std::unique_ptr<TexCoordPlanes>
@@ -88,7 +92,6 @@ make_planes(unsigned quad_count, const std::function<Coordinates(unsigned lane)>
         planes->s[lane] = at.s;
         planes->t[lane] = at.t;
         planes->r[lane] = at.r;
-        planes->q[lane] = at.q;
     }
     return planes;
 }
@@ -103,7 +106,7 @@ inline Color color_of(const ColorPlanes& planes, unsigned lane) {
 inline Color sample_point(const TextureUnit& unit, const Coordinates& at) {
     const auto planes = make_planes(1, [&](unsigned) { return at; });
     ColorPlanes out;
-    sample(unit, *planes, 1, all_live(1), out, nullptr);
+    sample(unit, *planes, all_quads(1), out, nullptr);
     return color_of(out, 0);
 }
 

@@ -1,6 +1,6 @@
 // Vector form of level_of_detail.h: a lane a quad.
 
-#include "model/arith/log2.h"
+#include "model/texture/level_of_detail.h"
 #include "model/texture/sampling_batch.h"
 #include "model/texture/simd_targets.h"
 
@@ -9,7 +9,7 @@
 // Highway's order of includes.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "model/texture/choose_levels_batch.cpp"
+#define HWY_TARGET_INCLUDE "model/texture/level_of_detail_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // clang-format on
@@ -44,11 +44,13 @@ HWY_INLINE void load_steps(const float* plane, unsigned quad, VF& x, VF& y) {
 HWY_INLINE VI squared_length(const TextureUnit& unit, const VF* step) {
     VF sum = hn::Zero(DF());
     for (unsigned axis = 0; axis < unit.dimensions; ++axis) {
-        const VF texels = hn::Mul(step[axis], hn::Set(DF(), unit.density[axis]));
+        const VF any = hn::Abs(hn::Mul(step[axis], hn::Set(DF(), unit.density[axis])));
+        const VF texels =
+            hn::Min(hn::Max(any, hn::Set(DF(), LeastStep)), hn::Set(DF(), LargestStep));
         const VF square = hn::Mul(texels, texels);
         sum = axis == 0 ? square : hn::Add(sum, square);
     }
-    return hn::And(hn::BitCast(DI(), sum), constant(0x7fffffff));
+    return hn::BitCast(DI(), sum);
 }
 
 HWY_INLINE VI log2_fixed8(VI bits) {
@@ -61,16 +63,13 @@ HWY_INLINE VI log2_fixed8(VI bits) {
     return hn::Add(hn::ShiftLeft<8>(exponent), fraction);
 }
 
-HWY_INLINE VI count_probes(VI longer, VI shorter, unsigned most) {
-    const DF d;
-    const VI one = hn::BitCast(DI(), hn::Set(d, 1.0f));
-    const VF least = hn::BitCast(d, hn::Max(shorter, one));
+HWY_INLINE VI count_probes(VI x, VI y, unsigned most) {
+    const VI shorter = hn::Max(hn::Min(x, y), constant(0));
+    const VI longer = hn::Sub(hn::Max(x, y), shorter);
     VI probes = constant(1);
     for (unsigned n = 1; n < most; ++n) {
-        const VF reached = hn::Mul(hn::Set(d, static_cast<float>(n * n)), least);
-        const auto enough = hn::Ge(reached, hn::BitCast(d, longer));
-        probes = hn::Add(probes, hn::VecFromMask(DI(), hn::RebindMask(DI(), enough)));
-        probes = hn::Add(probes, constant(1));
+        const auto more = hn::Gt(longer, constant(ProbeLogarithms[n]));
+        probes = hn::Sub(probes, hn::VecFromMask(DI(), more));
     }
     return probes;
 }
@@ -103,12 +102,8 @@ HWY_INLINE VI choose(const TextureUnit& unit, VI lambda) {
     return hn::IfThenElse(minifies, minified_choice(unit, lambda), magnified);
 }
 
-HWY_INLINE VI level_of_detail(const TextureUnit& unit, VI longer, VI probes) {
-    const DF d;
-    const VF squared = hn::ConvertTo(d, hn::Mul(probes, probes));
-    const VF over_probes = hn::Div(hn::BitCast(d, longer), squared);
-    const VI half = hn::ShiftRight<1>(log2_fixed8(hn::BitCast(DI(), over_probes)));
-    const VI lambda = hn::Add(half, constant(unit.sampler.bias));
+HWY_INLINE VI level_of_detail(const TextureUnit& unit, VI logarithm) {
+    const VI lambda = hn::Add(hn::ShiftRight<1>(logarithm), constant(unit.sampler.bias));
     return clamp(lambda, unit.sampler.min_lod, unit.sampler.max_lod);
 }
 
@@ -117,20 +112,21 @@ HWY_INLINE void store_quads(VF value, float* plane) {
 }
 
 // One vector of quads for anisotropic filtering: number of probes and the step between them.
+// Returns what the probes take off the logarithm.
 HWY_INLINE VI store_probes(const TextureUnit& unit,
                            const Steps& steps,
                            VI x,
                            VI y,
-                           const ProjectedBatch& in,
+                           const LevelInputs& in,
                            unsigned quad,
                            SamplingBatch& out) {
     constexpr unsigned Lanes = hn::MaxLanes(DF());
     const DF d;
-    VI probes = count_probes(hn::Max(x, y), hn::Min(x, y), unit.max_probes);
+    const VI probes = count_probes(log2_fixed8(x), log2_fixed8(y), unit.max_probes);
     alignas(64) std::int32_t counts[Lanes];
     hn::Store(probes, DI(), counts);
     for (unsigned i = 0; i < Lanes; ++i) {
-        if (unit.kind == TextureKind::Cube && !in.one_face[quad + i]) counts[i] = 1;
+        if (in.one_face && !in.one_face[quad + i]) counts[i] = 1;
         out.probes[quad + i] = static_cast<std::uint8_t>(counts[i]);
         out.max_probes = std::max(out.max_probes, static_cast<unsigned>(counts[i]));
     }
@@ -141,15 +137,14 @@ HWY_INLINE VI store_probes(const TextureUnit& unit,
                 out.major_step.t.data() + 4 * quad);
     store_quads(hn::IfThenElse(y_longer, steps.y[2], steps.x[2]),
                 out.major_step.r.data() + 4 * quad);
-    return hn::Load(DI(), counts);
+    return hn::GatherIndex(DI(), ProbeLogarithms.data(), hn::Load(DI(), counts));
 }
 
 void choose_levels(const TextureUnit& unit,
-                   const ProjectedBatch& in,
+                   const LevelInputs& in,
                    unsigned quad_count,
                    SamplingBatch& out) {
-    const CoordinatePlanes& planes =
-        unit.kind == TextureKind::Cube ? in.level_of_detail : in.sample;
+    const TexCoordPlanes& planes = *in.coordinates;
     const float* axes[3] = {planes.s.data(), planes.t.data(), planes.r.data()};
     VI all_of = constant(-1), any_of = constant(0);
     const DU du;
@@ -160,9 +155,10 @@ void choose_levels(const TextureUnit& unit,
             if (axis < unit.dimensions) load_steps(axes[axis], quad, steps.x[axis], steps.y[axis]);
         }
         const VI x = squared_length(unit, steps.x), y = squared_length(unit, steps.y);
-        VI probes = constant(1);
-        if (unit.max_probes > 1) probes = store_probes(unit, steps, x, y, in, quad, out);
-        const VI choice = choose(unit, level_of_detail(unit, hn::Max(x, y), probes));
+        VI logarithm = log2_fixed8(hn::Max(x, y));
+        if (unit.max_probes > 1)
+            logarithm = hn::Sub(logarithm, store_probes(unit, steps, x, y, in, quad, out));
+        const VI choice = choose(unit, level_of_detail(unit, logarithm));
         all_of = hn::And(all_of, choice);
         any_of = hn::Or(any_of, choice);
         const auto word = hn::BitCast(du, choice);
@@ -188,13 +184,13 @@ HWY_EXPORT(choose_levels);
 } // namespace
 
 void choose_levels_batch(const TextureUnit& unit,
-                         const ProjectedBatch& coordinates,
+                         const LevelInputs& inputs,
                          unsigned quad_count,
                          SamplingBatch& out) {
     out.all_of = ~0u;
     out.any_of = 0;
     out.max_probes = 1;
-    HWY_DYNAMIC_DISPATCH(choose_levels)(unit, coordinates, grouped_quads(quad_count), out);
+    HWY_DYNAMIC_DISPATCH(choose_levels)(unit, inputs, grouped_quads(quad_count), out);
 }
 
 } // namespace ffgpu

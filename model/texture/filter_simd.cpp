@@ -8,7 +8,7 @@
 // Highway's order of includes.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "model/texture/filter_batch.cpp"
+#define HWY_TARGET_INCLUDE "model/texture/filter_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 #if HWY_TARGET != HWY_SCALAR

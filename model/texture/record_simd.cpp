@@ -1,4 +1,4 @@
-// The work stream's side of filter_batch.cpp: wraps the same coordinates again, but reads nothing.
+// The work stream's side of filter_simd.cpp: wraps the same coordinates again, but reads nothing.
 // Apart from the filter, so that sampling without a work stream pays nothing for it.
 
 #include "model/texture/sampling_batch.h"
@@ -9,7 +9,7 @@
 // Highway's order of includes.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "model/texture/record_batch.cpp"
+#define HWY_TARGET_INCLUDE "model/texture/record_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 #include "model/texture/axis-inl.h"
