@@ -1,6 +1,6 @@
 #include "tests/system/trace_run.h"
 
-#include "model/gpu/command_reader.h"
+#include "model/device/command_reader.h"
 #include "model/gpu/functional_gpu.h"
 #include "model/timing/gpu_timing.h"
 #include "tools/replay/frame_image.h"
@@ -53,13 +53,11 @@ public:
         CommandReader reader(commands.words);
         while (reader.next()) {
             CommandStream one;
-            if (static_cast<Opcode>(reader.opcode()) == Opcode::Draw && halves_) {
+            if (reader.opcode() == Opcode::Draw && halves_) {
                 draw_halves(reader.command<DrawCommand>());
                 continue;
             }
-            const auto words = reader.payload();
-            one.words.push_back(CommandStream::header(static_cast<Opcode>(reader.opcode()),
-                                                      static_cast<std::uint32_t>(words.size())));
+            const auto words = reader.whole();
             one.words.insert(one.words.end(), words.begin(), words.end());
             pass(one);
         }
