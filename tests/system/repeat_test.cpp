@@ -159,7 +159,7 @@ TEST_CASE("The statistics of many frames wait in a file, and are whole") {
         add(number);
     CHECK(resident_bytes() <= before + Margin);
     std::stringstream text;
-    report.write(text);
+    report.write([&text](std::string_view part) { text << part; });
     const auto json = nlohmann::ordered_json::parse(text.str());
     CHECK(json.dump(1) + "\n" == text.str());
     REQUIRE(json["frames"].size() == 50);
