@@ -28,9 +28,8 @@ void load_depths(const FragmentPipe& pipe,
     });
 }
 
-StencilDepthFates depth_test(const FragmentPipe& pipe,
-                             unsigned sample,
-                             const FragmentBatch& batch) {
+StencilDepthFates
+depth_test(const FragmentPipe& pipe, unsigned sample, const FragmentBatch& batch) {
     return pipe.stages->test_depth_target(
         pipe.stencil_depth, pipe.depth_target.plane(sample), batch, pipe.memory);
 }
@@ -57,8 +56,7 @@ void load_colors(const FragmentPipe& pipe,
                  const FragmentBatch& batch,
                  probed::Lanes<std::uint32_t>& colors) {
     for_lanes(batch.live, batch, [&](unsigned lane, LanePosition at) {
-        colors[lane] =
-            load_rgba8(plane.format, pixel_address(plane, pipe.memory, at.x, at.y));
+        colors[lane] = load_rgba8(plane.format, pixel_address(plane, pipe.memory, at.x, at.y));
     });
 }
 
@@ -73,11 +71,9 @@ void tell_color_write(const FragmentPipe& pipe,
     const bool blends = pipe.color_stage.operation == ColorOperation::Blend;
     for_lanes(batch.live, batch, [&](unsigned lane, LanePosition) {
         const PixelColor source = lane_color(batch.color, lane);
-        told.blended[lane] =
-            pack_rgba8(blends ? blend(pipe.color_stage.state,
-                                      source,
-                                      unpack_rgba8(told.destination[lane]))
-                              : source);
+        told.blended[lane] = pack_rgba8(
+            blends ? blend(pipe.color_stage.state, source, unpack_rgba8(told.destination[lane]))
+                   : source);
     });
     pipe.stages->write_color(pipe.color_stage, plane, batch, pipe.memory);
     load_colors(pipe, plane.surface, batch, told.stored);

@@ -1,4 +1,5 @@
-// What the fragment pipe tells a stage probe. Without one (a null tap) the functions are the stages.
+// What the fragment pipe tells a stage probe. Without one (a null tap) the functions are the
+// stages.
 
 #pragma once
 

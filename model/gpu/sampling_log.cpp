@@ -16,10 +16,8 @@ probed::Sampling SamplingLog::run(const TextureUnit& unit,
     probes_.clear();
     levels_.clear();
     sample_scalar(unit, coordinates, quads, colors_, nullptr, this);
-    return {.coordinates = &coordinates,
-            .quads = quads_,
-            .probes = probes_,
-            .level_filters = levels_};
+    return {
+        .coordinates = &coordinates, .quads = quads_, .probes = probes_, .level_filters = levels_};
 }
 
 void SamplingLog::quad(unsigned quad, const QuadSampling& sampling) {

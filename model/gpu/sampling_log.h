@@ -13,9 +13,8 @@ class SamplingLog final : private TexelObserver {
 public:
     // Samples the batch's live fragments once more, by the specification. What is told lives until
     // the next call.
-    probed::Sampling run(const TextureUnit& unit,
-                         const TexCoordPlanes& coordinates,
-                         const SampleQuads& quads);
+    probed::Sampling
+    run(const TextureUnit& unit, const TexCoordPlanes& coordinates, const SampleQuads& quads);
 
 private:
     void quad(unsigned quad, const QuadSampling& sampling) override;

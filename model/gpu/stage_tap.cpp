@@ -19,8 +19,8 @@ void for_each_lane(std::span<const probed::Run> runs, const FragmentBatch& batch
 }
 
 // As the interpolator has it before w.
-double plane_value(
-    const SetupRecord& record, const AttributePlane& plane, unsigned lane, int x, int y) {
+double
+plane_value(const SetupRecord& record, const AttributePlane& plane, unsigned lane, int x, int y) {
     return double{plane.scale} * plane.at(x - record.x_reference, y - record.y_reference, lane);
 }
 
@@ -55,9 +55,7 @@ void StageTap::perspective(const PerspectivePlanes& planes) {
     tap_.probe.perspective(tap_.batch, perspective_);
 }
 
-void StageTap::plane_values(int first,
-                            unsigned count,
-                            std::span<probed::Lanes<double>> out) const {
+void StageTap::plane_values(int first, unsigned count, std::span<probed::Lanes<double>> out) const {
     if (first < 0) return;
     for_each_lane(runs_, batch_, [&](const SetupRecord& record, unsigned lane, int x, int y) {
         for (unsigned i = 0; i < count; ++i)

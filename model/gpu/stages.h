@@ -1,6 +1,6 @@
-// Stages: the functions that the functional GPU is made of, in the order of the block diagram. There
-// are two tables of them, wired in stages.cpp: the fast forms, and the scalar specifications, which
-// draw the same frames bit for bit. What a stage does is in the header of its unit.
+// Stages: the functions that the functional GPU is made of, in the order of the block diagram.
+// There are two tables of them, wired in stages.cpp: the fast forms, and the scalar specifications,
+// which draw the same frames bit for bit. What a stage does is in the header of its unit.
 //
 // What has one form is not here, and runs in both: fetch, assembly, clipping and set-up; stipple,
 // batches of quads, images' fragments; the sample mask; clears and copies.
@@ -49,11 +49,8 @@ struct Stages {
                                    TexCoordPlanes&);
 
     // Cube face, level of detail, addressing, texels, filter.
-    void (*sample)(const TextureUnit&,
-                   TexCoordPlanes&,
-                   const SampleQuads&,
-                   ColorPlanes&,
-                   TexelFootprints*);
+    void (*sample)(
+        const TextureUnit&, TexCoordPlanes&, const SampleQuads&, ColorPlanes&, TexelFootprints*);
 
     const FragmentStages* fragment;
 };

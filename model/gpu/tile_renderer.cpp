@@ -217,8 +217,7 @@ void TileRenderer::sample_unit(unsigned unit, const FragmentMask& covered) {
         footprints->unit = static_cast<std::uint8_t>(unit);
     }
     const SampleQuads quads{batch_.quad_count, covered, batch_.live};
-    stages_.sample(
-        pixels_->textures[unit], coordinates_, quads, batch_.texture[unit], footprints);
+    stages_.sample(pixels_->textures[unit], coordinates_, quads, batch_.texture[unit], footprints);
     if (tap_) tap_->sampling(pixels_->textures[unit], unit, coordinates_, quads);
 }
 

@@ -6,11 +6,12 @@
 // come when a bin is carried out: tile after tile in row order from the lower left, in a tile batch
 // after batch in the order of the commands, of a batch the stages in the order they have below (the
 // fragment pipe's for each sample in turn). With a probe attached the tiles are carried out on one
-// thread, that of the caller of the GPU: calls never overlap, and their order does not depend on the
-// number of threads. Batches do depend on the tile size; no value of a fragment does.
+// thread, that of the caller of the GPU: calls never overlap, and their order does not depend on
+// the number of threads. Batches do depend on the tile size; no value of a fragment does.
 //
-// A call's arguments live until it returns. Values stand at lanes: lane 4 q + i is fragment i of the
-// batch's quad q. Lanes that are not live hold what the stage made of them, which may be nothing.
+// A call's arguments live until it returns. Values stand at lanes: lane 4 q + i is fragment i of
+// the batch's quad q. Lanes that are not live hold what the stage made of them, which may be
+// nothing.
 //
 // Stages that a batch does not pass are not called: a test that is off, texture units that are not
 // sampled, everything behind early depth where nobody is left.
@@ -39,7 +40,8 @@ using Lanes = std::array<T, BatchFragments>;
 
 using Rgba = std::array<std::uint8_t, 4>; // 0 .. 255
 
-// --- Whose values ---------------------------------------------------------------------------------
+// --- Whose values
+// ---------------------------------------------------------------------------------
 
 // The quads of one primitive: from first_quad on, up to the next run's.
 struct Run {
@@ -51,7 +53,7 @@ struct Batch {
     std::uint32_t draw = 0; // PrimitiveKey::draw
     std::uint32_t frame = 0;
     const Registers* registers = nullptr;
-    std::span<const Run> runs{}; // Of drawn pixels none: they have no primitives.
+    std::span<const Run> runs{};              // Of drawn pixels none: they have no primitives.
     const FragmentBatch* fragments = nullptr; // as it is behind the stage
 };
 
@@ -74,7 +76,8 @@ inline Key key_of(const Batch& batch, unsigned lane) {
             static_cast<std::uint16_t>(lane)};
 }
 
-// --- Set-up, coverage, interpolation --------------------------------------------------------------
+// --- Set-up, coverage, interpolation
+// --------------------------------------------------------------
 
 struct SetUp {
     std::uint32_t draw = 0, frame = 0;
@@ -108,8 +111,9 @@ struct TexCoords {
     const TexCoordPlanes* result = nullptr;
 };
 
-// --- The texture unit -----------------------------------------------------------------------------
-// Of live lanes. All of it is the scalar specification's account of the stage.
+// --- The texture unit
+// ----------------------------------------------------------------------------- Of live lanes. All
+// of it is the scalar specification's account of the stage.
 
 // What a quad chose; its fragments share it.
 struct QuadLevels {
@@ -150,11 +154,11 @@ struct LevelFilter {
 // One probe of one fragment.
 struct Probe {
     std::uint16_t lane = 0;
-    std::uint8_t probe = 0; // from 0
-    std::uint8_t face = 0;  // of a cube map
+    std::uint8_t probe = 0;             // from 0
+    std::uint8_t face = 0;              // of a cube map
     std::array<float, 3> coordinates{}; // s t r after the division (cube maps: on the face)
-    std::uint16_t level_filter = 0;     // its first one; the next level's follows if it has a weight
-    Rgba color{};                       // of both levels
+    std::uint16_t level_filter = 0; // its first one; the next level's follows if it has a weight
+    Rgba color{};                   // of both levels
 };
 
 // A fragment's colour is the mean of its probes'.
@@ -167,7 +171,8 @@ struct Sampling {
     const ColorPlanes* result = nullptr;          // what the stage gave
 };
 
-// --- The fragment pipe ----------------------------------------------------------------------------
+// --- The fragment pipe
+// ----------------------------------------------------------------------------
 
 struct Environment {
     unsigned unit = 0;
@@ -192,14 +197,14 @@ struct StencilDepth {
     Lanes<std::uint8_t> stored_stencil, new_stencil;
 };
 
-// Of one sample's plane of one colour target, for the lanes of `written`; rgba8 with red lowest. The
-// source is fragments->color.
+// Of one sample's plane of one colour target, for the lanes of `written`; rgba8 with red lowest.
+// The source is fragments->color.
 struct ColorWrite {
     unsigned target = 0, sample = 0;
     FragmentMask written;
     Lanes<std::uint32_t> destination; // as it reads before
-    Lanes<std::uint32_t> blended;     // before write mask, logic operation and the target's precision
-    Lanes<std::uint32_t> stored;      // as it reads afterwards
+    Lanes<std::uint32_t> blended; // before write mask, logic operation and the target's precision
+    Lanes<std::uint32_t> stored;  // as it reads afterwards
 };
 
 } // namespace probed

@@ -9,8 +9,7 @@ BlockMask smooth_block_scalar(const SetupRecord& record, int x, int y, BlockAnti
     SmoothBlock block(record, x, y, coverage);
     const bool circle = record.coverage == CoverageKind::SmoothPoint;
     const AreaPolygon polygon =
-        circle ? AreaPolygon{}
-               : make_area_polygon({record.corners.data(), record.edge_count});
+        circle ? AreaPolygon{} : make_area_polygon({record.corners.data(), record.edge_count});
     for (int py = block.area.y0; py < block.area.y1; ++py) {
         RowAreas areas;
         row_areas_scalar(polygon, x, py, areas);

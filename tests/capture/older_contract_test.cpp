@@ -75,8 +75,7 @@ std::vector<std::uint32_t> repack(std::span<const std::uint32_t> words,
             for (unsigned i = 0; i < to.elements(); ++i) {
                 std::uint32_t value = bits_at(words, from, i);
                 if (from.type == FieldEntry::Type::Enumeration) {
-                    const auto& name =
-                        find_enumeration(contract, from.enumeration)->values[value];
+                    const auto& name = find_enumeration(contract, from.enumeration)->values[value];
                     const auto& values = find_enumeration(other, to.enumeration)->values;
                     value = static_cast<std::uint32_t>(std::ranges::find(values, name) -
                                                        values.begin());
@@ -280,7 +279,8 @@ TEST_CASE("A capture with every register, field and enumerator elsewhere draws t
 
 TEST_CASE("A capture from before a register, a field and an enumerator were added draws the same") {
     Description other = describe_contract();
-    std::erase_if(other.registers, [](const PackedEntry& reg) { return reg.name == "multisample"; });
+    std::erase_if(other.registers,
+                  [](const PackedEntry& reg) { return reg.name == "multisample"; });
     std::erase_if(find(other.registers, "fog").fields,
                   [](const FieldEntry& field) { return field.name == "start"; });
     for (EnumerationEntry& entry : other.enumerations)
@@ -322,9 +322,14 @@ Extra write_field(Description contract,
 // The newer release: fog_volume, and a field of fog.
 Description newer_contract() {
     Description other = describe_contract();
-    other.registers.push_back({"fog_volume", 200, 1, 1, {{.name = "depth", .enumeration = {}, .width = 8, .resets = {9}}}});
+    other.registers.push_back({"fog_volume",
+                               200,
+                               1,
+                               1,
+                               {{.name = "depth", .enumeration = {}, .width = 8, .resets = {9}}}});
     PackedEntry& fog = find(other.registers, "fog");
-    fog.fields.push_back({.name = "height", .enumeration = {}, .word = fog.words++, .width = 8, .resets = {4}});
+    fog.fields.push_back(
+        {.name = "height", .enumeration = {}, .word = fog.words++, .width = 8, .resets = {4}});
     for (EnumerationEntry& entry : other.enumerations)
         if (entry.name == "LogicOp") entry.values.insert(entry.values.begin() + 3, "Swap");
     field_of(find(other.registers, "blend"), "logic_op").resets = {4}; // Copy
@@ -343,8 +348,9 @@ TEST_CASE("What a newer release has is left out at its reset value and named at 
     CHECK_THAT(complaint(other, writes(8)),
                Contains("fog_volume.depth holds 8") && Contains("chunk at byte") &&
                    Contains("command stream, word 0"));
-    CHECK_THAT(complaint(other, [](OtherRecorder& recorder) { recorder.submit_words({77u << 24}); }),
-               Contains("no command flood"));
+    CHECK_THAT(
+        complaint(other, [](OtherRecorder& recorder) { recorder.submit_words({77u << 24}); }),
+        Contains("no command flood"));
 
     CHECK(complaint(other, write_field(other, "fog", "height", 4)).empty());
     CHECK_THAT(complaint(other, write_field(other, "fog", "height", 5)),

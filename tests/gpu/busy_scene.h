@@ -18,7 +18,8 @@ struct BusyPicture {
 
 inline PrimitiveType vary_busily(Registers& registers, int draw) {
     registers.fragment.color_sum = draw % 7 == 2;
-    registers.current.values[static_cast<unsigned>(Attribute::SecondaryColor)] = {0.3f, 0.1f, 0.4f, 0};
+    registers.current.values[static_cast<unsigned>(Attribute::SecondaryColor)] = {
+        0.3f, 0.1f, 0.4f, 0};
     registers.fog.mode = static_cast<FogMode>(draw % 4);
     registers.fog.color = 0x80c0ff;
     registers.fog.density = 0.7f;

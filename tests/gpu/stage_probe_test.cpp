@@ -249,10 +249,18 @@ TEST_CASE("the probe tells each stage's values of a fragment as calculated by ha
     scene.draw(PrimitiveType::Quads, receding_quad());
     scene.gpu.finish();
 
-    CHECK(told.order == std::vector<std::string>{"coverage", "depth", "perspective", "colors",
-                                                 "tex_coords", "sampling", "environment",
-                                                 "color_sum", "fog", "alpha_test",
-                                                 "stencil_depth", "color_write"});
+    CHECK(told.order == std::vector<std::string>{"coverage",
+                                                 "depth",
+                                                 "perspective",
+                                                 "colors",
+                                                 "tex_coords",
+                                                 "sampling",
+                                                 "environment",
+                                                 "color_sum",
+                                                 "fog",
+                                                 "alpha_test",
+                                                 "stencil_depth",
+                                                 "color_write"});
     CHECK(told.records == 2); // two triangles
     CHECK(told.empty == 0);
     CHECK(told.inside_disagrees == 0);
@@ -305,7 +313,7 @@ TEST_CASE("the probe tells each stage's values of a fragment as calculated by ha
     CHECK(told.previous == told.primary);
     CHECK(told.combined == Color{111, 128, 0, 128});
     CHECK(told.summed == Color{175, 128, 128, 128});
-    CHECK(told.fog_factor == 191);                    // 3/4 of 255
+    CHECK(told.fog_factor == 191);                   // 3/4 of 255
     CHECK(told.fogged == Color{134, 101, 103, 128}); // (191 c + 64 fog) / 255
     CHECK(told.before_alpha);
     CHECK(told.after_alpha);
@@ -342,8 +350,8 @@ TEST_CASE("the probe tells edges, the early test, and where a fragment ends") {
     CHECK(told.order == std::vector<std::string>{"coverage", "depth", "stencil_depth"});
     CHECK(told.first_vertex.x == 0);
     CHECK(told.key.draw == 1);
-    // a X + b Y + floor((E(0, 0) - t) / 256) with sides of 4096: the lower and the left one own their
-    // boundary; the slanted one, E(0, 0) = 2^24 - 2^20, does not.
+    // a X + b Y + floor((E(0, 0) - t) / 256) with sides of 4096: the lower and the left one own
+    // their boundary; the slanted one, E(0, 0) = 2^24 - 2^20, does not.
     std::multiset<std::int64_t> edges(told.edges.begin(), told.edges.begin() + 3);
     CHECK(edges == std::multiset<std::int64_t>{
                        4096 * 3 + 2048, 4096 * 5 + 2048, (1 << 16) - 4096 - 1 - 4096 * 8});
@@ -369,9 +377,9 @@ TEST_CASE("the probe tells area coverage and its product with alpha") {
                 {right, 1, 0, 1, 1, 1, 1, 0.8f, 0, 0}});
     scene.gpu.finish();
     CHECK(told.order == std::vector<std::string>{"coverage", "colors", "antialias", "color_write"});
-    CHECK(told.covered == 64);      // 255 / 4
+    CHECK(told.covered == 64);       // 255 / 4
     CHECK(told.alpha_before == 204); // 255 * 0.8
-    CHECK(told.alpha_after == 51);  // 204 * 64 / 255
+    CHECK(told.alpha_after == 51);   // 204 * 64 / 255
 }
 
 TEST_CASE("the probe tells samples before and behind the sample mask, and each sample's write") {

@@ -137,8 +137,8 @@ TEST_CASE("The files that run the pipe call no fast form by its name") {
     std::set<std::string> fast =
         functions_of_table(text_of(model / "gpu/stages.cpp"), "FastStages");
     REQUIRE(fast.size() == 10);
-    fast.merge(functions_of_table(text_of(model / "fragment/fragment_stages.cpp"),
-                                  "FastFragmentStages"));
+    fast.merge(
+        functions_of_table(text_of(model / "fragment/fragment_stages.cpp"), "FastFragmentStages"));
     REQUIRE(fast.size() == 17);
     std::vector<fs::path> files{model / "fragment/fragment_pipe.cpp",
                                 model / "fragment/sample_pipe.cpp"};
