@@ -56,6 +56,7 @@ private:
     void record(const FragmentMask& covered,
                 const FragmentMask& after_early_depth,
                 const FragmentFates& fates);
+    void record_pieces(WorkBatch& work) const;
     const ProbeTap* pipe_tap() const { return tap_ ? &tap_->pipe() : nullptr; }
     bool multisampled() const { return pixels_->pipe.samples > 1; }
 

@@ -65,6 +65,10 @@ struct SetupRecord {
     std::array<std::uint8_t, 4> color{}, secondary{}; // r g b a, 0 .. 255
     std::uint32_t key = 0;                            // PrimitiveKey::primitive
 
+    // How many primitives with this key came to set-up before: clipped pieces, the triangles of a
+    // polygon, the lines or points of its outline.
+    std::uint32_t piece = 0;
+
     int x_reference = 0, y_reference = 0;
     std::array<std::uint8_t, MaxEdges> edge_fractions; // Samples: ExactEdge::fraction
     DepthPlane depth;

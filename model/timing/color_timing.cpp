@@ -23,7 +23,7 @@ bool ColorTiming::look_up(Activity& reason) {
     }
     const QuadToken& token = ports_.quads_in.front();
     const PreparedDraw& draw = token.draw();
-    const auto lines = token.bin->color_lines(token.quad());
+    const auto lines = token.scene->work.color_lines(token.quad());
     if (draw.writes_color && !lines.empty()) {
         if (!ports_.cache.can_look_up()) {
             blame(reason, Activity::StalledRequests);
@@ -44,7 +44,7 @@ bool ColorTiming::retire(Activity& reason) {
     }
     const QuadToken token = parked_.pop();
     on_retire_(token, now());
-    ++token.bin->retired_quads;
+    ++token.scene->retired_quads;
     in_flight_.leave();
     return true;
 }

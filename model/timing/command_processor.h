@@ -9,8 +9,10 @@
 #include "model/timing/line_cache.h"
 #include "model/timing/tokens.h"
 #include "model/timing/unit.h"
+#include "model/work/machine_order.h"
 
 #include <deque>
+#include <variant>
 
 namespace ffgpu::timing {
 
@@ -28,25 +30,22 @@ public:
                      const Clock& clock,
                      const TimingConfig& config,
                      const Ports& ports,
-                     AddressMap& addresses,
                      InFlight& in_flight,
                      InFlight& memory_in_flight);
 
     // The host's side; called while the simulation is paused.
-    void enqueue(PreparedBin& bin);
+    void enqueue(TimedScene& scene);
+    void enqueue(work::PreparedTransfer&& transfer);
     void enqueue_frame_end();
     // Nothing is left to read: the clock must not go on without the host.
     bool starves() const { return commands_.empty() && transfers_.empty(); }
 
 private:
-    struct Command {
-        DrawToken draw; // bin null: the end of a frame
-    };
+    struct FrameEnd {};
+    using Command = std::variant<DrawToken, work::PreparedTransfer, FrameEnd>;
     // Lines still to be written (clear, copy) or read (copy).
     struct Transfer {
-        std::uint64_t line = 0, end = 0;
-        std::uint32_t line_bytes = 64;
-        bool write = true;
+        work::LineRange lines;
         Client client = Client::Command;
     };
 
@@ -54,20 +53,15 @@ private:
     bool may_sleep() const override {
         return false;
     } // The clock stops where there is nothing to do.
-    Activity draw(const Command& command);
-    Activity wait_then(const Command& command);
-    Activity transfer();
+    Activity draw(const DrawToken& draw);
+    // The pipe is empty.
+    Activity begin(const work::PreparedTransfer& transfer);
+    Activity end_frame();
+    Activity move_line();
     void write_back(LineCache& cache);
-    void begin_clear(const WorkDraw& work);
-    void begin_copy(const WorkDraw& work);
-    void add_transfer(const PlacedLevel& surface,
-                      std::uint64_t pixels,
-                      std::uint32_t line_bytes,
-                      bool write);
 
     const TimingConfig& config_;
     const Ports ports_;
-    AddressMap& addresses_;
     InFlight& in_flight_;
     InFlight& memory_in_flight_;
     bool written_back_ = false; // at the end of a frame: only the memory has to finish
@@ -75,7 +69,6 @@ private:
     std::deque<Transfer> transfers_;
     std::uint32_t decode_cycles_left_ = 0;
     bool decoding_ = false;
-    std::uint32_t last_draw_number_ = ~0u;
 };
 
 } // namespace ffgpu::timing

@@ -21,8 +21,9 @@ bool LineCache::can_look_up() const {
 
 std::uint64_t LineCache::lookup(std::uint64_t number, bool write, bool fetch, bool& missed) {
     ++statistics_.accesses;
+    using work::MissKind;
     const MissKind kind = classifier_.access(number);
-    if (TagArray::Line* line = tags_.find(number)) {
+    if (work::TagArray::Line* line = tags_.find(number)) {
         ++statistics_.hits;
         line->dirty |= write;
         missed = false;
@@ -35,15 +36,15 @@ std::uint64_t LineCache::lookup(std::uint64_t number, bool write, bool fetch, bo
        : kind == MissKind::Capacity ? statistics_.capacity
                                     : statistics_.conflict);
 
-    const TagArray::Line evicted = tags_.victim(number);
-    if (evicted.number != TagArray::Line::Empty && evicted.dirty) {
+    const work::TagArray::Line evicted = tags_.victim(number);
+    if (evicted.number != work::TagArray::Line::Empty && evicted.dirty) {
         statistics_.written_bytes += config_.line_bytes;
         requests_.push({.address = evicted.number * config_.line_bytes,
                         .bytes = config_.line_bytes,
                         .write = true,
                         .client = client_});
     }
-    TagArray::Line& line = tags_.replace(number);
+    work::TagArray::Line& line = tags_.replace(number);
     line.dirty = write;
     if (!fetch) {
         ++statistics_.without_fetch;
@@ -73,8 +74,8 @@ void LineCache::complete(std::uint64_t ticket) {
 
 std::vector<std::uint64_t> LineCache::flush() {
     std::vector<std::uint64_t> dirty;
-    for (TagArray::Line& line : tags_.lines()) {
-        if (line.number != TagArray::Line::Empty && line.dirty) dirty.push_back(line.number);
+    for (work::TagArray::Line& line : tags_.lines()) {
+        if (line.number != work::TagArray::Line::Empty && line.dirty) dirty.push_back(line.number);
         line = {};
     }
     statistics_.written_bytes += dirty.size() * config_.line_bytes;
@@ -82,8 +83,8 @@ std::vector<std::uint64_t> LineCache::flush() {
 }
 
 void LineCache::discard(std::uint64_t begin, std::uint64_t end) {
-    for (TagArray::Line& line : tags_.lines()) {
-        if (line.number == TagArray::Line::Empty) continue;
+    for (work::TagArray::Line& line : tags_.lines()) {
+        if (line.number == work::TagArray::Line::Empty) continue;
         const std::uint64_t address = line.number * config_.line_bytes;
         if (address + config_.line_bytes > begin && address < end) line = {};
     }

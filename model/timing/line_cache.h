@@ -9,9 +9,9 @@
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
 #include "model/timing/memory_request.h"
-#include "model/timing/miss_classifier.h"
+#include "model/work/miss_classifier.h"
 #include "model/timing/request_port.h"
-#include "model/timing/tag_array.h"
+#include "model/work/tag_array.h"
 
 #include <deque>
 #include <string>
@@ -83,8 +83,8 @@ private:
     const CacheConfig config_;
     Client client_;
     RequestPort& requests_;
-    TagArray tags_;
-    MissClassifier classifier_;
+    work::TagArray tags_;
+    work::MissClassifier classifier_;
     CacheStatistics statistics_;
 
     // Fills are numbered from 1; they may come back in any order and count in theirs (the reorder

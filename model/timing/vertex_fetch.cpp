@@ -33,8 +33,8 @@ bool VertexFetch::issue(Activity& reason) {
         reason = Activity::StalledMemory;
         return false;
     }
-    const GeometryWork& work = draw_.prepared().work.geometry;
-    if (work.vertices.empty()) { // An image, or the rest of a split draw: passes as one token.
+    const GeometryWork& work = draw_.prepared().geometry;
+    if (work.vertices.empty()) { // An image: passes as one token.
         waiting_.push_back({{draw_, 0, false}, 0});
         in_draw_ = false;
         return true;

@@ -3,9 +3,11 @@
 
 #include "model/timing/account.h"
 #include "model/timing/gpu_timing.h"
+#include "model/work/command_assembler.h"
 #include "tests/timing/analytic_scenes.h"
 
 #include <map>
+#include <memory>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -17,8 +19,9 @@ using Figures = std::map<std::string, std::uint64_t>;
 
 Figures run(const TimingConfig& config, const WorkBin& bin, std::uint32_t evaluation_order = 0) {
     GpuTiming timing(config, evaluation_order);
-    timing.bin(bin);
-    timing.end_frame(0);
+    work::CommandAssembler assembler(timing);
+    assembler.bin(std::make_shared<const WorkBin>(bin));
+    assembler.end_frame(0);
     Figures figures;
     for (const StatisticsGroup* group : timing.statistics()) {
         for (const Counter& counter : group->counters())
