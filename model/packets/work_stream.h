@@ -36,6 +36,8 @@ struct WorkQuad {
     // Multisampled targets: bit 4 i + s for sample s of lane i.
     std::uint16_t samples_covered = 0;
     std::uint16_t samples_written = 0; // passed all tests
+
+    bool operator==(const WorkQuad&) const = default;
 };
 
 // A batch of one tile. Quads are in the order of the primitives.

@@ -64,7 +64,6 @@ struct SetupRecord {
     std::uint8_t divided_units = 0; // A bit a texture unit whose q is not 1 at every vertex.
     std::array<std::uint8_t, 4> color{}, secondary{}; // r g b a, 0 .. 255
     std::uint32_t key = 0;                            // PrimitiveKey::primitive
-
     // How many primitives with this key came to set-up before: clipped pieces, the triangles of a
     // polygon, the lines or points of its outline.
     std::uint32_t piece = 0;
