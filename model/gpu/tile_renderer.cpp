@@ -300,7 +300,8 @@ void TileRenderer::record(const FragmentMask& covered,
 void TileRenderer::record_pieces(WorkBatch& work) const {
     const std::span<const BatchRun> runs = collector_.runs();
     for (std::size_t run = 0; run < runs.size(); ++run) {
-        const std::size_t end = run + 1 < runs.size() ? runs[run + 1].first_quad : work.quads.size();
+        const std::size_t end =
+            run + 1 < runs.size() ? runs[run + 1].first_quad : work.quads.size();
         for (std::size_t q = runs[run].first_quad; q < end; ++q)
             work.quads[q].piece = runs[run].record->piece;
     }

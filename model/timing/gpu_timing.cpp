@@ -26,7 +26,7 @@ namespace ffgpu::timing {
 namespace {
 
 constexpr std::size_t RequestQueue = 16;
-constexpr std::size_t ResponseQueue = 256; // and as many as a cache may have outstanding
+constexpr std::size_t ResponseQueue = 256;   // and as many as a cache may have outstanding
 constexpr std::size_t MostWaiting = 1 << 14; // quads that are prepared before they are run
 
 class FrameStatistics : public StatisticsGroup {
@@ -80,7 +80,8 @@ public:
         , command_responses(clock, ResponseQueue)
         , vertex_port(
               "vertex_cache", clock, vertex_cache(config.vertex), Client::Vertex, memory_in_flight)
-        , texel_port("texel_cache", clock, config.texel_cache.cache(), Client::Texture, memory_in_flight)
+        , texel_port(
+              "texel_cache", clock, config.texel_cache.cache(), Client::Texture, memory_in_flight)
         , depth_port("depth_cache", clock, config.depth_cache, Client::Depth, memory_in_flight)
         , color_port("color_cache", clock, config.color_cache, Client::Color, memory_in_flight)
         , draws(clock, 4)

@@ -9,8 +9,8 @@
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
 #include "model/timing/memory_request.h"
-#include "model/work/miss_classifier.h"
 #include "model/timing/request_port.h"
+#include "model/work/miss_classifier.h"
 #include "model/work/tag_array.h"
 
 #include <deque>

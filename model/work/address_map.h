@@ -1,6 +1,6 @@
-// AddressMap: gives textures and surfaces their places in the explored machine's address space, in the
-// layouts of the configuration. Places are handed out in the order of first use and never reused; a
-// texture level that the driver writes again gets a new place, so that its next reads are
+// AddressMap: gives textures and surfaces their places in the explored machine's address space, in
+// the layouts of the configuration. Places are handed out in the order of first use and never
+// reused; a texture level that the driver writes again gets a new place, so that its next reads are
 // compulsory misses, as they are on a real bus.
 
 #pragma once

@@ -65,11 +65,11 @@ std::vector<Source> in_canonical_order(const std::vector<const WorkBatch*>& batc
     for (std::uint32_t batch = 0; batch < batches.size(); ++batch)
         for (std::uint32_t q = 0; q < batches[batch]->quads.size(); ++q) {
             const WorkQuad& quad = batches[batch]->quads[q];
-            sources.push_back({.primitive_and_piece = std::uint64_t{quad.primitive} << 32 |
-                                                      quad.piece,
-                               .place = static_cast<std::uint32_t>(quad.y) << 16 | quad.x,
-                               .batch = batch,
-                               .quad = q});
+            sources.push_back(
+                {.primitive_and_piece = std::uint64_t{quad.primitive} << 32 | quad.piece,
+                 .place = static_cast<std::uint32_t>(quad.y) << 16 | quad.x,
+                 .batch = batch,
+                 .quad = q});
         }
     std::sort(sources.begin(), sources.end());
     if (is_image) {
@@ -119,7 +119,8 @@ std::shared_ptr<const WholeCommand> CommandAssembler::assemble(const WorkDraw& d
     indices.reserve(parts.batches.size());
     for (const WorkBatch* const batch : parts.batches)
         indices.emplace_back(*batch);
-    const std::vector<Source> sources = in_canonical_order(parts.batches, draw.kind == WorkKind::Image);
+    const std::vector<Source> sources =
+        in_canonical_order(parts.batches, draw.kind == WorkKind::Image);
     whole->quads.reserve(sources.size());
     for (const Source& source : sources) {
         const WorkBatch& batch = *parts.batches[source.batch];

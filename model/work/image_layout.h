@@ -1,6 +1,7 @@
-// Where an element (a texel, a compressed block, a pixel) of an image lies in the explored machine's
-// memory: linear, in blocks, or in blocks inside superblocks ("6-D blocking"), after Z. Hakura and
-// A. Gupta, The Design and Analysis of a Cache Architecture for Texture Mapping, ISCA 1997.
+// Where an element (a texel, a compressed block, a pixel) of an image lies in the explored
+// machine's memory: linear, in blocks, or in blocks inside superblocks ("6-D blocking"), after Z.
+// Hakura and A. Gupta, The Design and Analysis of a Cache Architecture for Texture Mapping, ISCA
+// 1997.
 //
 // These are properties of the machine explored, not of the functional GPU's memory.
 

@@ -12,10 +12,8 @@ bool overlap(std::uint64_t a, std::uint64_t a_bytes, std::uint64_t b, std::uint6
 
 // The lines that `pixels` of a surface take, from its beginning: which lines does not matter, how
 // many does.
-LineRange lines_of(const PlacedLevel& surface,
-                   std::uint64_t pixels,
-                   std::uint32_t line_bytes,
-                   bool write) {
+LineRange
+lines_of(const PlacedLevel& surface, std::uint64_t pixels, std::uint32_t line_bytes, bool write) {
     const std::uint64_t bytes =
         std::min(pixels * surface.layout.element_bytes, surface.layer_bytes);
     const std::uint64_t first = surface.base / line_bytes;

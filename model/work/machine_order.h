@@ -27,7 +27,7 @@ struct LineRange {
 
 // Lines of a cache that are not to be written back: their bytes are overwritten.
 struct Discard {
-    bool depth = false; // of the depth cache; else of the colour cache
+    bool depth = false;               // of the depth cache; else of the colour cache
     std::uint64_t begin = 0, end = 0; // bytes
 };
 
@@ -71,7 +71,7 @@ private:
     const WorkConfig config_;
     MachineSink& out_;
     AddressMap addresses_;
-    PreparedScene scene_;  // tile-based: what was gathered
+    PreparedScene scene_;   // tile-based: what was gathered
     Targets scene_targets_; // of its draws
 };
 

@@ -65,8 +65,8 @@ private:
             if (target.format == Format::None) continue;
             const Blend& blend = state.blend;
             draw_.writes_color = blend.write_mask != 0;
-            draw_.reads_color = draw_.writes_color && (blend.enable || blend.logic_op_enable ||
-                                                       blend.write_mask != 0xf);
+            draw_.reads_color = draw_.writes_color &&
+                                (blend.enable || blend.logic_op_enable || blend.write_mask != 0xf);
             places_.colors.push_back(&addresses.surface(target, config_.color_cache));
         }
     }
@@ -102,8 +102,8 @@ private:
                           .after_early_depth = from.after_early_depth,
                           .after_stencil = from.after_stencil,
                           .after_depth = from.after_depth};
-        quad.new_tile = starts_tile(
-            config_.raster, out_.quads.empty() ? nullptr : &out_.quads.back(), quad);
+        quad.new_tile =
+            starts_tile(config_.raster, out_.quads.empty() ? nullptr : &out_.quads.back(), quad);
         add_target_lines(quad);
         add_texel_lines(number, quad);
         out_.quads.push_back(quad);
@@ -204,11 +204,10 @@ void append(const WholeCommand& command,
 }
 
 void sort_by_screen_bins(const RasterOrder& raster, PreparedScene& scene) {
-    std::stable_sort(scene.quads.begin(),
-                     scene.quads.end(),
-                     [&](const PreparedQuad& a, const PreparedQuad& b) {
-                         return screen_bin(raster, a.x, a.y) < screen_bin(raster, b.x, b.y);
-                     });
+    std::stable_sort(
+        scene.quads.begin(), scene.quads.end(), [&](const PreparedQuad& a, const PreparedQuad& b) {
+            return screen_bin(raster, a.x, a.y) < screen_bin(raster, b.x, b.y);
+        });
     const PreparedQuad* before = nullptr;
     for (PreparedQuad& quad : scene.quads) {
         quad.new_tile = starts_tile(raster, before, quad);

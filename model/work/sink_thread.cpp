@@ -58,9 +58,8 @@ void SinkThread::post(std::function<void()> job) {
 // One job fits always, however heavy it is.
 void SinkThread::push(Job job) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] {
-        return failed_ || jobs_.empty() || weight_ + job.weight <= MostWeight;
-    });
+    changed_.wait(lock,
+                  [&] { return failed_ || jobs_.empty() || weight_ + job.weight <= MostWeight; });
     if (failed_) return;
     weight_ += job.weight;
     jobs_.push_back(std::move(job));

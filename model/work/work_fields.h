@@ -29,10 +29,10 @@ void for_each_field(Object& object, Visit&& visit) {
             });
         });
     } else {
-        std::remove_cv_t<Object>::visit(
-            object, [&](const char* name, auto& field, unsigned width = 32) {
-                visit("command", name, field, width);
-            });
+        std::remove_cv_t<Object>::visit(object,
+                                        [&](const char* name, auto& field, unsigned width = 32) {
+                                            visit("command", name, field, width);
+                                        });
     }
 }
 

@@ -30,7 +30,15 @@ inline constexpr std::size_t BlockBytes = std::size_t{1} << 20;    // A block en
 inline constexpr std::size_t MaxBlockBytes = std::size_t{8} << 20; // an item is far smaller.
 
 // What an item of a block is; the first byte of it in Column::Control.
-enum class Item : std::uint8_t { Command, Vertex, Quad, HostTransfer, FrameEnd, FrameFigures, Count };
+enum class Item : std::uint8_t {
+    Command,
+    Vertex,
+    Quad,
+    HostTransfer,
+    FrameEnd,
+    FrameFigures,
+    Count
+};
 
 enum class Column : std::uint8_t {
     Control,   // items but quads, and their numbers

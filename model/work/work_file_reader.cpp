@@ -23,7 +23,8 @@ std::uint16_t moved(std::uint16_t from, std::int64_t by) {
 // `from + by`, in units of two pixels.
 std::uint16_t quad_place(std::int64_t from, std::int64_t by) {
     const std::int64_t place = from + by;
-    if (place < 0 || place > MaxSurfaceSize / 2) throw DamagedItem("a quad lies outside any surface");
+    if (place < 0 || place > MaxSurfaceSize / 2)
+        throw DamagedItem("a quad lies outside any surface");
     return static_cast<std::uint16_t>(2 * place);
 }
 
@@ -194,8 +195,7 @@ void WorkFileReader::read_state(WorkDraw& draw) {
 void WorkFileReader::read_geometry(GeometryWork& geometry) {
     GeometryWork::for_each_number(geometry, [this](auto& value) {
         using Value = std::remove_reference_t<decltype(value)>;
-        value = static_cast<Value>(
-            in_.number(Column::Control, std::numeric_limits<Value>::max()));
+        value = static_cast<Value>(in_.number(Column::Control, std::numeric_limits<Value>::max()));
     });
     const std::uint64_t count = in_.number(Column::Control, Most32);
     std::uint32_t last = ~0u;
@@ -217,6 +217,7 @@ void WorkFileReader::read_quad(WholeCommand& command) {
         quad_place(before.x / 2 + (quad.y == before.y ? 1 : 0), in_.difference(Column::Column));
     quad.covered = static_cast<std::uint8_t>(in_.number(Column::Covered, 0xf));
     read_masks(quad);
+    read_samples(quad);
     if (!command.quads.empty() && !comes_before(before, quad))
         throw DamagedItem("quads are not in their order");
     command.quads.push_back(quad);
@@ -224,9 +225,7 @@ void WorkFileReader::read_quad(WholeCommand& command) {
 }
 
 void WorkFileReader::read_masks(WorkQuad& quad) {
-    const auto mask = [this] {
-        return static_cast<std::uint8_t>(in_.number(Column::Fate, 0xf));
-    };
+    const auto mask = [this] { return static_cast<std::uint8_t>(in_.number(Column::Fate, 0xf)); };
     switch (static_cast<QuadFate>(in_.byte(Column::Fate))) {
     case QuadFate::AllWritten:
         set_masks(quad, quad.covered, quad.covered);
@@ -249,6 +248,9 @@ void WorkFileReader::read_masks(WorkQuad& quad) {
     default:
         throw DamagedItem("there is no such fate of a quad");
     }
+}
+
+void WorkFileReader::read_samples(WorkQuad& quad) {
     switch (static_cast<SampleFate>(in_.byte(Column::Samples))) {
     case SampleFate::None:
         break;
@@ -293,8 +295,8 @@ TexelAccess WorkFileReader::read_access() {
         access.x1 = moved(access.x1, in_.difference(Column::Rare));
         access.y1 = moved(access.y1, in_.difference(Column::Rare));
         access.layer0 = moved(access.layer0, in_.difference(Column::Rare));
-        access.layer1 = moved(moved(access.layer0, access.linear >> 2),
-                              in_.difference(Column::Rare));
+        access.layer1 =
+            moved(moved(access.layer0, access.linear >> 2), in_.difference(Column::Rare));
     } else {
         access.layer1 = moved(access.layer0, access.linear >> 2);
     }

@@ -45,6 +45,7 @@ private:
     void read_geometry(GeometryWork& geometry);
     void read_quad(WholeCommand& command);
     void read_masks(WorkQuad& quad);
+    void read_samples(WorkQuad& quad);
     void read_accesses(WholeCommand& command);
     TexelAccess read_access();
     FrameFigures read_figures();

@@ -26,6 +26,8 @@ WorkFileWriter::WorkFileWriter(const std::string& path)
     : path_(path)
     , file_(std::fopen(path.c_str(), "wb")) {
     if (!file_) throw InputError(path + ": cannot be written: " + std::strerror(errno));
+    // Nothing waits in the process, that a forked child could write a second time.
+    std::setvbuf(file_.get(), nullptr, _IONBF, 0);
     write_bytes(WorkFileMagic.data(), WorkFileMagic.size());
     write_bytes(&WorkFileVersion, sizeof WorkFileVersion);
     field_values(Registers{}, state_values_);
@@ -130,15 +132,13 @@ void WorkFileWriter::write_state(const std::shared_ptr<const Registers>& state) 
 }
 
 void WorkFileWriter::write_geometry(const GeometryWork& geometry) {
-    GeometryWork::for_each_number(geometry, [this](const auto& value) {
-        columns_.number(Column::Control, value);
-    });
+    GeometryWork::for_each_number(
+        geometry, [this](const auto& value) { columns_.number(Column::Control, value); });
     columns_.number(Column::Control, geometry.vertices.size());
     std::uint32_t last = ~0u; // The first step from here to 0 is 1.
     for (const std::uint32_t vertex : geometry.vertices) {
         begin_item(Item::Vertex);
-        columns_.difference(Column::Vertex,
-                            static_cast<std::int32_t>(vertex - last - 1u));
+        columns_.difference(Column::Vertex, static_cast<std::int32_t>(vertex - last - 1u));
         last = vertex;
     }
 }
@@ -157,8 +157,7 @@ void WorkFileWriter::write_quad(const WholeCommand& command, std::size_t number)
     const std::uint32_t piece = quad.primitive == before.primitive ? before.piece : 0;
     columns_.number(Column::Piece, quad.piece - piece);
     columns_.difference(Column::Row, quad.y / 2 - before.y / 2);
-    columns_.difference(Column::Column,
-                        quad.x / 2 - before.x / 2 - (quad.y == before.y ? 1 : 0));
+    columns_.difference(Column::Column, quad.x / 2 - before.x / 2 - (quad.y == before.y ? 1 : 0));
     columns_.byte(Column::Covered, quad.covered);
     write_fate(quad);
     write_accesses(command, number);

@@ -6,9 +6,9 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/system/trace_run.h"
 #include "tools/frames/frame_source.h"
+#include "tools/record/work_fan_out.h"
 #include "tools/report/heat_maps.h"
 #include "tools/report/statistics_report.h"
-#include "tools/record/work_fan_out.h"
 
 #include <cstdlib>
 #include <fstream>

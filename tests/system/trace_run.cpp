@@ -4,9 +4,9 @@
 #include "model/gpu/functional_gpu.h"
 #include "model/timing/gpu_timing.h"
 #include "model/work/command_assembler.h"
-#include "tools/report/frame_image.h"
 #include "tools/frames/frame_source.h"
 #include "tools/record/work_fan_out.h"
+#include "tools/report/frame_image.h"
 
 #include <algorithm>
 #include <cstdlib>

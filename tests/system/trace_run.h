@@ -4,8 +4,8 @@
 #pragma once
 
 #include "model/timing/config.h"
-#include "tools/image/image.h"
 #include "tools/frames/frame_range.h"
+#include "tools/image/image.h"
 
 #include <cstddef>
 #include <cstdint>

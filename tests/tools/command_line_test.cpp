@@ -5,8 +5,8 @@
 #include "tests/trace/trace_writer.h"
 #include "tools/commands/command_line.h"
 #include "tools/config/config_file.h"
-#include "tools/image/compare_images.h"
 #include "tools/frames/frame_range.h"
+#include "tools/image/compare_images.h"
 #include "tools/replay/replay.h"
 
 #include <cmath>

@@ -61,15 +61,21 @@ struct Machine {
     void draw(std::uint16_t x = 0, std::uint16_t y = 0, bool textured = false) {
         auto command = std::make_shared<WholeCommand>();
         command->draw.state = std::make_shared<const Registers>(registers);
-        command->quads.push_back({.primitive = 0, .x = x, .y = y, .covered = 1,
-                                  .after_early_depth = 1, .after_coverage = 1, .after_alpha = 1,
-                                  .after_stencil = 1, .after_depth = 1});
+        command->quads.push_back({.primitive = 0,
+                                  .x = x,
+                                  .y = y,
+                                  .covered = 1,
+                                  .after_early_depth = 1,
+                                  .after_coverage = 1,
+                                  .after_alpha = 1,
+                                  .after_stencil = 1,
+                                  .after_depth = 1});
         if (textured) {
             command->units = {0};
             command->accesses = {TexelAccess{}};
         }
-        command->access_begin = textured ? std::vector<std::uint32_t>{0, 1}
-                                         : std::vector<std::uint32_t>{0};
+        command->access_begin =
+            textured ? std::vector<std::uint32_t>{0, 1} : std::vector<std::uint32_t>{0};
         order.command(std::move(command));
     }
     void whole(WorkKind kind) {

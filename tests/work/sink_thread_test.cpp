@@ -1,8 +1,7 @@
 // The reader's thread: order, failures, an end in the middle.
 
-#include "model/work/sink_thread.h"
-
 #include "model/base/input_error.h"
+#include "model/work/sink_thread.h"
 
 #include <string>
 #include <vector>

@@ -60,9 +60,9 @@ std::set<FragmentKey> names_of(const CommandList& list, bool samples) {
         for (const WorkQuad& quad : command->quads)
             for (unsigned lane = 0; lane < 4; ++lane)
                 for (unsigned sample = 0; sample < (samples ? MaxSamples : 1); ++sample) {
-                    const bool is_there = samples
-                                              ? (quad.samples_covered >> (4 * lane + sample) & 1) != 0
-                                              : (quad.covered >> lane & 1) != 0;
+                    const bool is_there =
+                        samples ? (quad.samples_covered >> (4 * lane + sample) & 1) != 0
+                                : (quad.covered >> lane & 1) != 0;
                     if (!is_there) continue;
                     REQUIRE(names
                                 .insert({command->draw.number,
@@ -97,9 +97,16 @@ TEST_CASE("A key names one fragment, and a sample's key one sample") {
 }
 
 TEST_CASE("A sequence holds piece, row, column, lane and sample apart") {
-    const WorkQuad quad{.primitive = 9, .piece = 5, .x = 6, .y = 4, .covered = 15,
-                        .after_early_depth = 15, .after_coverage = 15, .after_alpha = 15,
-                        .after_stencil = 15, .after_depth = 15};
+    const WorkQuad quad{.primitive = 9,
+                        .piece = 5,
+                        .x = 6,
+                        .y = 4,
+                        .covered = 15,
+                        .after_early_depth = 15,
+                        .after_coverage = 15,
+                        .after_alpha = 15,
+                        .after_stencil = 15,
+                        .after_depth = 15};
     CHECK(fragment_sequence(quad, 2, 3) == (5ull << 32 | 2ull << 17 | 3ull << 4 | 2ull << 2 | 3));
 }
 

@@ -71,7 +71,10 @@ TEST_CASE("A command larger than a block, with accesses of any kind, is read aga
     whole->units = {1, 6};
     for (std::uint32_t i = 0; i < 60000; ++i) {
         const auto bits = random();
-        whole->quads.push_back({.primitive = i / 7, .piece = i % 7, .x = 20, .y = 40,
+        whole->quads.push_back({.primitive = i / 7,
+                                .piece = i % 7,
+                                .x = 20,
+                                .y = 40,
                                 .covered = static_cast<std::uint8_t>(bits & 15),
                                 .after_early_depth = static_cast<std::uint8_t>(bits >> 4 & 15),
                                 .after_coverage = static_cast<std::uint8_t>(bits >> 8 & 15),
@@ -86,8 +89,12 @@ TEST_CASE("A command larger than a block, with accesses of any kind, is read aga
                 access.lane = static_cast<std::uint16_t>(lane);
                 access.level = static_cast<std::uint8_t>(random() % 12);
                 access.linear = static_cast<std::uint8_t>(random() % 8);
-                for (std::uint16_t* const value : {&access.x0, &access.x1, &access.y0, &access.y1,
-                                                   &access.layer0, &access.layer1})
+                for (std::uint16_t* const value : {&access.x0,
+                                                   &access.x1,
+                                                   &access.y0,
+                                                   &access.y1,
+                                                   &access.layer0,
+                                                   &access.layer1})
                     *value = static_cast<std::uint16_t>(random());
                 whole->accesses.push_back(access);
             }
@@ -104,7 +111,10 @@ TEST_CASE("A command larger than a block, with accesses of any kind, is read aga
 }
 
 TEST_CASE("A frame's figures are read again") {
-    const FrameFigures figures{.number = 7, .width = 640, .height = 480, .api_calls = 1234567890123,
+    const FrameFigures figures{.number = 7,
+                               .width = 640,
+                               .height = 480,
+                               .api_calls = 1234567890123,
                                .functional = {{"draws", 3}, {"fragments_written", ~0ull}}};
     const TemporaryFile file("", ".ffw");
     WorkFileWriter writer(file.path());
@@ -160,7 +170,8 @@ TEST_CASE("A block that claims to be large is refused before memory is taken for
     const std::uint32_t large = 0xfffffff0;
     std::string raw = bytes, packed = bytes;
     std::memcpy(raw.data() + 12 + offsetof(BlockHeader, raw_bytes), &large, 4);
-    CHECK_THAT(complaint(raw), Contains("byte 12: the block is damaged: it cannot be of 4294967280"));
+    CHECK_THAT(complaint(raw),
+               Contains("byte 12: the block is damaged: it cannot be of 4294967280"));
     std::memcpy(packed.data() + 12 + offsetof(BlockHeader, packed_bytes), &large, 4);
     CHECK_THAT(complaint(packed), Contains("byte 12: the block is cut off or damaged"));
 }

@@ -1,19 +1,20 @@
 // Recording: the GPU, and all that looks at the frames drawn on it: pictures, heat maps, statistics
-// with or without the timing model, a capture, a work file. Replays and live programs draw on its device.
+// with or without the timing model, a capture, a work file. Replays and live programs draw on its
+// device.
 
 #pragma once
 
 #include "model/capture/capture_writer.h"
 #include "model/gpu/functional_gpu.h"
 #include "tools/config/configuration.h"
-#include "tools/image/image_writer.h"
-#include "tools/frames/frame_range.h"
 #include "tools/frames/frame.h"
-#include "tools/report/heat_maps.h"
-#include "tools/report/statistics_report.h"
+#include "tools/frames/frame_range.h"
+#include "tools/image/image_writer.h"
 #include "tools/record/work_fan_out.h"
 #include "tools/record/work_pipeline.h"
 #include "tools/report/counter_changes.h"
+#include "tools/report/heat_maps.h"
+#include "tools/report/statistics_report.h"
 
 #include <memory>
 #include <optional>

@@ -36,8 +36,9 @@ void make_absolute(std::string& path) {
 } // namespace
 
 bool RecordingArguments::any() const {
-    return !output.empty() || !capture.empty() || !save_work.empty() || !config.empty() || !settings.empty() ||
-           !frames.empty() || !heat_maps.empty() || threads || timing || no_images || reference;
+    return !output.empty() || !capture.empty() || !save_work.empty() || !config.empty() ||
+           !settings.empty() || !frames.empty() || !heat_maps.empty() || threads || timing ||
+           no_images || reference;
 }
 
 void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {

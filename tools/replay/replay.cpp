@@ -1,9 +1,9 @@
 #include "tools/replay/replay.h"
 
 #include "model/base/input_error.h"
-#include "tools/record/recording.h"
 #include "tools/frames/frame_source.h"
 #include "tools/frames/progress.h"
+#include "tools/record/recording.h"
 
 #include <chrono>
 #include <memory>
