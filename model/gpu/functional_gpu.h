@@ -36,7 +36,7 @@ public:
         unsigned threads = 1;    // that carry out tiles, the caller's included
         unsigned tile_size = 64; // pixels: a multiple of 8 from 16 to 128
         std::uint64_t memory_bytes = DeviceMemory::DefaultBytes;
-        const Stages* stages = &FastStages; // or &ReferenceStages: the same frames
+        const Stages* stages = &FastStages;             // or &ReferenceStages: the same frames
         std::size_t bin_bytes = std::size_t{512} << 10; // of records: they stay in a level-2 cache
     };
 
