@@ -28,7 +28,10 @@ public:
     void perspective(const PerspectivePlanes& planes);
     void colors(const InterpolantLayout& layout);
     void tex_coords(const InterpolantLayout& layout, unsigned unit, const TexCoordPlanes& result);
-    void sampling(const TextureUnit& texture, unsigned unit, const TexCoordPlanes& coordinates);
+    void sampling(const TextureUnit& texture,
+                  unsigned unit,
+                  const TexCoordPlanes& coordinates,
+                  const SampleQuads& quads);
 
     // For the fragment pipe.
     const ProbeTap& pipe() const { return tap_; }

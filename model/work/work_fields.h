@@ -24,13 +24,13 @@ void for_each_field(Object& object, Visit&& visit) {
     if constexpr (std::is_same_v<std::remove_cv_t<Object>, Registers>) {
         Registers::visit(object, [&](auto& reg) {
             using Register = std::remove_cvref_t<decltype(reg)>;
-            Register::visit(reg, [&](const char* name, auto& field, unsigned width = 32) {
+            Register::visit(reg, [&](FieldName name, auto& field, unsigned width = 32) {
                 visit(Register::Name, name, field, width);
             });
         });
     } else {
         std::remove_cv_t<Object>::visit(object,
-                                        [&](const char* name, auto& field, unsigned width = 32) {
+                                        [&](FieldName name, auto& field, unsigned width = 32) {
                                             visit("command", name, field, width);
                                         });
     }
@@ -42,8 +42,8 @@ std::vector<std::string> field_names() {
     std::vector<std::string> names;
     std::map<std::string, unsigned> seen;
     const Object object{};
-    for_each_field(object, [&](const char* owner, const char* name, const auto&, unsigned) {
-        std::string full = std::string(owner) + '.' + name;
+    for_each_field(object, [&](const char* owner, FieldName name, const auto&, unsigned) {
+        std::string full = std::string(owner) + '.' + name.text();
         const unsigned before = seen[full]++;
         names.push_back(before == 0 ? full : full + '#' + std::to_string(before));
     });
@@ -53,7 +53,7 @@ std::vector<std::string> field_names() {
 template <class Object>
 void field_values(const Object& object, FieldValues& values) {
     values.clear();
-    for_each_field(object, [&](const char*, const char*, const auto& field, unsigned) {
+    for_each_field(object, [&](const char*, FieldName, const auto& field, unsigned) {
         values.push_back(field_bits(field));
     });
 }
@@ -61,7 +61,7 @@ void field_values(const Object& object, FieldValues& values) {
 template <class Object>
 void set_fields(std::span<const std::uint32_t> values, Object& object) {
     std::size_t at = 0;
-    for_each_field(object, [&](const char*, const char*, auto& field, unsigned width) {
+    for_each_field(object, [&](const char*, FieldName, auto& field, unsigned width) {
         using Field = std::remove_reference_t<decltype(field)>;
         const std::uint32_t bits = values[at++] & ~std::uint32_t{0} >> (32 - width);
         if constexpr (std::is_same_v<Field, float>) {
