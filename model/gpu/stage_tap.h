@@ -28,10 +28,7 @@ public:
     void perspective(const PerspectivePlanes& planes);
     void colors(const InterpolantLayout& layout);
     void tex_coords(const InterpolantLayout& layout, unsigned unit, const TexCoordPlanes& result);
-    void sampling(const TextureUnit& texture,
-                  unsigned unit,
-                  const TexCoordPlanes& coordinates,
-                  const SampleQuads& quads);
+    void sampling(const TextureUnit& texture, unsigned unit, const TexCoordPlanes& coordinates);
 
     // For the fragment pipe.
     const ProbeTap& pipe() const { return tap_; }
