@@ -91,20 +91,20 @@ void gather_values(const PlaneVertices& v,
                    const InterpolantLayout& layout,
                    const std::array<double, 3>& k,
                    VertexValues& values) {
+    const auto place = [](int first) { return first < 0 ? ~0u : static_cast<unsigned>(first); };
+    const unsigned color = place(layout.color), secondary = place(layout.secondary);
+    const unsigned count = layout.count;
     for (unsigned j = 0; j < 3; ++j) {
-        std::array<double, VertexValues::Capacity>& to = values.of[j];
-        for (unsigned i = 0; i < layout.count; ++i)
-            to[i] = static_cast<double>(v[j]->attributes[i]);
-        const auto scale = [&](int first, int count) {
-            for (int i = first; first >= 0 && i < first + count; ++i)
-                to[static_cast<unsigned>(i)] *= 255;
-        };
-        scale(layout.color, 4);
-        scale(layout.secondary, 3);
+        double* const to = values.of[j].data();
+        const float* const from = v[j]->attributes.data();
         // A k of 1 is exact: one loop serves planes with and without perspective.
-        for (unsigned i = 0; i < layout.count; ++i)
-            to[i] *= k[j];
-        std::fill_n(to.begin() + layout.count, 4, k[j]);
+        for (unsigned i = 0; i < count; ++i) {
+            const bool is_color =
+                (i >= color && i - color < 4) || (i >= secondary && i - secondary < 3);
+            to[i] = static_cast<double>(from[i]) * (is_color ? 255.0 : 1.0) * k[j];
+        }
+        for (unsigned i = count; i < count + 4; ++i)
+            to[i] = k[j];
     }
 }
 

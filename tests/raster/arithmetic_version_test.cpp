@@ -102,7 +102,8 @@ std::uint64_t seal_of_this_build() {
             each.attributes[8] = n % 2 ? 1.0f : 0.5f + random.unit();
         }
         if (!buffer.triangle(setup, v[0], v[1], v[2])) continue;
-        seal_batch(random, buffer.record(), compile_texture_unit({shape, 0}, sampler, texels), seal);
+        seal_batch(
+            random, buffer.record(), compile_texture_unit({shape, 0}, sampler, texels), seal);
     }
     return seal.hash;
 }
