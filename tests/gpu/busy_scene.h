@@ -35,6 +35,8 @@ inline PrimitiveType vary_busily(Registers& registers, int draw) {
     registers.primitive.line_width = 3;
     registers.primitive.point_size = 9;
     registers.samplers[0].minify_linear = registers.samplers[0].magnify_linear = draw % 3 == 0;
+    if (registers.images[0].shape.kind != TextureKind::None)
+        registers.images[0].shape.kind = draw % 6 == 4 ? TextureKind::Cube : TextureKind::TwoD;
     registers.multisample.alpha_to_coverage = draw % 10 == 3;
     return draw % 11 == 5   ? PrimitiveType::Points
            : draw % 11 == 7 ? PrimitiveType::Lines

@@ -68,8 +68,9 @@ void for_each_stage(Visit&& visit) {
     visit.template operator()<&Stages::interpolate_perspective>();
     visit.template operator()<&Stages::interpolate_colors>();
     visit.template operator()<&Stages::interpolate_tex_coords>();
+    visit.template operator()<&Stages::interpolate_directions>();
     visit.template operator()<&Stages::sample>();
-    static_assert(sizeof(Stages) == 11 * sizeof(void*), "ten stages and the fragment's table");
+    static_assert(sizeof(Stages) == 12 * sizeof(void*), "eleven stages and the fragment's table");
     visit.template operator()<&FragmentStages::run_environment>();
     visit.template operator()<&FragmentStages::add_secondary>();
     visit.template operator()<&FragmentStages::apply_fog>();
@@ -136,10 +137,10 @@ TEST_CASE("The files that run the pipe call no fast form by its name") {
     const fs::path model = fs::path(FFGPU_SOURCE_DIR) / "model";
     std::set<std::string> fast =
         functions_of_table(text_of(model / "gpu/stages.cpp"), "FastStages");
-    REQUIRE(fast.size() == 10);
+    REQUIRE(fast.size() == 11);
     fast.merge(
         functions_of_table(text_of(model / "fragment/fragment_stages.cpp"), "FastFragmentStages"));
-    REQUIRE(fast.size() == 17);
+    REQUIRE(fast.size() == 18);
     std::vector<fs::path> files{model / "fragment/fragment_pipe.cpp",
                                 model / "fragment/sample_pipe.cpp"};
     for (const char* folder : {"gpu", "geometry"})
