@@ -57,6 +57,7 @@ def costs(stats):
             "fragments": functional["fragments_written"],
             "cycles_per_fragment": timing["total_cycles"] / fragments,
             "texel_reads_per_fragment": timing["texture_texel_reads"] / fragments,
+            "texel_reads_per_pixel": timing["texture_texel_reads"] / stats["totals"]["pixels"],
             "hit_rate": timing["texel_cache_hits"] / accesses if accesses else None,
             "bytes": traffic,
             "texture_bytes": timing["memory_texture_read_bytes"]}
@@ -96,7 +97,7 @@ class Gallery:
         return measured(output_of(self.offscreen, "--compare", picture, name).strip())
 
     def collect(self):
-        """Everything that the page tells of each technique."""
+        """Everything that the page tells of each technique, and of each filter of the strip."""
         found = self.on_oracles("-o", self.folder / "pictures")
         broken = self.on_oracles("--break")
         techniques = self.techniques()
@@ -104,7 +105,7 @@ class Gallery:
             timed = pool.map(lambda t: self.timed(t["name"], display), techniques)
             mesa = pool.map(lambda t: self.on_mesa(t["name"], display), techniques)
             for technique, cost, witness in zip(techniques, timed, mesa):
-                technique.update(found=found[technique["name"]], broken=broken[technique["name"]], cost=cost,
+                technique.update(found=found[technique["name"]], broken=broken.get(technique["name"]), cost=cost,
                                  mesa=witness)
                 print(f"{technique['row']:4} {technique['name']:28} {cost['cycles']:9} cycles, rms "
                       f"{technique['found']['rms']:.2f}", flush=True)
@@ -114,9 +115,10 @@ class Gallery:
             oracle = pictures.read_ppm(f"{base}_oracle.ppm")
             technique["pictures"] = [pictures.png(drawn), pictures.png(oracle),
                                      pictures.png(pictures.difference(drawn, oracle))]
-            source = ROOT / "tests" / "gallery" / "programs" / f"{technique['name']}.cpp"
-            technique["source"] = source.read_text()
-        return techniques
+            name = "filter_strip" if technique["row"].startswith("F") else technique["name"]
+            technique["source"] = (ROOT / "tests" / "gallery" / "programs" / f"{name}.cpp").read_text()
+        return ([t for t in techniques if t["row"].startswith("T")],
+                [t for t in techniques if t["row"].startswith("F")])
 
 
 def main():
@@ -125,9 +127,9 @@ def main():
     parser.add_argument("-o", dest="folder", type=pathlib.Path, default=ROOT / "out" / "gallery")
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
-    techniques = Gallery(arguments.build.resolve(), arguments.folder.resolve()).collect()
+    techniques, strip = Gallery(arguments.build.resolve(), arguments.folder.resolve()).collect()
     path = arguments.folder / "gallery.html"
-    path.write_text(page.write(techniques))
+    path.write_text(page.write(techniques, strip))
     failed = [t["row"] for t in techniques if not t["found"]["holds"] or t["broken"]["holds"]]
     print(f"{path}: {len(techniques)} techniques, {path.stat().st_size / 1e6:.1f} MB; "
           f"{'all hold' if not failed else 'failed: ' + ' '.join(failed)}")

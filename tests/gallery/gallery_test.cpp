@@ -74,6 +74,18 @@ TEST_CASE("anisotropic probes are nearer to the area average than trilinear, mor
     CHECK(sixteen < four);
 }
 
+TEST_CASE("the better the filter, the nearer to the area average") {
+    double last = 256;
+    for (const Program& filter : filter_strip()) {
+        const double rms = difference(draw_offscreen(filter, false), claim_of(filter.row)).rms;
+        std::cout << filter.row << ' ' << filter.title << ": rms " << rms << '\n';
+        if (filter.row >= "F4" && filter.row <= "F8") { // from trilinear on
+            CHECK(rms < last);
+            last = rms;
+        }
+    }
+}
+
 // Pixels that differ between two panels of a grid.
 int differing(const Picture& picture, const Panel& a, const Panel& b) {
     int count = 0;

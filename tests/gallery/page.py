@@ -1,6 +1,7 @@
 """The gallery's page: one HTML file, pictures and sources within."""
 
 import html
+import math
 import pathlib
 import re
 import string
@@ -21,7 +22,7 @@ def highlighted(source):
 
 
 def number(value):
-    return f"{value:,.0f}".replace(",", " ")
+    return f"{value:,.0f}".replace(",", "\u202f")
 
 
 def hit_rate(cost):
@@ -73,7 +74,47 @@ def overview_row(technique):
             f'{html.escape(technique["title"])}</a></th>' + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>")
 
 
-def write(techniques):
+def chart(strip):
+    """Error over price, the price on a logarithmic scale; a point a filter."""
+    width, height, margin = 640, 300, 46
+    prices = [math.log(t["cost"]["cycles"]) for t in strip]
+    least, most = min(prices), max(prices)
+    most_error = 1.1 * max(t["found"]["rms"] for t in strip)
+    parts = [f'<svg viewBox="0 0 {width} {height}" role="img" aria-label="Error over cycles, a point a filter">'
+             f'<path class="axis" d="M{margin} 10V{height - margin}H{width - 10}"/>'
+             f'<text x="{width - 10}" y="{height - 28}" text-anchor="end">{number(math.exp(most))} cycles</text>'
+             f'<text x="{margin}" y="{height - 28}">{number(math.exp(least))} cycles</text>'
+             f'<text transform="translate({margin - 10} {height - margin}) rotate(-90)">rms error, up to '
+             f"{most_error / 1.1:.1f}</text>"]
+    for technique in strip:
+        x = margin + 20 + (width - margin - 70) * (math.log(technique["cost"]["cycles"]) - least) / (most - least)
+        y = height - margin - (height - margin - 10) * technique["found"]["rms"] / most_error
+        parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4"><title>{html.escape(technique["title"])}</title>'
+                     f'</circle><text x="{x + 7:.1f}" y="{y - 5:.1f}">{technique["row"]}</text>')
+    return "".join(parts) + "</svg>"
+
+
+def filter_section(strip):
+    """Quality against cost: the same floor with one filter after the other."""
+    head = "".join(f"<th scope=col>{what}</th>" for what in (
+        "filter", "rms from the area average", "cycles", "texel reads a pixel", "texel-cache hits", "KiB"))
+    rows = "".join(
+        f'<tr><th scope=row>{t["row"]} {html.escape(t["title"])}</th><td>{t["found"]["rms"]:.2f}</td>'
+        f'<td>{number(t["cost"]["cycles"])}</td><td>{t["cost"]["texel_reads_per_pixel"]:.2f}</td>'
+        f'<td>{hit_rate(t["cost"])}</td><td>{number(t["cost"]["bytes"] / 1024)}</td></tr>' for t in strip)
+    shown = [(f'{t["row"]} {t["title"]}', t["pictures"][0]) for t in strip]
+    shown.append(("the area average, 256 points a pixel", strip[0]["pictures"][1]))
+    figures_ = "".join(f'<figure><img src="{data}" width="320" height="240" alt="The floor: {html.escape(name)}">'
+                       f"<figcaption>{html.escape(name)}</figcaption></figure>" for name, data in shown)
+    return ('<section id="filters" tabindex="-1" aria-labelledby="filters-title"><h2 id="filters-title">'
+            '<a href="#filters">Filters</a> Quality against cost</h2><p>One floor at a grazing angle, drawn with '
+            "each filter; the error is the distance from the mean of each pixel's area.</p>" + chart(strip) +
+            f'<div class="scroll"><table class="numbers"><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>'
+            f'</div><div class="pictures">{figures_}</div><details><summary>programs/filter_strip.cpp</summary>'
+            f'<pre tabindex=0><code>{highlighted(strip[0]["source"])}</code></pre></details></section>')
+
+
+def write(techniques, strip):
     template = string.Template((FOLDER / "page.html").read_text())
     held = sum(t["found"]["holds"] and not t["broken"]["holds"] for t in techniques)
     return template.substitute(
@@ -82,4 +123,5 @@ def write(techniques):
         held=held,
         count=len(techniques),
         overview="".join(map(overview_row, techniques)),
+        filters=filter_section(strip),
         sections="".join(map(section, techniques)))

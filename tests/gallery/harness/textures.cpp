@@ -55,8 +55,19 @@ void set_filters(GLenum target, GLint minifying, GLint magnifying) {
 }
 
 void set_wrap(GLenum target, GLint mode) {
-    for (const GLenum direction : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-        glTexParameteri(target, direction, mode);
+    for (const auto direction : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        glTexParameteri(target, static_cast<GLenum>(direction), mode);
+}
+
+void coordinates_are_places() {
+    for (int i = 0; i < 4; ++i) {
+        GLfloat plane[4] = {};
+        plane[i] = 1;
+        const auto coordinate = static_cast<GLenum>(GL_S + i);
+        glTexGeni(coordinate, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
+        glTexGenfv(coordinate, GL_OBJECT_PLANE, plane);
+        glEnable(static_cast<GLenum>(GL_TEXTURE_GEN_S + i));
+    }
 }
 
 GLuint texture_2d(const Image& image, GLint filter) {

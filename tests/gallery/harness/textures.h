@@ -22,4 +22,7 @@ GLuint cube_map(const std::array<techniques::Texels, 6>& faces);
 void set_filters(GLenum target, GLint minifying, GLint magnifying);
 void set_wrap(GLenum target, GLint mode);
 
+// The coordinates (s, t, r, q) of the unit that is active are the vertex (x, y, z, w) itself.
+void coordinates_are_places();
+
 } // namespace ffgpu::gallery

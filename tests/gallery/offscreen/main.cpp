@@ -8,7 +8,6 @@
 #include "tests/gallery/offscreen/draw.h"
 #include "tests/gallery/offscreen/ppm.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -43,22 +42,19 @@ Options parse(const std::vector<std::string>& arguments) {
     return options;
 }
 
-std::size_t find(const std::string& name) {
-    const auto& all = programs();
-    const auto found = std::find_if(
-        all.begin(), all.end(), [&](const Program& program) { return program.name == name; });
-    if (found == all.end()) throw InputError("gallery: no program '" + name + "'; see --list");
-    return static_cast<std::size_t>(found - all.begin());
+const Program* find(const std::string& name) {
+    const Program* const program = find_program(name);
+    if (!program) throw InputError("gallery: no program '" + name + "'; see --list");
+    return program;
 }
 
 void print(std::string_view text, char end) {
     std::printf("%.*s%c", static_cast<int>(text.size()), text.data(), end);
 }
 
-void list() {
-    for (std::size_t i = 0; i < programs().size(); ++i) {
-        const Program& program = programs()[i];
-        const Claim& claim = claims()[i];
+void list(const std::vector<Program>& some) {
+    for (const Program& program : some) {
+        const Claim& claim = claim_of(program.row);
         for (const std::string_view text : {program.row,
                                             program.name,
                                             program.title,
@@ -70,20 +66,20 @@ void list() {
     }
 }
 
-void show(std::size_t i, const Options& options) {
-    const Program& program = programs()[i];
+void show(const Program& program, const Options& options) {
+    const Claim& claim = claim_of(program.row);
     const Picture picture = options.compared.empty() ? draw_offscreen(program, options.broken)
                                                      : read_ppm(options.compared);
-    const Difference found = difference(picture, claims()[i]);
-    std::printf("%s\t%s\t%.2f\t%.3f\t%.3f\t%d,%d\t%s\n",
-                std::string(program.row).c_str(),
-                std::string(program.name).c_str(),
+    const Difference found = difference(picture, claim);
+    print(program.row, '\t');
+    print(program.name, '\t');
+    std::printf("%.2f\t%.3f\t%.3f\t%d,%d\t%s\n",
                 found.worst,
                 found.rms,
                 found.rms_at_centres,
                 found.worst_x,
                 found.worst_y,
-                holds(found, claims()[i]) ? "holds" : "fails");
+                holds(found, claim) ? "holds" : "fails");
     if (options.folder.empty()) return;
     std::filesystem::create_directories(options.folder);
     const std::string path = options.folder + "/" + std::string(program.name);
@@ -93,16 +89,19 @@ void show(std::size_t i, const Options& options) {
 
 int run(const std::vector<std::string>& arguments) {
     const Options options = parse(arguments);
-    if (options.list) list();
-    std::vector<std::size_t> chosen;
-    for (const std::string& name : options.names)
-        chosen.push_back(find(name));
-    if (chosen.empty() && !options.list) {
-        for (std::size_t i = 0; i < programs().size(); ++i)
-            chosen.push_back(i);
+    if (options.list) {
+        list(programs());
+        list(filter_strip());
+        return 0;
     }
-    for (const std::size_t i : chosen)
-        show(i, options);
+    for (const std::string& name : options.names)
+        show(*find(name), options);
+    if (!options.names.empty()) return 0;
+    for (const Program& program : programs())
+        show(program, options);
+    if (options.broken) return 0;
+    for (const Program& program : filter_strip())
+        show(program, options);
     return 0;
 }
 

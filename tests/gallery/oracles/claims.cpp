@@ -34,4 +34,12 @@ const std::vector<Claim>& claims() {
     return all;
 }
 
+const Claim& claim_of(std::string_view row) {
+    static const Claim strip = filter_strip_claim();
+    for (const Claim& claim : claims()) {
+        if (claim.row == row) return claim;
+    }
+    return strip;
+}
+
 } // namespace ffgpu::gallery

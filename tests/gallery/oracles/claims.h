@@ -32,5 +32,6 @@ Claim solid_textures_claim();
 Claim baked_occlusion_claim();
 Claim lecture_snippets_claim();
 Claim gloss_map_claim();
+Claim filter_strip_claim();
 
 } // namespace ffgpu::gallery

@@ -33,5 +33,7 @@ struct Claim {
 };
 
 const std::vector<Claim>& claims();
+// Of a row of the textbook, or of the filters' strip.
+const Claim& claim_of(std::string_view row);
 
 } // namespace ffgpu::gallery

@@ -6,6 +6,8 @@
 #include "tests/gallery/harness/textures.h"
 #include "tests/gallery/programs/programs.h"
 
+#include <array>
+
 #include <glm/gtc/type_ptr.hpp>
 
 namespace ffgpu::gallery {
@@ -57,7 +59,7 @@ void cube_map_environment(const Scene& scene) {
     draw_surroundings();
 
     if (!scene.broken) turn_reflections_to_world();
-    for (const GLenum coordinate : {GL_S, GL_T, GL_R})
+    for (const auto coordinate : std::array<GLenum, 3>{GL_S, GL_T, GL_R})
         glTexGeni(coordinate, GL_TEXTURE_GEN_MODE, GL_REFLECTION_MAP);
     glEnable(GL_TEXTURE_GEN_S);
     glEnable(GL_TEXTURE_GEN_T);

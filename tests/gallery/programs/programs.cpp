@@ -34,4 +34,13 @@ const std::vector<Program>& programs() {
     return all;
 }
 
+const Program* find_program(std::string_view name) {
+    for (const auto* const list : {&programs(), &filter_strip()}) {
+        for (const Program& program : *list) {
+            if (program.name == name) return &program;
+        }
+    }
+    return nullptr;
+}
+
 } // namespace ffgpu::gallery

@@ -17,6 +17,10 @@ struct Program {
 };
 
 const std::vector<Program>& programs();
+// The same floor with one filter after the other; they do nothing wrong when told to.
+const std::vector<Program>& filter_strip();
+// Of either list; null: there is none of the name.
+const Program* find_program(std::string_view name);
 
 void texel_lookup(const Scene& scene);
 void wrap_modes(const Scene& scene);

@@ -20,25 +20,13 @@ const GLfloat Room[][4][3] = {
 const GLfloat Shades[][3] = {
     {0.3f, 0.3f, 0.33f}, {0.4f, 0.4f, 0.43f}, {0.22f, 0.2f, 0.2f}, {0.2f, 0.2f, 0.22f}};
 
-// The coordinates of the unit that is active are the place itself.
-void generate_places() {
-    for (int i = 0; i < 4; ++i) {
-        GLfloat plane[4] = {};
-        plane[i] = 1;
-        const auto coordinate = static_cast<GLenum>(GL_S + i);
-        glTexGeni(coordinate, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
-        glTexGenfv(coordinate, GL_OBJECT_PLANE, plane);
-        glEnable(static_cast<GLenum>(GL_TEXTURE_GEN_S + i));
-    }
-}
-
 void set_projector() {
     glActiveTexture(GL_TEXTURE0);
     texture_2d(slide(64));
     set_wrap(GL_TEXTURE_2D, GL_CLAMP_TO_BORDER); // whose colour is black
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_ADD);
     glEnable(GL_TEXTURE_2D);
-    generate_places();
+    coordinates_are_places();
     glMatrixMode(GL_TEXTURE);
     glTranslatef(0.5f, 0.5f, 0.5f);
     glScalef(0.5f, 0.5f, 0.5f);

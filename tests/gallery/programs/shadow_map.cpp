@@ -49,14 +49,7 @@ void make_shadow_map() {
 
 // Where a place of the world lies in the shadow map, and how deep: bias * P_light * V_light.
 void generate_map_coordinates() {
-    for (int i = 0; i < 4; ++i) {
-        GLfloat plane[4] = {};
-        plane[i] = 1;
-        const auto coordinate = static_cast<GLenum>(GL_S + i);
-        glTexGeni(coordinate, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
-        glTexGenfv(coordinate, GL_OBJECT_PLANE, plane);
-        glEnable(static_cast<GLenum>(GL_TEXTURE_GEN_S + i));
-    }
+    coordinates_are_places();
     glMatrixMode(GL_TEXTURE);
     glTranslatef(0.5f, 0.5f, 0.5f);
     glScalef(0.5f, 0.5f, 0.5f);

@@ -54,15 +54,8 @@ Texels clouds() {
 
 // (s, t, r) = the place, the cube from -1 to 1 becoming [0, 1]; the texture's box is turned by
 // `angle`.
-void coordinates_are_places(float angle) {
-    for (int i = 0; i < 3; ++i) {
-        GLfloat plane[4] = {};
-        plane[i] = 1;
-        const auto coordinate = static_cast<GLenum>(GL_S + i);
-        glTexGeni(coordinate, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
-        glTexGenfv(coordinate, GL_OBJECT_PLANE, plane);
-        glEnable(static_cast<GLenum>(GL_TEXTURE_GEN_S + i));
-    }
+void fill_box(float angle) {
+    coordinates_are_places();
     glMatrixMode(GL_TEXTURE);
     glLoadIdentity();
     glTranslatef(0.5f, 0.5f, 0.5f);
@@ -102,7 +95,7 @@ void solid_textures(const Scene& scene) {
 
     texture_3d(marble());
     set_wrap(GL_TEXTURE_3D, GL_CLAMP_TO_EDGE);
-    coordinates_are_places(0);
+    fill_box(0);
     look(panel(scene, 0, 2, 1));
     glEnable(GL_DEPTH_TEST);
     draw_mesh(sphere(0.97, 96, 48));
@@ -110,7 +103,7 @@ void solid_textures(const Scene& scene) {
 
     texture_3d(clouds());
     set_wrap(GL_TEXTURE_3D, GL_CLAMP_TO_EDGE);
-    coordinates_are_places(35);
+    fill_box(35);
     look(panel(scene, 1, 2, 1));
     draw_slices(scene.broken ? Slices / 2 : Slices);
 }

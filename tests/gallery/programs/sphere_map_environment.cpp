@@ -7,6 +7,8 @@
 #include "tests/gallery/harness/textures.h"
 #include "tests/gallery/programs/programs.h"
 
+#include <array>
+
 namespace ffgpu::gallery {
 namespace {
 
@@ -16,7 +18,7 @@ void draw_ball(const Panel& place, GLenum target, GLint mode) {
     gluPerspective(32, place.aspect(), 1, 20);
     glMatrixMode(GL_MODELVIEW);
     glTranslatef(0, 0, -4.2f);
-    for (const GLenum coordinate : {GL_S, GL_T, GL_R}) {
+    for (const auto coordinate : std::array<GLenum, 3>{GL_S, GL_T, GL_R}) {
         const bool three = target == GL_TEXTURE_CUBE_MAP || coordinate != GL_R;
         if (three) glTexGeni(coordinate, GL_TEXTURE_GEN_MODE, mode);
         const GLenum capability = GL_TEXTURE_GEN_S + (coordinate - GL_S);

@@ -13,6 +13,8 @@
 namespace ffgpu::gallery {
 namespace {
 
+constexpr int BadInput = 2;
+
 // A window of the scene's size with a context that is current. The process's end closes it.
 Display* open_window(const Scene& scene, Window& window) {
     Display* const display = XOpenDisplay(nullptr);
@@ -73,24 +75,24 @@ int run(const std::vector<std::string>& arguments) {
         else
             name = arguments[i];
     }
-    for (const Program& program : programs()) {
-        if (program.name != name) continue;
-        Window window = 0;
-        Display* const display = open_window(scene, window);
-        if (!display) {
-            std::fprintf(stderr, "gallery_window: no X server with OpenGL\n");
-            return 2;
-        }
-        program.draw(scene);
-        const bool saved = path.empty() || save(scene, path);
-        glXSwapBuffers(display, window);
-        glFinish();
-        const GLenum error = glGetError();
-        if (error != GL_NO_ERROR) std::fprintf(stderr, "GL error %x\n", error);
-        return error == GL_NO_ERROR && saved ? 0 : 1;
+    const Program* const program = find_program(name);
+    if (!program) {
+        std::fprintf(stderr, "gallery_window: no program '%s'\n", name.c_str());
+        return BadInput;
     }
-    std::fprintf(stderr, "gallery_window: no program '%s'\n", name.c_str());
-    return 2;
+    Window window = 0;
+    Display* const display = open_window(scene, window);
+    if (!display) {
+        std::fprintf(stderr, "gallery_window: no X server with OpenGL\n");
+        return BadInput;
+    }
+    program->draw(scene);
+    const bool saved = path.empty() || save(scene, path);
+    glXSwapBuffers(display, window);
+    glFinish();
+    const GLenum error = glGetError();
+    if (error != GL_NO_ERROR) std::fprintf(stderr, "GL error %x\n", error);
+    return error == GL_NO_ERROR && saved ? 0 : 1;
 }
 
 } // namespace

@@ -1,0 +1,72 @@
+// One floor at a grazing angle, once for each filter of the texture unit, and once by
+// supersampling: what quality costs.
+
+#include "tests/gallery/harness/floor.h"
+#include "tests/gallery/harness/textures.h"
+#include "tests/gallery/programs/programs.h"
+
+#include <array>
+
+namespace ffgpu::gallery {
+namespace {
+
+struct Filter {
+    GLint minifying;
+    GLfloat probes; // at most, along the long axis of the footprint
+    int samples;    // a side of the pixel's grid of samples
+};
+constexpr std::array Filters{
+    Filter{GL_NEAREST, 1, 1},
+    Filter{GL_LINEAR, 1, 1},
+    Filter{GL_LINEAR_MIPMAP_NEAREST, 1, 1},
+    Filter{GL_LINEAR_MIPMAP_LINEAR, 1, 1},
+    Filter{GL_LINEAR_MIPMAP_LINEAR, 2, 1},
+    Filter{GL_LINEAR_MIPMAP_LINEAR, 4, 1},
+    Filter{GL_LINEAR_MIPMAP_LINEAR, 8, 1},
+    Filter{GL_LINEAR_MIPMAP_LINEAR, 16, 1},
+    Filter{GL_LINEAR, 1, 4},
+};
+
+template <std::size_t Index>
+void draw_floor_with(const Scene& scene) {
+    constexpr Filter Chosen = Filters[Index];
+    const Image image = gravel(256, 5);
+    glEnable(GL_TEXTURE_2D);
+    texture_2d(image);
+    gluBuild2DMipmaps(
+        GL_TEXTURE_2D, GL_RGBA8, 256, 256, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+    set_filters(
+        GL_TEXTURE_2D, Chosen.minifying, Chosen.minifying == GL_NEAREST ? GL_NEAREST : GL_LINEAR);
+    if (Chosen.probes > 1)
+        glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, Chosen.probes);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+
+    constexpr int Count = Chosen.samples * Chosen.samples;
+    for (int i = 0; i < Count; ++i) {
+        const double x = (i % Chosen.samples + 0.5) / Chosen.samples - 0.5;
+        const double y = (static_cast<int>(i / Chosen.samples) + 0.5) / Chosen.samples - 0.5;
+        clear(0.45f, 0.6f, 0.8f);
+        draw_grazing_floor(panel(scene, 0, 1, 1), x, y);
+        if (Count > 1) glAccum(i == 0 ? GL_LOAD : GL_ACCUM, 1.0f / Count);
+    }
+    if (Count > 1) glAccum(GL_RETURN, 1);
+}
+
+} // namespace
+
+const std::vector<Program>& filter_strip() {
+    static const std::vector<Program> all{
+        {"F1", "filter_nearest", "nearest texel", draw_floor_with<0>},
+        {"F2", "filter_bilinear", "bilinear", draw_floor_with<1>},
+        {"F3", "filter_nearest_level", "bilinear, nearest level", draw_floor_with<2>},
+        {"F4", "filter_trilinear", "trilinear", draw_floor_with<3>},
+        {"F5", "filter_anisotropic_2", "anisotropic, 2 probes", draw_floor_with<4>},
+        {"F6", "filter_anisotropic_4", "anisotropic, 4 probes", draw_floor_with<5>},
+        {"F7", "filter_anisotropic_8", "anisotropic, 8 probes", draw_floor_with<6>},
+        {"F8", "filter_anisotropic_16", "anisotropic, 16 probes", draw_floor_with<7>},
+        {"F9", "filter_supersampled_16", "16 samples, bilinear", draw_floor_with<8>},
+    };
+    return all;
+}
+
+} // namespace ffgpu::gallery
