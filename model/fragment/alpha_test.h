@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include "model/device/compare.h"
 #include "model/device/registers/fragment.h"
-#include "model/fragment/compare.h"
 #include "model/packets/fragment_batch.h"
 
 #include <cstdint>

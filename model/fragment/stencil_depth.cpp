@@ -1,6 +1,6 @@
 #include "model/fragment/stencil_depth.h"
 
-#include "model/fragment/compare.h"
+#include "model/device/compare.h"
 
 namespace ffgpu {
 

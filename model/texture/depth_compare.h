@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "model/device/compare.h"
 #include "model/device/registers/texture.h"
 #include "model/texture/filter.h"
 #include "model/texture/wrap.h"
@@ -19,28 +20,6 @@ constexpr std::uint32_t reference_depth(float r) {
     return static_cast<std::uint32_t>(round_to_int(clamped * 16777215.0f));
 }
 
-constexpr bool compare_passes(Compare compare, std::uint32_t reference, std::uint32_t depth) {
-    switch (compare) {
-    case Compare::Never:
-        return false;
-    case Compare::Less:
-        return reference < depth;
-    case Compare::Equal:
-        return reference == depth;
-    case Compare::Lequal:
-        return reference <= depth;
-    case Compare::Greater:
-        return reference > depth;
-    case Compare::Notequal:
-        return reference != depth;
-    case Compare::Gequal:
-        return reference >= depth;
-    case Compare::Always:
-        return true;
-    }
-    return false;
-}
-
 constexpr Rgba expand_depth(DepthMode mode, std::uint8_t d) {
     switch (mode) {
     case DepthMode::Intensity:
@@ -54,7 +33,7 @@ constexpr Rgba expand_depth(DepthMode mode, std::uint8_t d) {
 
 // An uncompared depth shows its leading 8 bits.
 constexpr Rgba depth_color(const Sampler& sampler, std::uint32_t reference, std::uint32_t depth) {
-    const bool passes = compare_passes(sampler.compare, reference, depth);
+    const bool passes = compare(sampler.compare, reference, depth);
     const std::uint32_t value = sampler.compare_enable ? (passes ? 255u : 0u) : depth >> 16;
     return expand_depth(sampler.depth_mode, static_cast<std::uint8_t>(value));
 }

@@ -26,8 +26,9 @@ Rgba mix_halves(const Rgba& a, const Rgba& b) {
 // DXT1 tells its two palettes apart by the order of the end points as 16-bit numbers: the first
 // must be the greater for four colours. The blocks of DXT3 and DXT5 always have four.
 Rgba decode_color(const std::byte* block, unsigned texel, Palette palette) {
-    const std::uint32_t c0 = load16(block), c1 = load16(block + 2);
-    const unsigned code = load32(block + 4) >> (2 * texel) & 3;
+    const std::uint32_t c0 = load_word<std::uint16_t>(block),
+                        c1 = load_word<std::uint16_t>(block + 2);
+    const unsigned code = load_word<std::uint32_t>(block + 4) >> (2 * texel) & 3;
     const Rgba a = expand_rgb565(c0), b = expand_rgb565(c1);
     if (code == 0) return a;
     if (code == 1) return b;
@@ -38,14 +39,16 @@ Rgba decode_color(const std::byte* block, unsigned texel, Palette palette) {
 }
 
 std::uint8_t decode_dxt3_alpha(const std::byte* block, unsigned texel) {
-    const unsigned nibble = load32(block + texel / 8 * 4) >> (4 * (texel % 8)) & 0xf;
+    const unsigned nibble =
+        load_word<std::uint32_t>(block + texel / 8 * 4) >> (4 * (texel % 8)) & 0xf;
     return static_cast<std::uint8_t>(nibble * 17);
 }
 
 // Codes 2 to 7 run from the first alpha to the second in sevenths if the first is the greater,
 // else codes 2 to 5 in fifths, 6 is 0 and 7 is 255.
 std::uint8_t decode_dxt5_alpha(const std::byte* block, unsigned texel) {
-    const std::uint64_t bits = load32(block) | std::uint64_t{load32(block + 4)} << 32;
+    const std::uint64_t bits =
+        load_word<std::uint32_t>(block) | std::uint64_t{load_word<std::uint32_t>(block + 4)} << 32;
     const unsigned a0 = bits & 0xff, a1 = bits >> 8 & 0xff;
     const unsigned code = bits >> (16 + 3 * texel) & 7;
     if (code < 2) return static_cast<std::uint8_t>(code == 0 ? a0 : a1);

@@ -4,6 +4,7 @@
 
 #include "model/arith/srgb.h"
 #include "model/device/formats.h"
+#include "model/memory/pixel_format.h"
 #include "model/texture/filter.h"
 
 #include <cstddef>
@@ -11,27 +12,9 @@
 
 namespace ffgpu {
 
-// Device memory is little endian.
-constexpr std::uint32_t load16(const std::byte* at) {
-    return std::to_integer<std::uint32_t>(at[0]) | std::to_integer<std::uint32_t>(at[1]) << 8;
-}
-constexpr std::uint32_t load32(const std::byte* at) {
-    return load16(at) | load16(at + 2) << 16;
-}
-
-// Wider by repeating the leading bits: 0 stays 0 and all ones become 255.
-constexpr std::uint8_t widen4(std::uint32_t bits) {
-    return static_cast<std::uint8_t>(bits << 4 | bits);
-}
-constexpr std::uint8_t widen5(std::uint32_t bits) {
-    return static_cast<std::uint8_t>(bits << 3 | bits >> 2);
-}
-constexpr std::uint8_t widen6(std::uint32_t bits) {
-    return static_cast<std::uint8_t>(bits << 2 | bits >> 4);
-}
-
+// The first and second colour of an S3TC block.
 constexpr Rgba expand_rgb565(std::uint32_t bits) {
-    return {widen5(bits >> 11 & 31), widen6(bits >> 5 & 63), widen5(bits & 31), 255};
+    return unpack_rgba8(unpack_pixel(Format::Rgb565, bits));
 }
 
 // One texel of an uncompressed colour format.

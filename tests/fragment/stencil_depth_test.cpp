@@ -1,5 +1,5 @@
+#include "model/device/compare.h"
 #include "model/fragment/alpha_test.h"
-#include "model/fragment/compare.h"
 #include "model/fragment/fragment_pipe.h"
 #include "model/fragment/stencil_depth.h"
 #include "tests/fragment/random_fragments.h"

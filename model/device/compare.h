@@ -1,4 +1,5 @@
-// The comparison that alpha, stencil and depth test share: value (compare) reference.
+// What a comparison means, for alpha, stencil and depth tests and for depth textures:
+// value (compare) reference.
 
 #pragma once
 
