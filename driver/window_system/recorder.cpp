@@ -1,5 +1,6 @@
 #include "driver/window_system/recorder.h"
 
+#include "driver/window_system/turn.h"
 #include "model/base/float_environment.h"
 
 #include <cstdio>
@@ -25,6 +26,11 @@ void finish_recorder() {
     recorder->finish();
 }
 
+void in_turn(const std::function<void()>& call) {
+    const Turn turn;
+    call();
+}
+
 } // namespace
 
 std::unique_ptr<Recorder> open_recorder() {
@@ -39,7 +45,7 @@ std::unique_ptr<Recorder> open_recorder() {
     if (!library) fail(std::string("the recorder cannot be loaded: ") + ::dlerror());
     const auto open = reinterpret_cast<OpenRecorder>(::dlsym(library, "ffgpu_open_recorder"));
     if (!open) fail(std::string("the recorder is none: ") + ::dlerror());
-    recorder = open(text.substr(colon + 1).c_str());
+    recorder = open(text.substr(colon + 1).c_str(), in_turn);
     if (!recorder) std::_Exit(BadInput);
     std::atexit(finish_recorder);
     return std::unique_ptr<Recorder>(recorder);

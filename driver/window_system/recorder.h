@@ -9,6 +9,7 @@
 
 #include "model/device/device.h"
 
+#include <functional>
 #include <memory>
 
 namespace ffgpu::gl {
@@ -25,9 +26,13 @@ public:
     virtual void finish() = 0;
 };
 
+// Makes the call in a Turn, when no thread of the program is inside the library: for a recorder
+// that has something to do while the program draws nothing.
+using InTurn = void (*)(const std::function<void()>& call);
+
 // What the shared object exports under the name "ffgpu_open_recorder". Null: it could not, and has
 // said why on stderr.
-using OpenRecorder = Recorder* (*)(const char* settings_path);
+using OpenRecorder = Recorder* (*)(const char* settings_path, InTurn in_turn);
 
 // The recorder that the environment asks for, or null. Where one is asked for but does not start,
 // the process ends with status 2.

@@ -74,6 +74,31 @@ TEST_CASE("children that a recorded program forks leave its files alone") {
     CHECK(replay.status == 0);
 }
 
+TEST_CASE("Ctrl-C while the program waits for events keeps its statistics") {
+    Display* const display = tests::XServer::display();
+    if (!display) return;
+    ::setenv("DISPLAY", DisplayString(display), 1);
+    const OutputFolder out;
+    const Outcome run = shell("timeout --foreground -s INT 2 " FFGPU_BINARY " run -o " +
+                              out.path.string() + " -- " FFGPU_FORKS " wait");
+    INFO(run.text);
+    CHECK(count_of(run.text, "10 frames") == 1);
+    std::ifstream file(out.path / "stats.json");
+    std::stringstream text;
+    text << file.rdbuf();
+    CHECK(count_of(text.str(), "\"frame_count\": 10") == 1);
+}
+
+TEST_CASE("Ctrl-C ends a replay behind a frame, with its statistics") {
+    const OutputFolder out;
+    const std::string trace = FFGPU_SOURCE_DIR "/traces/corridor.trace";
+    const Outcome run = shell("timeout --preserve-status -s INT 0.3 " FFGPU_BINARY " replay " +
+                              trace + " --reference --timing --samples 4 -o " + out.path.string());
+    INFO(run.text);
+    CHECK(run.status == 128 + SIGINT);
+    CHECK(fs::exists(out.path / "stats.json"));
+}
+
 TEST_CASE("a program that never drew on ffgpu is told of") {
     const Outcome run = ffgpu_run("-- /bin/true");
     INFO(run.text);

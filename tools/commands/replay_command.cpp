@@ -1,6 +1,7 @@
 #include "model/base/input_error.h"
 #include "tools/commands/commands.h"
 #include "tools/record/recording_arguments.h"
+#include "tools/replay/interruption.h"
 #include "tools/replay/replay.h"
 
 #include <cstdio>
@@ -27,8 +28,9 @@ int run_replay(Arguments& arguments) {
         options.benchmark == 0)
         throw InputError("replay: nothing to do: expected -o DIR, --capture FILE, --save-work FILE "
                          "or --benchmark N");
+    const Interruption interruption;
     std::fputs(replay(options).c_str(), stderr);
-    return 0;
+    return Interruption::signal() == 0 ? 0 : 128 + Interruption::signal(); // as the shell says it
 }
 
 } // namespace

@@ -6,10 +6,13 @@
 #include "model/base/input_error.h"
 #include "tools/record/recording_arguments.h"
 
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <semaphore>
+#include <thread>
 
 #include <unistd.h>
 
@@ -17,19 +20,20 @@ namespace ffgpu::tools {
 namespace {
 
 constexpr int BadInput = 2;
-constexpr unsigned PatienceSeconds = 2;
+constexpr auto Patience = std::chrono::seconds(2);
 
 volatile std::sig_atomic_t interrupted = 0; // the signal that came
+std::binary_semaphore signal_came{0};
 
-// Ctrl-C: the frame that is being drawn is the last. A program that draws none for a while, or to
-// which Ctrl-C comes again, ends at once; the pictures so far are written.
+// Ctrl-C: the frame that is being drawn is the last. Where the program draws none for a while, or
+// waits for events, what is there is completed without it. A second one ends at once.
 void interrupt(int signal) {
     if (interrupted) {
         std::signal(signal, SIG_DFL);
         std::raise(signal);
     }
     interrupted = signal;
-    ::alarm(PatienceSeconds);
+    signal_came.release(); // A futex: it may be called here.
 }
 
 // Not where the program has a use of its own for the signal.
@@ -41,12 +45,17 @@ void catch_signal(int signal) {
 
 class LiveRecorder final : public gl::Recorder {
 public:
-    explicit LiveRecorder(const std::string& settings_path)
+    LiveRecorder(const std::string& settings_path, gl::InTurn in_turn)
         : options_(resolved(settings_path))
         , recording_(options_) {
         recording_.before_frame(0);
         catch_signal(SIGINT);
         catch_signal(SIGTERM);
+        std::thread([this, in_turn] {
+            signal_came.acquire();
+            std::this_thread::sleep_for(Patience);
+            in_turn([this] { end_by_signal(interrupted); });
+        }).detach(); // It and the recorder live as long as the process.
     }
 
     Device& device() override { return recording_.device(); }
@@ -113,9 +122,9 @@ private:
 } // namespace ffgpu::tools
 
 extern "C" __attribute__((visibility("default"))) ffgpu::gl::Recorder*
-ffgpu_open_recorder(const char* settings_path) {
+ffgpu_open_recorder(const char* settings_path, ffgpu::gl::InTurn in_turn) {
     try {
-        return new ffgpu::tools::LiveRecorder(settings_path);
+        return new ffgpu::tools::LiveRecorder(settings_path, in_turn);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "ffgpu: %s\n", error.what());
         return nullptr;

@@ -4,6 +4,7 @@
 #include "tools/frames/frame_source.h"
 #include "tools/frames/progress.h"
 #include "tools/record/recording.h"
+#include "tools/replay/interruption.h"
 
 #include <chrono>
 #include <memory>
@@ -51,8 +52,8 @@ private:
             if (recording_.after_frame(*frame)) ++measured_;
             progress.show(frame->number);
             next = frame->number + 1;
-        } while (next <= options_.frames.last);
-        if (options_.benchmark > 0) benchmark();
+        } while (next <= options_.frames.last && Interruption::signal() == 0);
+        if (options_.benchmark > 0 && Interruption::signal() == 0) benchmark();
     }
 
     // Frames a second from the first measured frame on, then of the last frame alone.

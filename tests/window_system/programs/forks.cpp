@@ -34,7 +34,7 @@ Window make_window(Display* display, const XVisualInfo& visual) {
 
 } // namespace
 
-int main() {
+int main(int count, char**) {
     Display* const display = XOpenDisplay(nullptr);
     int attributes[] = {GLX_RGBA, GLX_DOUBLEBUFFER, GLX_DEPTH_SIZE, 16, None};
     XVisualInfo* const visual = glXChooseVisual(display, DefaultScreen(display), attributes);
@@ -61,6 +61,8 @@ int main() {
     }
     ::close(ends[1]);
     int status = 0;
+    for (XEvent event; count > 1;)
+        XNextEvent(display, &event);
     ::waitpid(early, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_FAILURE;
 }

@@ -1,0 +1,19 @@
+// Interruption: Ctrl-C, or SIGTERM, while it lives: the frame that is being drawn is the last, and
+// what is there is completed. A second signal ends the process at once.
+
+#pragma once
+
+namespace ffgpu::tools {
+
+class Interruption {
+public:
+    Interruption();
+    ~Interruption();
+    Interruption(const Interruption&) = delete;
+    Interruption& operator=(const Interruption&) = delete;
+
+    // The signal that came; 0: none.
+    static int signal();
+};
+
+} // namespace ffgpu::tools
