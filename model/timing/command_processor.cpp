@@ -77,63 +77,88 @@ Activity CommandProcessor::wait_then(const Command& command) {
     return Activity::Busy;
 }
 
-// The lines that `pixels` of a surface take, from its beginning: which lines does not matter, how
-// many does.
-void CommandProcessor::add_transfer(const PlacedLevel& surface,
-                                    std::uint64_t pixels,
-                                    std::uint32_t line_bytes,
-                                    bool write) {
-    const std::uint64_t bytes =
-        std::min(pixels * surface.layout.element_bytes, surface.layer_bytes);
-    const std::uint64_t first = surface.base / line_bytes;
-    transfers_.push_back(
-        {first, first + (bytes + line_bytes - 1) / line_bytes, line_bytes, write, Client::Command});
+void CommandProcessor::read(const LineCache& cache, std::uint64_t line) {
+    transfers_.push_back({.address = line * cache.line_bytes(),
+                          .bytes = cache.line_bytes(),
+                          .write = false,
+                          .client = Client::Command});
+}
+
+void CommandProcessor::write_back(const LineCache& cache, const LineWrite& line) {
+    if (line.bytes == 0) return;
+    transfers_.push_back({.address = line.number * cache.line_bytes(),
+                          .bytes = line.bytes,
+                          .write = true,
+                          .client = cache.client()});
 }
 
 void CommandProcessor::write_back(LineCache& cache) {
-    for (const std::uint64_t line : cache.flush())
-        transfers_.push_back({line, line + 1, cache.line_bytes(), true, cache.client()});
+    for (const LineWrite& line : cache.flush())
+        write_back(cache, line);
+}
+
+// Writes lines past the cache, which forgets them. Bytes of which only some bits are written are
+// read before.
+void CommandProcessor::overwrite(LineCache& cache, const std::vector<WrittenLine>& lines) {
+    for (const WrittenLine& line : lines) {
+        write_back(cache, cache.overwrite(line.number, line.bytes.covered));
+        if (line.bytes.touched != line.bytes.covered) read(cache, line.number);
+        transfers_.push_back({.address = line.number * cache.line_bytes(),
+                              .bytes = cache.moved_bytes(line.bytes.touched),
+                              .write = true,
+                              .client = Client::Command});
+    }
 }
 
 void CommandProcessor::begin_clear(const WorkDraw& work) {
     if (!work.state) return;
     const Registers& state = *work.state;
-    const std::uint64_t pixels = std::uint64_t{state.scissor.width} * state.scissor.height;
-    const auto clear = [&](const Surface& target, const CacheConfig& cache, LineCache& lines) {
-        if (target.format == Format::None) return;
-        const PlacedLevel& place = addresses_.surface(target, cache);
-        lines.discard(place.base, place.base + place.layer_bytes);
-        add_transfer(place, pixels, cache.line_bytes, true);
-    };
-    if (work.clear.color) clear(state.targets.color[0], config_.color_cache, ports_.color_cache);
-    if (work.clear.depth || work.clear.stencil)
-        clear(state.targets.depth, config_.depth_cache, ports_.depth_cache);
+    const Scissor& scissor = state.scissor;
+    const Rectangle rectangle{
+        scissor.x, scissor.y, scissor.x + scissor.width, scissor.y + scissor.height};
+    const Surface& color = state.targets.color[0];
+    if (work.clear.color && color.format != Format::None) {
+        const PlacedLevel& place = addresses_.surface(color, config_.color_cache);
+        overwrite(ports_.color_cache,
+                  rectangle_lines(place,
+                                  ports_.color_cache.grain(),
+                                  rectangle,
+                                  cleared_color_bytes(color.format, state.blend.write_mask)));
+    }
+    const Surface& depth = state.targets.depth;
+    if ((work.clear.depth || work.clear.stencil) && depth.format != Format::None) {
+        const PlacedLevel& place = addresses_.surface(depth, config_.depth_cache);
+        const PixelBytes bytes =
+            cleared_depth_bytes(depth.format, work.clear, state.stencil.front.write_mask);
+        overwrite(ports_.depth_cache,
+                  rectangle_lines(place, ports_.depth_cache.grain(), rectangle, bytes));
+    }
 }
 
 void CommandProcessor::begin_copy(const WorkDraw& work) {
     write_back(ports_.color_cache);
     write_back(ports_.depth_cache);
-    const std::uint64_t pixels = std::uint64_t{work.copy.width} * work.copy.height;
-    const bool is_depth = format_info(work.copy.source.format).is_depth;
-    const CacheConfig& cache =
+    const CopyRectangleCommand& copy = work.copy;
+    const bool is_depth = format_info(copy.source.format).is_depth;
+    const CacheConfig& config =
         is_depth ? static_cast<const CacheConfig&>(config_.depth_cache) : config_.color_cache;
-    add_transfer(addresses_.surface(work.copy.source, cache), pixels, cache.line_bytes, false);
-    add_transfer(addresses_.surface(work.copy.destination, cache), pixels, cache.line_bytes, true);
-    addresses_.memory_written(work.copy.destination.address, work.copy.destination.bytes());
+    LineCache& cache = is_depth ? ports_.depth_cache : ports_.color_cache;
+    const auto lines = [&](const Surface& surface, int x, int y) {
+        return rectangle_lines(addresses_.surface(surface, config),
+                               cache.grain(),
+                               {x, y, x + copy.width, y + copy.height},
+                               whole_pixel(surface.format));
+    };
+    for (const WrittenLine& line : lines(copy.source, copy.source_x, copy.source_y))
+        read(cache, line.number);
+    overwrite(cache, lines(copy.destination, copy.destination_x, copy.destination_y));
+    addresses_.memory_written(copy.destination.address, copy.destination.bytes());
 }
 
 Activity CommandProcessor::transfer() {
     if (!ports_.requests_out.can_push()) return Activity::StalledRequests;
-    Transfer& transfer = transfers_.front();
-    if (transfer.line < transfer.end) {
-        ports_.requests_out.push({.address = transfer.line * transfer.line_bytes,
-                                  .bytes = transfer.line_bytes,
-                                  .write = transfer.write,
-                                  .client = transfer.client,
-                                  .ticket = 0});
-        ++transfer.line;
-    }
-    if (transfer.line == transfer.end) transfers_.pop_front();
+    ports_.requests_out.push(transfers_.front());
+    transfers_.pop_front();
     return Activity::Busy;
 }
 

@@ -1,12 +1,13 @@
 // CommandProcessor: reads draws, clears and copies in order. Draws stream into the pipe one behind
 // the other; a clear, a copy or the end of a frame waits until the pipe is empty. Clears, copies
-// and the write-back of caches move whole lines through the command processor's own port to memory.
+// and the write-back of caches go line by line through the command processor's own port to memory.
 
 #pragma once
 
 #include "model/timing/channel.h"
 #include "model/timing/in_flight.h"
 #include "model/timing/line_cache.h"
+#include "model/timing/surface_lines.h"
 #include "model/timing/tokens.h"
 #include "model/timing/unit.h"
 
@@ -42,14 +43,6 @@ private:
     struct Command {
         DrawToken draw; // bin null: the end of a frame
     };
-    // Lines still to be written (clear, copy) or read (copy).
-    struct Transfer {
-        std::uint64_t line = 0, end = 0;
-        std::uint32_t line_bytes = 64;
-        bool write = true;
-        Client client = Client::Command;
-    };
-
     Activity step() override;
     bool may_sleep() const override {
         return false;
@@ -57,13 +50,12 @@ private:
     Activity draw(const Command& command);
     Activity wait_then(const Command& command);
     Activity transfer();
+    void read(const LineCache& cache, std::uint64_t line);
+    void write_back(const LineCache& cache, const LineWrite& line);
     void write_back(LineCache& cache);
+    void overwrite(LineCache& cache, const std::vector<WrittenLine>& lines);
     void begin_clear(const WorkDraw& work);
     void begin_copy(const WorkDraw& work);
-    void add_transfer(const PlacedLevel& surface,
-                      std::uint64_t pixels,
-                      std::uint32_t line_bytes,
-                      bool write);
 
     const TimingConfig& config_;
     const Ports ports_;
@@ -72,7 +64,7 @@ private:
     InFlight& memory_in_flight_;
     bool written_back_ = false; // at the end of a frame: only the memory has to finish
     std::deque<Command> commands_;
-    std::deque<Transfer> transfers_;
+    std::deque<MemoryRequest> transfers_; // of clears, copies and write-backs, a line each
     std::uint32_t decode_cycles_left_ = 0;
     bool decoding_ = false;
     std::uint32_t last_draw_number_ = ~0u;

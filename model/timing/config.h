@@ -5,7 +5,9 @@
 #pragma once
 
 #include "model/base/parameters.h"
+#include "model/timing/cache_traffic_config.h"
 #include "model/timing/memory_config.h"
+#include "model/work/cache_policy.h"
 
 #include <array>
 #include <cstdint>
@@ -179,7 +181,7 @@ struct RasterConfig {
 };
 
 // The caches of depth and colour, and the texel cache.
-struct CacheConfig {
+struct CacheConfig : work::CachePolicy, CacheTrafficConfig {
     std::uint32_t sets = 64;
     std::uint32_t ways = 4;
     std::uint32_t line_bytes = 64;
@@ -228,6 +230,8 @@ struct CacheConfig {
                .minimum = 1,
                .maximum = 65536,
                .meaning = "fills under way at once"});
+        CachePolicy::visit(self, field);
+        CacheTrafficConfig::visit(self, field);
         field("layout", self.layout, {.meaning = "of the image in memory", .choices = LayoutNames});
         field("block_width",
               self.block_width,

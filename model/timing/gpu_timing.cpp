@@ -44,7 +44,7 @@ struct CachePort {
               const CacheConfig& config,
               Client client,
               InFlight& in_flight)
-        : requests(clock, RequestQueue, in_flight)
+        : requests(clock, config.request_queue, in_flight, config.miss_queue)
         , responses(clock, ResponseQueue + config.outstanding_lines)
         , cache(name, config, client, requests) {}
 
@@ -86,8 +86,10 @@ public:
         , raster_to_depth(clock, config.raster.queue)
         , depth_to_texture(clock, config.fragment.queue)
         , texture_to_fragment(clock, config.fragment.queue)
-        , fragment_to_depth(
-              clock, config.fragment.queue + config.fragment.latency, config.fragment.latency)
+        , fragment_to_depth(clock,
+                            config.fragment.queue,
+                            config.fragment.latency,
+                            config.raster.quads_per_cycle)
         , depth_to_color(clock, config.fragment.queue)
         , command_processor("command_processor",
                             clock,
@@ -321,6 +323,7 @@ void GpuTiming::bin(const WorkBin& bin) {
 void GpuTiming::memory_written(DeviceAddress at, std::uint64_t bytes) {
     machine_->frame_statistics.host_written_bytes += bytes;
     machine_->addresses.memory_written(at, bytes);
+    machine_->vertex_port.cache.invalidate(at, at + bytes); // The one that has device addresses.
 }
 
 void GpuTiming::memory_read(DeviceAddress, std::uint64_t bytes) {

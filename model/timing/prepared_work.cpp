@@ -83,6 +83,7 @@ private:
                 draw.uses_depth = state.depth.test_enable || state.stencil.enable;
                 draw.writes_depth = state.depth.write_enable || state.stencil.enable;
                 places.depth = &addresses_.surface(state.targets.depth, config_.depth_cache);
+                draw.depth_place = *places.depth;
             }
             if (state.targets.color[0].format != Format::None) {
                 const Blend& blend = state.blend;
@@ -90,6 +91,7 @@ private:
                 draw.reads_color = draw.writes_color && (blend.enable || blend.logic_op_enable ||
                                                          blend.write_mask != 0xf);
                 places.color = &addresses_.surface(state.targets.color[0], config_.color_cache);
+                draw.color_place = *places.color;
             }
         }
     }
@@ -148,7 +150,8 @@ private:
                           .covered = from.covered,
                           .after_early_depth = from.after_early_depth,
                           .after_stencil = from.after_stencil,
-                          .after_depth = from.after_depth};
+                          .after_depth = from.after_depth,
+                          .samples_written = from.samples_written};
         quad.new_tile = !before || before->draw != quad.draw ||
                         before->primitive != quad.primitive ||
                         traversal_tile(config_.raster, before->x, before->y) !=

@@ -56,12 +56,12 @@ bool VertexFetch::issue(Activity& reason) {
         }
     }
     if (shade) {
-        if (!ports_.cache.can_look_up()) {
+        const LookupResult result = ports_.cache.look_up({.number = next_line_});
+        if (!result.accepted) {
             reason = Activity::StalledRequests;
             return false;
         }
-        bool missed = false;
-        ticket_ = std::max(ticket_, ports_.cache.lookup(next_line_, false, true, missed));
+        ticket_ = std::max(ticket_, result.ticket);
         if (++next_line_ != end_line_) return true;
     }
     waiting_.push_back({{draw_, position_, shade}, ticket_});
@@ -85,8 +85,7 @@ bool VertexFetch::forward(Activity& reason) {
 }
 
 Activity VertexFetch::step() {
-    while (ports_.responses_in.can_pop())
-        ports_.cache.complete(ports_.responses_in.pop());
+    ports_.cache.begin_cycle(ports_.responses_in);
     Activity reason = Activity::Idle;
     const bool forwarded = forward(reason);
     Activity issue_reason = reason;
