@@ -36,9 +36,8 @@ public:
                             "misses that a fully associative LRU cache of the size has, too; all "
                             "others of a fully associative cache");
     Counter& conflict = add("conflict_misses", "lines", "all other misses");
-    Counter& beyond_shadow = add("hits_beyond_lru",
-                                 "lines",
-                                 "hits where a fully associative LRU cache of the size misses");
+    Counter& beyond_shadow = add(
+        "hits_beyond_lru", "lines", "hits where a fully associative LRU cache of the size misses");
     Counter& under_miss = add("hits_under_miss", "lines", "hits while a fill was under way");
     Counter& bank_conflicts =
         add("bank_conflicts", "lines", "lookups put off because their bank had no port left");
@@ -46,11 +45,11 @@ public:
         add("misses_without_fetch", "lines", "misses whose line is written and not read");
     Counter& partial_fetches =
         add("partial_fetches", "lines", "hits that read bytes which the line did not hold yet");
-    Counter& read_bytes = add(
-        "read_bytes", "bytes", "fetched: (misses - without fetch + partial fetches) x line");
+    Counter& read_bytes =
+        add("read_bytes", "bytes", "fetched: (misses - without fetch + partial fetches) x line");
     Counter& dirtied_bytes = add("dirtied_bytes", "bytes", "of lines that became dirty");
-    Counter& dropped_bytes = add(
-        "dropped_bytes", "bytes", "dirty, of lines that a clear, a copy or the host overwrote");
+    Counter& dropped_bytes =
+        add("dropped_bytes", "bytes", "dirty, of lines that a clear, a copy or the host overwrote");
     Counter& written_bytes = add(
         "written_bytes", "bytes", "written back: the pieces of transfer_bytes that were dirtied");
 };

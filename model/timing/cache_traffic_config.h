@@ -12,8 +12,7 @@ namespace ffgpu::timing {
 
 // What a write does that misses (N. P. Jouppi, Cache Write Policies and Performance, ISCA 1993).
 enum class WriteMiss : std::uint8_t { WriteValidate, FetchOnWrite };
-inline constexpr std::array<std::string_view, 2> WriteMissNames{"write_validate",
-                                                                "fetch_on_write"};
+inline constexpr std::array<std::string_view, 2> WriteMissNames{"write_validate", "fetch_on_write"};
 
 struct CacheTrafficConfig {
     std::uint32_t banks = 1;

@@ -38,10 +38,9 @@ bool DepthTiming::look_up(Path path, std::uint32_t& lookups_left, Activity& reas
             const WrittenBytes written =
                 writes ? quad_bytes(draw.depth_place, ports_.cache.grain(), token.quad(), line)
                        : WrittenBytes{};
-            if (!walk.look_up(ports_.cache,
-                              {.number = line,
-                               .written = written.touched,
-                               .covered = written.covered}))
+            if (!walk.look_up(
+                    ports_.cache,
+                    {.number = line, .written = written.touched, .covered = written.covered}))
                 break;
             --lookups_left;
         }

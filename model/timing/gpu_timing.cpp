@@ -14,6 +14,7 @@
 #include "model/timing/texture_timing.h"
 #include "model/timing/vertex_fetch.h"
 
+#include <algorithm>
 #include <deque>
 #include <utility>
 
@@ -86,10 +87,8 @@ public:
         , raster_to_depth(clock, config.raster.queue)
         , depth_to_texture(clock, config.fragment.queue)
         , texture_to_fragment(clock, config.fragment.queue)
-        , fragment_to_depth(clock,
-                            config.fragment.queue,
-                            config.fragment.latency,
-                            config.raster.quads_per_cycle)
+        , fragment_to_depth(
+              clock, config.fragment.queue, config.fragment.latency, config.raster.quads_per_cycle)
         , depth_to_color(clock, config.fragment.queue)
         , command_processor("command_processor",
                             clock,
@@ -189,6 +188,13 @@ public:
             bins.pop_front();
     }
 
+    // To the next draw that fetches vertices; clears and copies do not wait for them.
+    void pass_host_writes(PreparedBin& bin) {
+        const bool streams = std::ranges::any_of(
+            bin.segments, [](const Segment& segment) { return segment.draws > 0; });
+        if (streams) bin.host_writes = std::exchange(host_writes, {});
+    }
+
     void finish_frame(std::uint32_t number) {
         for (Unit* unit : units())
             unit->settle();
@@ -243,6 +249,7 @@ public:
     MemoryArbiter arbiter;
     MemoryController memory;
 
+    std::vector<HostWrite> host_writes; // since the last draw
     FrameStatistics frame_statistics;
     FrameTiming frame;
     Cycle frame_begin = 0;
@@ -316,6 +323,7 @@ GpuTiming::~GpuTiming() {
 void GpuTiming::bin(const WorkBin& bin) {
     const SimulationContext::Scope scope(*context_);
     machine_->bins.push_back(prepare(bin, machine_->config, machine_->addresses));
+    machine_->pass_host_writes(machine_->bins.back());
     machine_->command_processor.enqueue(machine_->bins.back());
     machine_->run();
 }
@@ -323,7 +331,7 @@ void GpuTiming::bin(const WorkBin& bin) {
 void GpuTiming::memory_written(DeviceAddress at, std::uint64_t bytes) {
     machine_->frame_statistics.host_written_bytes += bytes;
     machine_->addresses.memory_written(at, bytes);
-    machine_->vertex_port.cache.invalidate(at, at + bytes); // The one that has device addresses.
+    machine_->host_writes.push_back({at, at + bytes});
 }
 
 void GpuTiming::memory_read(DeviceAddress, std::uint64_t bytes) {

@@ -25,7 +25,7 @@ struct PreparedQuad {
     std::uint16_t texel_reads = 0;
     std::uint16_t texel_line_count = 0;
     std::uint32_t texel_lines_begin = 0; // into PreparedBin::texel_lines
-    std::uint16_t samples_written = 0; // as WorkQuad has it
+    std::uint16_t samples_written = 0;   // as WorkQuad has it
     std::uint8_t depth_line_count = 0;
     std::uint8_t color_line_count = 0;
     std::uint32_t target_lines_begin = 0; // into PreparedBin::target_lines: depth, then colour
@@ -36,7 +36,7 @@ struct PreparedDraw {
     std::uint32_t segment = 0;    // index into PreparedBin::segments
     std::uint32_t first_quad = 0; // immediate machines: the draw's quads stand together
     std::uint32_t quad_count = 0;
-    std::uint8_t combiners = 0; // enabled texture environments
+    std::uint8_t combiners = 0;           // enabled texture environments
     PlacedLevel depth_place, color_place; // of the targets it has
     bool uses_depth = false;
     bool writes_depth = false;
@@ -63,7 +63,13 @@ struct Segment {
     std::uint32_t quads_begin = 0, quads_end = 0;
 };
 
+// Bytes of device memory that the host wrote.
+struct HostWrite {
+    std::uint64_t begin = 0, end = 0;
+};
+
 struct PreparedBin {
+    std::vector<HostWrite> host_writes; // before its draws; the vertex fetch takes them
     std::vector<PreparedDraw> draws;
     std::vector<Segment> segments;
     std::vector<PreparedQuad> quads;

@@ -15,7 +15,10 @@ namespace ffgpu::timing {
 class RequestPort {
 public:
     // `misses`: places of the miss queue.
-    RequestPort(const Clock& clock, std::size_t requests, InFlight& in_flight, std::size_t misses = 1)
+    RequestPort(const Clock& clock,
+                std::size_t requests,
+                InFlight& in_flight,
+                std::size_t misses = 1)
         : channel_(clock, requests)
         , in_flight_(in_flight)
         , misses_(misses) {}

@@ -130,11 +130,9 @@ std::vector<WrittenLine> rectangle_lines(const PlacedLevel& place,
                                          const LineGrain& grain,
                                          Rectangle rectangle,
                                          PixelBytes pixel) {
-    const Rectangle cut = intersect(rectangle,
-                                    {0,
-                                     0,
-                                     static_cast<int>(place.layout.width),
-                                     static_cast<int>(place.layout.height)});
+    const Rectangle cut = intersect(
+        rectangle,
+        {0, 0, static_cast<int>(place.layout.width), static_cast<int>(place.layout.height)});
     if (cut.empty() || pixel.touched == 0) return {};
     const std::uint32_t element = place.layout.element_bytes;
     const std::uint32_t sample = element / place.samples;

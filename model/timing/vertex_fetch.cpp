@@ -21,10 +21,18 @@ bool VertexFetch::reuse(std::uint32_t vertex) {
     return false;
 }
 
+// What the host wrote before these draws is not what the cache holds. Vertices are never dirty.
+void VertexFetch::forget_rewritten(PreparedBin& bin) {
+    for (const HostWrite& write : bin.host_writes)
+        check(ports_.cache.invalidate(write.begin, write.end).empty(), "the cache only reads");
+    bin.host_writes.clear();
+}
+
 bool VertexFetch::issue(Activity& reason) {
     if (!in_draw_) {
         if (!ports_.draws_in.can_pop()) return false;
         draw_ = ports_.draws_in.pop();
+        forget_rewritten(*draw_.bin);
         in_draw_ = true;
         position_ = 0;
         recent_.clear();

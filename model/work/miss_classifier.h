@@ -34,7 +34,7 @@ public:
     void drop(std::uint64_t line);
 
 private:
-    static constexpr std::uint32_t Nowhere = ~0u;     // touched, but not in the shadow
+    static constexpr std::uint32_t Nowhere = ~0u;       // touched, but not in the shadow
     static constexpr std::uint32_t Untouched = ~0u - 1; // dropped, as if never touched
 
     struct Entry {

@@ -51,9 +51,7 @@ public:
 
     // Gives `number`, which is absent, a place: an empty one of its set or the victim's, whose line
     // goes to `evicted`.
-    Line& replace(std::uint64_t number,
-                  Evicted& evicted,
-                  std::uint64_t next_use = NeverUsedAgain) {
+    Line& replace(std::uint64_t number, Evicted& evicted, std::uint64_t next_use = NeverUsedAgain) {
         const std::size_t set = set_of_(number) * ways_;
         std::size_t way = 0;
         while (way < ways_ && numbers_[set + way] != Empty)

@@ -120,8 +120,9 @@ TEST_CASE("a fully associative LRU cache hits exactly where the shadow hits") {
 TEST_CASE("the kinds of a set-associative cache are those of the list model") {
     unsigned conflicts = 0;
     for (unsigned seed = 1; seed <= 60; ++seed)
-        conflicts += run(1u << (1 + seed % 4), 1 + seed % 4, static_cast<Replacement>(seed % 3), seed)
-                         .conflict;
+        conflicts +=
+            run(1u << (1 + seed % 4), 1 + seed % 4, static_cast<Replacement>(seed % 3), seed)
+                .conflict;
     CHECK(conflicts > 1000);
 }
 
