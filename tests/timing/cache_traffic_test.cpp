@@ -54,7 +54,8 @@ void add_draw(WorkBin& bin, std::shared_ptr<Registers> state, Covers&& covers) {
         for (unsigned x = 0; x < target.width; x += 2) {
             std::uint8_t lanes = 0;
             for (unsigned lane = 0; lane < 4; ++lane)
-                if (covers(x + lane % 2, y + lane / 2)) lanes |= static_cast<std::uint8_t>(1 << lane);
+                if (covers(x + lane % 2, y + lane / 2))
+                    lanes |= static_cast<std::uint8_t>(1 << lane);
             if (lanes == 0) continue;
             batch.quads.push_back({.primitive = 0,
                                    .x = static_cast<std::uint16_t>(x),

@@ -27,7 +27,8 @@ inline Figures figures_of(const GpuTiming& timing) {
     return figures;
 }
 
-inline Figures run(const TimingConfig& config, const WorkBin& bin, std::uint32_t evaluation_order = 0) {
+inline Figures
+run(const TimingConfig& config, const WorkBin& bin, std::uint32_t evaluation_order = 0) {
     GpuTiming timing(config, evaluation_order);
     timing.bin(bin);
     timing.end_frame(0);
