@@ -86,8 +86,6 @@ void GeometryUnit::run(const DrawState& state,
                        GeometryWork* work) {
     const Registers& registers = state.regs();
     work_ = work;
-    told_ = {};
-    told_out_ = handed_over_before_;
     if (work) describe(registers, command, *work);
     if (command.count == 0) return;
     const ElementReader elements(memory_, command, registers.vertex_format);
@@ -168,7 +166,7 @@ void GeometryUnit::shade_vertices(const std::byte* vertices) {
 }
 
 void GeometryUnit::count_primitives() {
-    finish_part();
+    if (work_) finish_work(*work_);
     const PrimitiveCounts& counts = stage_.counts();
     stats_.primitives_in += counts.in;
     stats_.primitives_clipped += counts.clipped;
@@ -180,19 +178,16 @@ void GeometryUnit::count_primitives() {
     work_ = nullptr;
 }
 
-void GeometryUnit::finish_part() {
-    if (!work_) return;
+void GeometryUnit::finish_work(GeometryWork& work) const {
     const PrimitiveCounts& counts = stage_.counts();
-    work_->keys_begin = work_->keys_end;
-    work_->keys_end = assembler_.keys();
-    work_->primitives_in = counts.in - told_.in;
-    work_->primitives_clipped = counts.clipped - told_.clipped;
-    work_->primitives_outside = counts.outside - told_.outside;
-    work_->primitives_culled = counts.culled - told_.culled;
-    work_->primitives_degenerate = counts.degenerate - told_.degenerate;
-    work_->primitives_out = static_cast<std::uint32_t>(primitives_.handed_over() - told_out_);
-    told_ = counts;
-    told_out_ = primitives_.handed_over();
+    work.keys = assembler_.keys();
+    work.primitives_in = counts.in;
+    work.primitives_clipped = counts.clipped;
+    work.primitives_outside = counts.outside;
+    work.primitives_culled = counts.culled;
+    work.primitives_degenerate = counts.degenerate;
+    work.primitives_out =
+        static_cast<std::uint32_t>(primitives_.handed_over() - handed_over_before_);
 }
 
 } // namespace ffgpu

@@ -56,11 +56,6 @@ public:
               PrimitiveSink& sink,
               GeometryWork* work = nullptr);
 
-    // For a sink that cannot take more before it has passed on what it got: brings the draw's work
-    // up to date. The sink takes its contents and leaves no vertices; the rest of the draw is told
-    // as a new part.
-    void finish_part();
-
     // DrawOutput::Feedback: writes the draw's records into `memory`.
     void feedback(const DrawState& state, const DrawCommand& command, std::span<std::byte> memory);
 
@@ -77,14 +72,12 @@ private:
     void make_slots(const ElementReader& elements);
     void shade_vertices(const std::byte* vertices);
     void count_primitives();
+    void finish_work(GeometryWork& work) const;
 
     std::span<const std::byte> memory_;
     Stats stats_;
 
-    // The work of the draw under way, and how much of it earlier parts told.
-    GeometryWork* work_ = nullptr;
-    PrimitiveCounts told_;
-    std::uint64_t told_out_ = 0;
+    GeometryWork* work_ = nullptr; // of the draw under way
 
     // The set-up of the last draw, kept for the next one with the same registers.
     std::shared_ptr<const Registers> registers_;

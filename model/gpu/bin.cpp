@@ -6,9 +6,10 @@
 
 namespace ffgpu {
 
-Bin::Bin(int tile_size)
+Bin::Bin(int tile_size, std::size_t arena_bytes)
     : tile_size_(tile_size)
-    , arena_(new Line[ArenaBytes / sizeof(Line)]) {
+    , arena_bytes_(std::max(arena_bytes, MaxSetupRecordBytes))
+    , arena_(new Line[(arena_bytes_ + sizeof(Line) - 1) / sizeof(Line)]) {
     check(tile_size >= 16 && tile_size <= MaxTileSize && tile_size % BlockSize == 0,
           "a tile is 16 to 128 pixels, in steps of 8");
 }
@@ -29,7 +30,7 @@ void Bin::reset(int width, int height) {
 }
 
 bool Bin::full() const {
-    return used_ + MaxSetupRecordBytes > ArenaBytes || word_count_ >= MaxWords ||
+    return used_ + MaxSetupRecordBytes > arena_bytes_ || word_count_ >= MaxWords ||
            commands_.size() >= MaxCommands;
 }
 

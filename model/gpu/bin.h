@@ -34,7 +34,8 @@ public:
         const SetupRecord* record; // null: the whole command
     };
 
-    explicit Bin(int tile_size);
+    // `arena_bytes`: for set-up records; one more fits always.
+    Bin(int tile_size, std::size_t arena_bytes);
 
     // Begins anew, for targets of at most `width` by `height` pixels.
     void reset(int width, int height);
@@ -67,7 +68,6 @@ private:
     // in units of RecordAlign. A command without WholeBit only says whose the records after it are.
     static constexpr std::uint32_t CommandBit = 1u << 31, WholeBit = 1u << 30;
     static constexpr std::size_t RecordAlign = 16;
-    static constexpr std::size_t ArenaBytes = std::size_t{512} << 10; // Stays in a level-2 cache.
     static constexpr std::size_t MaxWords = std::size_t{1} << 18;
     static constexpr std::size_t MaxCommands = 1 << 10; // Each may hold registers.
 
@@ -81,6 +81,7 @@ private:
     void add_word(std::uint32_t tile, std::uint32_t word);
 
     int tile_size_;
+    std::size_t arena_bytes_;
     int columns_ = 0, rows_ = 0;
     std::vector<Tile> tiles_;
     std::vector<std::uint32_t> busy_;

@@ -18,7 +18,7 @@ FunctionalGpu::FunctionalGpu(const Config& config)
     , memory_(config.memory_bytes)
     , geometry_(memory_.bytes())
     , pool_(config.threads)
-    , bin_(static_cast<int>(config.tile_size))
+    , bin_(static_cast<int>(config.tile_size), config.bin_bytes)
     , bin_reads_(memory_.size())
     , bin_writes_(memory_.size()) {
     check(config.threads >= 1, "a GPU needs a thread");
@@ -37,14 +37,14 @@ void FunctionalGpu::write_memory(DeviceAddress at, std::span<const std::byte> by
     check(memory_.contains(at, bytes.size()), "a write outside device memory");
     before_write(at, bytes.size());
     if (!bytes.empty()) std::memcpy(memory_.bytes().data() + at, bytes.data(), bytes.size());
-    if (sink_) sink_->memory_written(at, bytes.size());
+    note_transfer(true, at, bytes.size());
 }
 
 void FunctionalGpu::read_memory(DeviceAddress at, std::span<std::byte> bytes) {
     check(memory_.contains(at, bytes.size()), "a read outside device memory");
     before_read(at, bytes.size());
     if (!bytes.empty()) std::memcpy(bytes.data(), memory_.bytes().data() + at, bytes.size());
-    if (sink_) sink_->memory_read(at, bytes.size());
+    note_transfer(false, at, bytes.size());
 }
 
 void FunctionalGpu::finish() {
@@ -131,10 +131,10 @@ void FunctionalGpu::copy(const CopyRectangleCommand& command) {
     flush();
     copy_rectangle(command, memory_.bytes());
     if (!sink_) return;
-    WorkBin work;
-    work.draws.push_back(
+    auto work = std::make_shared<WorkBin>();
+    work->draws.push_back(
         {.kind = WorkKind::Copy, .frame = frame_, .state = registers_.snapshot(), .copy = command});
-    sink_->bin(work);
+    sink_->bin(std::move(work));
 }
 
 void FunctionalGpu::reset_samples() {

@@ -34,6 +34,7 @@ public:
         unsigned threads = 1;    // that carry out tiles, the caller's included
         unsigned tile_size = 64; // pixels: a multiple of 8 from 16 to 128
         std::uint64_t memory_bytes = DeviceMemory::DefaultBytes;
+        std::size_t bin_bytes = std::size_t{512} << 10; // of records: they stay in a level-2 cache
     };
 
     explicit FunctionalGpu(const Config& config);
@@ -51,6 +52,8 @@ public:
     void submit(const CommandStream& commands) override;
     void finish() override;
     std::vector<const StatisticsGroup*> statistics() const override;
+    // How the host worked: tiles, batches, bins. No property of the device.
+    const StatisticsGroup& host_statistics() const { return host_statistics_; }
 
 private:
     // Commands.
@@ -77,6 +80,7 @@ private:
     void flush();
     void open_bin(const Targets& targets);
     void hand_over(std::vector<WorkTile> tiles);
+    void note_transfer(bool is_write, std::uint64_t at, std::uint64_t bytes);
 
     const Config config_;
     DeviceMemory memory_;
@@ -95,13 +99,18 @@ private:
     bool pixels_valid_ = false; // context_->pixels is, though geometry's registers changed
     std::shared_ptr<const PixelContext> binned_pixels_; // the last whose pages are in the sets
 
-    GeometryWork geometry_work_; // of the draw under way, with a work sink
+    // With a work sink.
+    std::vector<HostTransfer> transfers_; // since the last bin was handed over
+    bool draw_goes_on_ = false;           // The bin is full within a draw.
+
+    std::uint32_t last_key_ = 0, next_piece_ = 0; // of the primitives of the draw under way
     std::uint32_t draw_number_ = 0;
     std::uint32_t frame_ = 0;
     std::uint64_t samples_ = 0;
     bool samples_pending_ = false; // The bin holds draws that count samples.
     FragmentStatistics fragment_statistics_;
     PrimitiveStatistics primitive_statistics_;
+    HostStatistics host_statistics_;
 };
 
 } // namespace ffgpu

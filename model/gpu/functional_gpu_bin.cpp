@@ -5,6 +5,7 @@
 #include "model/gpu/validate.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ffgpu {
 namespace {
@@ -65,9 +66,10 @@ void FunctionalGpu::draw(const DrawCommand& command) {
     bin_serial_ = bin_serial_ || own_target;
     samples_pending_ = samples_pending_ || context_->pixels->count_samples;
 
-    geometry_work_ = {};
-    geometry_.draw(context_->state, command, *this, sink_ ? &geometry_work_ : nullptr);
-    if (sink_) bin_.commands().back().geometry = std::move(geometry_work_);
+    last_key_ = next_piece_ = 0;
+    GeometryWork work;
+    geometry_.draw(context_->state, command, *this, sink_ ? &work : nullptr);
+    if (sink_) bin_.commands().back().geometry = std::move(work);
     if (own_target) flush();
 }
 
@@ -127,17 +129,17 @@ void FunctionalGpu::bin_primitive(const Primitive& primitive) {
         // The draw goes on in the next bin, under the same number.
         const std::uint32_t number = bin_.commands().back().number;
         const bool serial = bin_serial_;
-        if (sink_) {
-            geometry_.finish_part();
-            bin_.commands().back().geometry = geometry_work_;
-            geometry_work_.vertices.clear();
-        }
+        draw_goes_on_ = true;
         flush();
+        draw_goes_on_ = false;
         begin_command({.kind = WorkKind::Draw, .number = number});
         bin_serial_ = serial;
     }
     ++primitive_statistics_.primitives;
+    if (primitive.key != last_key_) next_piece_ = 0;
+    last_key_ = primitive.key;
     SetupRecord& record = bin_.next_record();
+    record.piece = next_piece_++;
     if (!set_up(context_->setup, primitive, record)) {
         ++primitive_statistics_.empty;
         return;
@@ -154,8 +156,21 @@ void FunctionalGpu::before_write(std::uint64_t at, std::uint64_t bytes) {
     if (bin_writes_.overlaps(at, bytes) || bin_reads_.overlaps(at, bytes)) flush();
 }
 
+void FunctionalGpu::note_transfer(bool is_write, std::uint64_t at, std::uint64_t bytes) {
+    constexpr std::size_t Most = 1 << 16;
+    if (!sink_) return;
+    if (transfers_.size() >= Most) flush();
+    transfers_.push_back({.before_draw = static_cast<std::uint32_t>(bin_.commands().size()),
+                          .is_write = is_write,
+                          .at = static_cast<DeviceAddress>(at),
+                          .bytes = bytes});
+}
+
 void FunctionalGpu::flush() {
-    if (bin_.empty()) return;
+    if (bin_.empty()) {
+        if (sink_ && !transfers_.empty()) hand_over({});
+        return;
+    }
     const FloatEnvironment environment;
     const std::vector<std::uint32_t>& tiles = bin_.busy_tiles();
     std::vector<WorkTile> recordings(sink_ ? tiles.size() : 0);
@@ -171,9 +186,10 @@ void FunctionalGpu::flush() {
     for (const auto& renderer : renderers_) {
         const FragmentCounts counts = renderer->take_counts();
         fragment_statistics_.add(counts);
+        host_statistics_.add(counts);
         samples_ += counts.counted_samples;
     }
-    ++fragment_statistics_.bins;
+    ++host_statistics_.bins;
     if (sink_) hand_over(std::move(recordings));
 
     bin_.reset(0, 0);
@@ -185,18 +201,21 @@ void FunctionalGpu::flush() {
 }
 
 void FunctionalGpu::hand_over(std::vector<WorkTile> tiles) {
-    WorkBin work;
+    auto work = std::make_shared<WorkBin>();
     for (BinCommand& command : bin_.commands())
-        work.draws.push_back({.kind = command.kind,
-                              .number = command.number,
-                              .frame = command.frame,
-                              .early_depth = command.context->pixels->pipe.early_depth,
-                              .state = command.context->state.registers,
-                              .geometry = std::move(command.geometry),
-                              .clear = command.clear});
+        work->draws.push_back({.kind = command.kind,
+                               .number = command.number,
+                               .frame = command.frame,
+                               .early_depth = command.context->pixels->pipe.early_depth,
+                               .state = command.context->state.registers,
+                               .geometry = std::move(command.geometry),
+                               .image = command.image ? *command.image : DrawImageCommand{},
+                               .clear = command.clear});
     std::erase_if(tiles, [](const WorkTile& tile) { return tile.batches.empty(); });
-    work.tiles = std::move(tiles);
-    sink_->bin(work);
+    work->tiles = std::move(tiles);
+    work->transfers = std::exchange(transfers_, {});
+    work->last_draw_goes_on = draw_goes_on_;
+    sink_->bin(std::move(work));
 }
 
 } // namespace ffgpu

@@ -39,9 +39,6 @@ struct FragmentStatistics : StatisticsGroup {
     Counter& samples_written =
         count("samples_written", "samples", "of multisampled targets, passed all tests");
     Counter& quads = count("quads", "quads", "with at least one covered fragment");
-    Counter& batches = count("batches", "batches", "of up to 64 quads of one tile and state");
-    Counter& tiles = count("tiles_visited", "tiles", "carried out, once for each bin");
-    Counter& bins = count("bins", "bins", "carried out");
 
     void add(const FragmentCounts& counts) {
         covered += counts.covered;
@@ -54,6 +51,16 @@ struct FragmentStatistics : StatisticsGroup {
         samples_covered += counts.samples_covered;
         samples_written += counts.samples_written;
         quads += counts.quads;
+    }
+};
+
+// Depends on tile size, threads and when a bin was full: never a part of a result.
+struct HostStatistics : StatisticsGroup {
+    Counter& batches = count("batches", "batches", "of up to 64 quads of one tile and state");
+    Counter& tiles = count("tiles_visited", "tiles", "carried out, once for each bin");
+    Counter& bins = count("bins", "bins", "carried out");
+
+    void add(const FragmentCounts& counts) {
         batches += counts.batches;
         tiles += counts.tiles;
     }

@@ -268,7 +268,18 @@ void TileRenderer::record(const FragmentMask& covered,
         work.quads[q].samples_covered = sample_bits(covered_samples_, q);
         work.quads[q].samples_written = sample_bits(batch_.samples, q);
     }
+    record_pieces(work);
     work.textures = std::exchange(footprints_, {});
+}
+
+// An image is one piece: it has no runs.
+void TileRenderer::record_pieces(WorkBatch& work) const {
+    const std::span<const BatchRun> runs = collector_.runs();
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+        const std::size_t end = run + 1 < runs.size() ? runs[run + 1].first_quad : work.quads.size();
+        for (std::size_t q = runs[run].first_quad; q < end; ++q)
+            work.quads[q].piece = runs[run].record->piece;
+    }
 }
 
 } // namespace ffgpu

@@ -46,6 +46,7 @@ private:
     void record(const FragmentMask& covered,
                 const FragmentMask& after_early_depth,
                 const FragmentFates& fates);
+    void record_pieces(WorkBatch& work) const;
     bool multisampled() const { return pixels_->pipe.samples > 1; }
 
     std::span<std::byte> memory_;

@@ -22,6 +22,8 @@ struct TexelAccess {
     std::uint8_t linear; // bit 0: x0 and x1 both, bit 1: y0 and y1 both, bit 2: both layers
     std::uint16_t x0, x1, y0, y1;
     std::uint16_t layer0, layer1; // slice or face
+
+    bool operator==(const TexelAccess&) const = default;
 };
 
 // Only live fragments are recorded, in lane order; of a fragment the finer level first; of

@@ -1,10 +1,11 @@
-// The work stream: what the functional GPU did, in logical coordinates and without time. The timing
-// model, the heat maps and the trace exporters read it; it never changes a pixel.
+// The work stream as the functional GPU hands it over: what it did, in logical coordinates and
+// without time; it never changes a pixel.
 //
-// The functional GPU works through bins: a bin holds one or more draws and is carried out tile by
-// tile. A consumer gets whole bins, and reads one either tile-major (as executed: for each tile its
-// batches in order) or primitive-major (an immediate-mode machine: for each draw and primitive in
-// order, the tiles it touched) with the help of WorkBin's index.
+// It comes in pieces that follow the host: a WorkBin is what was carried out at once, tile by tile,
+// and ends where the host's memory for bins did, even within a draw. model/work makes whole
+// commands of it again, in an order and with keys in which nothing of the host is left; who counts,
+// times or files work reads those. A WorkBin is never changed once it is handed over: readers share
+// it, on any thread.
 
 #pragma once
 
@@ -24,6 +25,7 @@ namespace ffgpu {
 // ends at the first mask in which it is missing.
 struct WorkQuad {
     std::uint32_t primitive;        // PrimitiveKey::primitive
+    std::uint32_t piece = 0;        // SetupRecord::piece
     std::uint16_t x, y;             // window pixel of lane 0
     std::uint8_t covered;           // four bits each, bit i for lane i:
     std::uint8_t after_early_depth; // equals covered where depth is tested late
@@ -34,6 +36,8 @@ struct WorkQuad {
     // Multisampled targets: bit 4 i + s for sample s of lane i.
     std::uint16_t samples_covered = 0;
     std::uint16_t samples_written = 0; // passed all tests
+
+    bool operator==(const WorkQuad&) const = default;
 };
 
 // A batch of one tile. Quads are in the order of the primitives.
@@ -48,17 +52,16 @@ struct WorkTile {
     std::vector<WorkBatch> batches;
 };
 
-// What became of a draw before rasterization. A draw that is split between bins has its work split,
-// too: each part tells of the vertices and primitives since the part before.
+// What became of a draw before rasterization: of the whole draw, whatever bins it was drawn in.
 struct GeometryWork {
     std::uint32_t vertex_bytes = 0;      // of one vertex in memory
     std::vector<std::uint32_t> vertices; // vertex numbers in the order of use, as indexed
     DeviceAddress vertex_address = 0;
     DeviceAddress index_address = 0;
     std::uint8_t index_bytes = 0; // of one index; 0: none
-    std::uint32_t keys_begin =
-        0;                      // PrimitiveKey::primitive of this part's primitives: a filled quad
-    std::uint32_t keys_end = 0; // or polygon is one key and several primitives
+    // PrimitiveKey::primitive counts up to here: a filled quad or polygon is one key and several
+    // primitives.
+    std::uint32_t keys = 0;
     std::uint32_t primitives_in = 0;
     std::uint32_t primitives_clipped = 0;    // cut by a plane, at least one piece left
     std::uint32_t primitives_outside = 0;    // nothing left
@@ -66,6 +69,23 @@ struct GeometryWork {
     std::uint32_t primitives_degenerate = 0; // without area after snapping
     std::uint32_t primitives_out = 0;        // handed to triangle set-up
     std::uint8_t lights = 0;                 // enabled lights (0: lighting off)
+
+    // All but the vertices.
+    template <class Self, class Visitor>
+    static void for_each_number(Self& self, Visitor&& number) {
+        number(self.vertex_bytes);
+        number(self.vertex_address);
+        number(self.index_address);
+        number(self.index_bytes);
+        number(self.keys);
+        number(self.primitives_in);
+        number(self.primitives_clipped);
+        number(self.primitives_outside);
+        number(self.primitives_culled);
+        number(self.primitives_degenerate);
+        number(self.primitives_out);
+        number(self.lights);
+    }
 };
 
 enum class WorkKind : std::uint8_t { Draw, Image, Clear, Copy };
@@ -78,24 +98,33 @@ struct WorkDraw {
     bool early_depth = false; // Depth was tested before texturing.
     std::shared_ptr<const Registers> state{};
     GeometryWork geometry{};     // Draw
+    DrawImageCommand image{};    // Image
     ClearCommand clear{};        // Clear
     CopyRectangleCommand copy{}; // Copy
 };
 
+// The driver wrote or read device memory (textures, vertices, pictures): what a real bus carries.
+struct HostTransfer {
+    std::uint32_t before_draw = 0; // It came before this one of the bin's draws.
+    bool is_write = true;
+    DeviceAddress at = 0;
+    std::uint64_t bytes = 0;
+};
+
 struct WorkBin {
     std::vector<WorkDraw> draws;
+    std::vector<HostTransfer> transfers; // in their order
     std::vector<WorkTile> tiles; // In row order from the lower left; tiles without work are absent.
+    bool last_draw_goes_on = false; // The next bin begins with more quads of it; its geometry is
+                                    // told where it ends.
 };
 
 // Calls come from one thread, in the order of the commands. Clears and copies come as draws of
-// their kind, in bins of their own or among others' draws, in order.
+// their kind.
 class WorkSink {
 public:
     virtual ~WorkSink() = default;
-    virtual void bin(const WorkBin& bin) = 0;
-    // The driver wrote device memory (textures, vertices): what a real bus would carry.
-    virtual void memory_written(DeviceAddress at, std::uint64_t bytes) = 0;
-    virtual void memory_read(DeviceAddress at, std::uint64_t bytes) = 0;
+    virtual void bin(std::shared_ptr<const WorkBin> bin) = 0;
     virtual void end_frame(std::uint32_t frame) = 0;
 };
 

@@ -68,6 +68,9 @@ struct SetupRecord {
     bool constant_secondary = false; // The same.
     std::uint8_t plane_count = 0;
     std::uint32_t key = 0; // PrimitiveKey::primitive
+    // How many primitives with this key came to set-up before: clipped pieces, the triangles of a
+    // polygon, the lines or points of its outline.
+    std::uint32_t piece = 0;
 
     int x_reference = 0, y_reference = 0;
     std::array<std::uint8_t, MaxEdges> edge_fractions; // Samples: ExactEdge::fraction

@@ -1,6 +1,6 @@
 #include "model/timing/color_timing.h"
 
-#include "model/timing/surface_lines.h"
+#include "model/work/surface_lines.h"
 
 namespace ffgpu::timing {
 
@@ -25,11 +25,12 @@ bool ColorTiming::look_up(Activity& reason) {
     }
     const QuadToken& token = ports_.quads_in.front();
     const PreparedDraw& draw = token.draw();
-    const auto lines = token.bin->color_lines(token.quad());
+    const auto lines = token.scene->work.color_lines(token.quad());
     if (draw.writes_color && !lines.empty()) {
         const std::uint64_t line = lines[walk_.next];
-        const WrittenBytes written =
-            quad_bytes(draw.color_place, ports_.cache.grain(), token.quad(), line);
+        work::WrittenBytes written;
+        for (const work::PlacedLevel& place : draw.color_places)
+            written |= quad_bytes(place, ports_.cache.grain(), token.quad(), line);
         if (!walk_.look_up(ports_.cache,
                            {.number = line,
                             .read = draw.reads_color ? written.touched : 0,
@@ -52,7 +53,7 @@ bool ColorTiming::retire(Activity& reason) {
     }
     const QuadToken token = parked_.pop();
     on_retire_(token, now());
-    ++token.bin->retired_quads;
+    ++token.scene->retired_quads;
     in_flight_.leave();
     return true;
 }

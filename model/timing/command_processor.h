@@ -7,11 +7,12 @@
 #include "model/timing/channel.h"
 #include "model/timing/in_flight.h"
 #include "model/timing/line_cache.h"
-#include "model/timing/surface_lines.h"
 #include "model/timing/tokens.h"
 #include "model/timing/unit.h"
+#include "model/work/machine_order.h"
 
 #include <deque>
+#include <variant>
 
 namespace ffgpu::timing {
 
@@ -29,45 +30,43 @@ public:
                      const Clock& clock,
                      const TimingConfig& config,
                      const Ports& ports,
-                     AddressMap& addresses,
                      InFlight& in_flight,
                      InFlight& memory_in_flight);
 
     // The host's side; called while the simulation is paused.
-    void enqueue(PreparedBin& bin);
+    void enqueue(TimedScene& scene);
+    void enqueue(work::PreparedTransfer&& transfer);
     void enqueue_frame_end();
     // Nothing is left to read: the clock must not go on without the host.
-    bool starves() const { return commands_.empty() && transfers_.empty(); }
+    bool starves() const { return commands_.empty() && requests_.empty(); }
 
 private:
-    struct Command {
-        DrawToken draw; // bin null: the end of a frame
-    };
+    struct FrameEnd {};
+    using Command = std::variant<DrawToken, work::PreparedTransfer, FrameEnd>;
+
     Activity step() override;
     bool may_sleep() const override {
         return false;
     } // The clock stops where there is nothing to do.
-    Activity draw(const Command& command);
-    Activity wait_then(const Command& command);
-    Activity transfer();
+    Activity draw(const DrawToken& draw);
+    // The pipe is empty.
+    Activity begin(const work::PreparedTransfer& transfer);
+    Activity end_frame();
+    Activity move_line();
     void read(const LineCache& cache, std::uint64_t line);
     void write_back(const LineCache& cache, const LineWrite& line);
     void write_back(LineCache& cache);
-    void overwrite(LineCache& cache, const std::vector<WrittenLine>& lines);
-    void begin_clear(const WorkDraw& work);
-    void begin_copy(const WorkDraw& work);
+    void overwrite(LineCache& cache, const work::WrittenLine& line);
 
     const TimingConfig& config_;
     const Ports ports_;
-    AddressMap& addresses_;
     InFlight& in_flight_;
     InFlight& memory_in_flight_;
     bool written_back_ = false; // at the end of a frame: only the memory has to finish
     std::deque<Command> commands_;
-    std::deque<MemoryRequest> transfers_; // of clears, copies and write-backs, a line each
+    std::deque<MemoryRequest> requests_; // of clears, copies and write-backs, a line each
     std::uint32_t decode_cycles_left_ = 0;
     bool decoding_ = false;
-    std::uint32_t last_draw_number_ = ~0u;
 };
 
 } // namespace ffgpu::timing

@@ -8,20 +8,15 @@
 #include "model/timing/cache_traffic_config.h"
 #include "model/timing/memory_config.h"
 #include "model/work/cache_policy.h"
+#include "model/work/config.h"
 
-#include <array>
 #include <cstdint>
 
 namespace ffgpu::timing {
 
-enum class Traversal : std::uint8_t { Scanline, Column, Tiled };
-inline constexpr std::array<std::string_view, 3> TraversalNames{"scanline", "column", "tiled"};
-
-enum class Architecture : std::uint8_t { Immediate, TileBased };
-inline constexpr std::array<std::string_view, 2> ArchitectureNames{"immediate", "tile_based"};
-
-enum class Layout : std::uint8_t { Linear, Blocked, Blocked6d };
-inline constexpr std::array<std::string_view, 3> LayoutNames{"linear", "blocked", "blocked_6d"};
+using work::Architecture;
+using work::Layout;
+using work::Traversal;
 
 struct CommandProcessorConfig {
     static constexpr std::string_view Name = "command_processor";
@@ -125,40 +120,15 @@ struct SetupConfig {
     }
 };
 
-struct RasterConfig {
+struct RasterConfig : work::RasterOrder {
     static constexpr std::string_view Name = "raster";
-    Architecture architecture = Architecture::Immediate;
-    Traversal traversal = Traversal::Tiled;
-    std::uint32_t tile_width = 8;
-    std::uint32_t bin_size = 32;
     std::uint32_t quads_per_cycle = 1;
     std::uint32_t tile_cycles = 1;
     std::uint32_t queue = 64;
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
-        field("architecture",
-              self.architecture,
-              {.meaning = "immediate: primitive after primitive; tile_based: screen bins, each "
-                          "with all its primitives",
-               .choices = ArchitectureNames});
-        field("traversal",
-              self.traversal,
-              {.meaning = "order of a primitive's quads", .choices = TraversalNames});
-        field("tile_width",
-              self.tile_width,
-              {.unit = "pixels",
-               .minimum = 2,
-               .maximum = 512,
-               .power_of_two = true,
-               .meaning = "tiled traversal: width and height"});
-        field("bin_size",
-              self.bin_size,
-              {.unit = "pixels",
-               .minimum = 8,
-               .maximum = 512,
-               .power_of_two = true,
-               .meaning = "tile_based: width and height of a bin"});
+        RasterOrder::visit(self, field);
         field("quads_per_cycle",
               self.quads_per_cycle,
               {.unit = "quads/cycle",
@@ -180,38 +150,14 @@ struct RasterConfig {
     }
 };
 
-// The caches of depth and colour, and the texel cache.
-struct CacheConfig : work::CachePolicy, CacheTrafficConfig {
-    std::uint32_t sets = 64;
-    std::uint32_t ways = 4;
-    std::uint32_t line_bytes = 64;
+// What a cache does in time, whatever its shape.
+struct CachePace : work::CachePolicy, CacheTrafficConfig {
     std::uint32_t lookups_per_cycle = 1;
     std::uint32_t fragment_fifo = 64;
     std::uint32_t outstanding_lines = 64;
-    Layout layout = Layout::Blocked;
-    std::uint32_t block_width = 4;
-
-    std::uint32_t bytes() const { return sets * ways * line_bytes; }
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
-        field("sets",
-              self.sets,
-              {.unit = "sets",
-               .minimum = 1,
-               .maximum = 1 << 20,
-               .power_of_two = true,
-               .meaning = "1: fully associative"});
-        field("ways",
-              self.ways,
-              {.unit = "ways", .minimum = 1, .maximum = 1 << 16, .meaning = "1: direct mapped"});
-        field("line_bytes",
-              self.line_bytes,
-              {.unit = "bytes",
-               .minimum = 16,
-               .maximum = 512,
-               .power_of_two = true,
-               .meaning = "of a line"});
         field("lookups_per_cycle",
               self.lookups_per_cycle,
               {.unit = "lines/cycle",
@@ -232,43 +178,40 @@ struct CacheConfig : work::CachePolicy, CacheTrafficConfig {
                .meaning = "fills under way at once"});
         CachePolicy::visit(self, field);
         CacheTrafficConfig::visit(self, field);
-        field("layout", self.layout, {.meaning = "of the image in memory", .choices = LayoutNames});
-        field("block_width",
-              self.block_width,
-              {.unit = "texels",
-               .minimum = 1,
-               .maximum = 64,
-               .power_of_two = true,
-               .meaning = "blocked layouts: width and height of a block"});
     }
 };
 
-struct TexelCacheConfig : CacheConfig {
+// The caches of depth and colour.
+struct CacheConfig : work::CacheShape, CachePace {
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        CacheShape::visit(self, field);
+        CachePace::visit(self, field);
+    }
+};
+
+struct TexelCacheConfig : work::TexelCacheShape, CachePace {
     static constexpr std::string_view Name = "texel_cache";
     std::uint32_t bilinear_quads_per_cycle = 1;
-    std::uint32_t superblock_width = 32;
 
     TexelCacheConfig() {
         lookups_per_cycle = 4;
         fragment_fifo = 128;
     }
 
+    // What every cache has.
+    CacheConfig cache() const { return {*this, *this}; }
+
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
-        CacheConfig::visit(self, field);
+        TexelCacheShape::visit(self, field);
+        CachePace::visit(self, field);
         field("bilinear_quads_per_cycle",
               self.bilinear_quads_per_cycle,
               {.unit = "quads/cycle",
                .minimum = 1,
                .maximum = 16,
                .meaning = "filtered by the units together; trilinear takes twice as long"});
-        field("superblock_width",
-              self.superblock_width,
-              {.unit = "texels",
-               .minimum = 2,
-               .maximum = 512,
-               .power_of_two = true,
-               .meaning = "blocked_6d: width and height of a superblock"});
     }
 };
 
@@ -319,6 +262,14 @@ struct TimingConfig {
     ColorCacheConfig color_cache;
     FragmentConfig fragment;
     MemoryConfig memory;
+
+    // The part that work's order and places depend on.
+    work::WorkConfig work() const {
+        return {.raster = raster,
+                .texel_cache = texel_cache,
+                .depth_cache = depth_cache,
+                .color_cache = color_cache};
+    }
 
     // Calls group(name, group) for each; then Group::visit names its fields.
     template <class Self, class Visitor>

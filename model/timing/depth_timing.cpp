@@ -1,6 +1,6 @@
 #include "model/timing/depth_timing.h"
 
-#include "model/timing/surface_lines.h"
+#include "model/work/surface_lines.h"
 
 namespace ffgpu::timing {
 
@@ -27,17 +27,17 @@ bool DepthTiming::look_up(Path path, std::uint32_t& lookups_left, Activity& reas
     }
     const QuadToken token = in.front();
     const PreparedDraw& draw = token.draw();
-    const bool tested_here = draw.uses_depth && draw.work.early_depth == (path == Path::Early);
+    const bool tested_here = draw.uses_depth && draw.early_depth == (path == Path::Early);
     LineWalk& walk = path == Path::Early ? early_walk_ : late_walk_;
     if (tested_here) {
-        const auto lines = token.bin->depth_lines(token.quad());
+        const auto lines = token.scene->work.depth_lines(token.quad());
         const bool writes = draw.writes_depth && token.quad().after_depth != 0;
         const std::size_t before = walk.next;
         while (walk.next < lines.size() && lookups_left > 0) {
             const std::uint64_t line = lines[walk.next];
-            const WrittenBytes written =
+            const work::WrittenBytes written =
                 writes ? quad_bytes(draw.depth_place, ports_.cache.grain(), token.quad(), line)
-                       : WrittenBytes{};
+                       : work::WrittenBytes{};
             if (!walk.look_up(
                     ports_.cache,
                     {.number = line, .written = written.touched, .covered = written.covered}))
@@ -71,7 +71,7 @@ bool DepthTiming::send(Path path, Activity& reason) {
     }
     const QuadToken token = parked.pop();
     if (dies) {
-        ++token.bin->retired_quads;
+        ++token.scene->retired_quads;
         in_flight_.leave();
     } else {
         out.push(token);

@@ -5,7 +5,7 @@ namespace ffgpu::timing {
 void GeometryTiming::begin(const VertexToken& vertex) {
     vertex_ = vertex;
     const PreparedDraw& draw = vertex.draw.prepared();
-    const GeometryWork& work = draw.work.geometry;
+    const GeometryWork& work = draw.geometry;
     cycles_left_ = vertex.shade ? config_.transform_cycles + work.lights * config_.light_cycles : 1;
     const std::uint64_t vertices = std::max<std::size_t>(work.vertices.size(), 1);
     const std::uint64_t primitives = draw.primitives();

@@ -1,6 +1,5 @@
 #include "model/timing/gpu_timing.h"
 
-#include "model/timing/address_map.h"
 #include "model/timing/color_timing.h"
 #include "model/timing/command_processor.h"
 #include "model/timing/depth_timing.h"
@@ -13,8 +12,8 @@
 #include "model/timing/simulation_context.h"
 #include "model/timing/texture_timing.h"
 #include "model/timing/vertex_fetch.h"
+#include "model/work/machine_order.h"
 
-#include <algorithm>
 #include <deque>
 #include <utility>
 
@@ -28,6 +27,7 @@ namespace {
 
 constexpr std::size_t RequestQueue = 16;
 constexpr std::size_t ResponseQueue = 256; // and as many as a cache may have outstanding
+constexpr std::size_t MostWaiting = 1 << 14; // quads that are prepared before they are run
 
 class FrameStatistics : public StatisticsGroup {
 public:
@@ -65,11 +65,14 @@ CacheConfig vertex_cache(const VertexConfig& config) {
 } // namespace
 
 // The block diagram. Members are made in this order: clock, memory ports, links, units.
-class GpuTiming::Machine {
+class GpuTiming::Machine final : public work::MachineSink {
 public:
-    Machine(const TimingConfig& wanted, std::uint32_t evaluation_order)
-        : config(wanted)
-        , addresses(config)
+    Machine(const SimulationContext& kernel,
+            const TimingConfig& wanted,
+            std::uint32_t evaluation_order)
+        : context(kernel)
+        , config(wanted)
+        , order(config.work(), *this)
         , clock("clock", [this] { return must_wait(); })
         , in_flight(clock)
         , memory_in_flight(clock)
@@ -77,7 +80,7 @@ public:
         , command_responses(clock, ResponseQueue)
         , vertex_port(
               "vertex_cache", clock, vertex_cache(config.vertex), Client::Vertex, memory_in_flight)
-        , texel_port("texel_cache", clock, config.texel_cache, Client::Texture, memory_in_flight)
+        , texel_port("texel_cache", clock, config.texel_cache.cache(), Client::Texture, memory_in_flight)
         , depth_port("depth_cache", clock, config.depth_cache, Client::Depth, memory_in_flight)
         , color_port("color_cache", clock, config.color_cache, Client::Color, memory_in_flight)
         , draws(clock, 4)
@@ -87,8 +90,10 @@ public:
         , raster_to_depth(clock, config.raster.queue)
         , depth_to_texture(clock, config.fragment.queue)
         , texture_to_fragment(clock, config.fragment.queue)
-        , fragment_to_depth(
-              clock, config.fragment.queue, config.fragment.latency, config.raster.quads_per_cycle)
+        , fragment_to_depth(clock,
+                            config.fragment.queue,
+                            config.fragment.latency,
+                            config.raster.quads_per_cycle)
         , depth_to_color(clock, config.fragment.queue)
         , command_processor("command_processor",
                             clock,
@@ -98,7 +103,6 @@ public:
                              .responses_in = command_responses,
                              .depth_cache = depth_port.cache,
                              .color_cache = color_port.cache},
-                            addresses,
                             in_flight,
                             memory_in_flight)
         , vertex_fetch("vertex_fetch",
@@ -181,18 +185,37 @@ public:
         attach_units(evaluation_order);
     }
 
-    // Runs until the command processor has nothing left to read.
-    void run() {
-        sc_core::sc_start();
-        while (!bins.empty() && &bins.front() != &bins.back() && bins.front().is_done())
-            bins.pop_front();
+    // MachineSink
+    void scene(work::PreparedScene&& scene) override {
+        waiting_quads += scene.quads.size() + scene.draws.size();
+        scenes.emplace_back(std::move(scene));
+        scenes.back().host_writes = std::exchange(host_writes, {});
+        command_processor.enqueue(scenes.back());
+        if (waiting_quads > MostWaiting) run();
+    }
+    void transfer(work::PreparedTransfer&& transfer) override {
+        command_processor.enqueue(std::move(transfer));
+        if (++waiting_quads > MostWaiting) run();
+    }
+    void host_transfer(const HostTransfer& transfer) override {
+        (transfer.is_write ? frame_statistics.host_written_bytes
+                           : frame_statistics.host_read_bytes) += transfer.bytes;
+        if (transfer.is_write) host_writes.push_back({transfer.at, transfer.at + transfer.bytes});
+    }
+    void end_frame(std::uint32_t number) override {
+        command_processor.enqueue_frame_end();
+        run();
+        finish_frame(number);
     }
 
-    // To the next draw that fetches vertices; clears and copies do not wait for them.
-    void pass_host_writes(PreparedBin& bin) {
-        const bool streams = std::ranges::any_of(
-            bin.segments, [](const Segment& segment) { return segment.draws > 0; });
-        if (streams) bin.host_writes = std::exchange(host_writes, {});
+    // Runs until the command processor has nothing left to read. Time stands still then, so that
+    // nobody can see in a result how often this is done.
+    void run() {
+        const SimulationContext::Scope scope(context);
+        sc_core::sc_start();
+        waiting_quads = 0;
+        while (scenes.size() > 1 && scenes.front().is_done())
+            scenes.pop_front();
     }
 
     void finish_frame(std::uint32_t number) {
@@ -220,11 +243,13 @@ public:
                 &memory};
     }
 
+    const SimulationContext& context;
     const TimingConfig config;
-    AddressMap addresses;
+    work::MachineOrder order;
     Clock clock;
     InFlight in_flight, memory_in_flight;
-    std::deque<PreparedBin> bins;
+    std::deque<TimedScene> scenes;
+    std::size_t waiting_quads = 0; // and draws and transfers, since run()
 
     RequestPort command_requests;
     Channel<std::uint64_t> command_responses;
@@ -249,7 +274,7 @@ public:
     MemoryArbiter arbiter;
     MemoryController memory;
 
-    std::vector<HostWrite> host_writes; // since the last draw
+    std::vector<HostWrite> host_writes; // since the last scene
     FrameStatistics frame_statistics;
     FrameTiming frame;
     Cycle frame_begin = 0;
@@ -262,12 +287,12 @@ public:
 private:
     // In the order of the pipe, or shuffled by a linear congruential generator.
     void attach_units(std::uint32_t seed) {
-        auto order = units();
-        for (std::size_t i = order.size() - 1; i > 0 && seed != 0; --i) {
+        auto shuffled = units();
+        for (std::size_t i = shuffled.size() - 1; i > 0 && seed != 0; --i) {
             seed = seed * 1664525u + 1013904223u;
-            std::swap(order[i], order[(seed >> 16) % (i + 1)]);
+            std::swap(shuffled[i], shuffled[(seed >> 16) % (i + 1)]);
         }
-        for (Unit* unit : order)
+        for (Unit* unit : shuffled)
             unit->attach();
     }
 
@@ -295,7 +320,7 @@ private:
     void retire(const QuadToken& token, Cycle now) {
         const Cycle cycles = now - std::max(last_retired, frame_begin);
         last_retired = now;
-        const std::uint32_t number = token.draw().work.number;
+        const std::uint32_t number = token.draw().number;
         if (frame.draws.empty() || frame.draws.back().draw != number)
             frame.draws.push_back({number, 0});
         frame.draws.back().cycles += cycles;
@@ -312,7 +337,7 @@ private:
 GpuTiming::GpuTiming(const TimingConfig& config, std::uint32_t evaluation_order)
     : context_(std::make_unique<SimulationContext>()) {
     const SimulationContext::Scope scope(*context_);
-    machine_ = std::make_unique<Machine>(config, evaluation_order);
+    machine_ = std::make_unique<Machine>(*context_, config, evaluation_order);
 }
 
 GpuTiming::~GpuTiming() {
@@ -320,29 +345,20 @@ GpuTiming::~GpuTiming() {
     machine_.reset();
 }
 
-void GpuTiming::bin(const WorkBin& bin) {
-    const SimulationContext::Scope scope(*context_);
-    machine_->bins.push_back(prepare(bin, machine_->config, machine_->addresses));
-    machine_->pass_host_writes(machine_->bins.back());
-    machine_->command_processor.enqueue(machine_->bins.back());
-    machine_->run();
+void GpuTiming::command(std::shared_ptr<const work::WholeCommand> command) {
+    machine_->order.command(std::move(command));
 }
 
-void GpuTiming::memory_written(DeviceAddress at, std::uint64_t bytes) {
-    machine_->frame_statistics.host_written_bytes += bytes;
-    machine_->addresses.memory_written(at, bytes);
-    machine_->host_writes.push_back({at, at + bytes});
-}
-
-void GpuTiming::memory_read(DeviceAddress, std::uint64_t bytes) {
-    machine_->frame_statistics.host_read_bytes += bytes;
+void GpuTiming::host_transfer(const HostTransfer& transfer) {
+    machine_->order.host_transfer(transfer);
 }
 
 void GpuTiming::end_frame(std::uint32_t frame) {
-    const SimulationContext::Scope scope(*context_);
-    machine_->command_processor.enqueue_frame_end();
+    machine_->order.end_frame(frame);
+}
+
+void GpuTiming::catch_up() {
     machine_->run();
-    machine_->finish_frame(frame);
 }
 
 void GpuTiming::set_on_frame(std::function<void(const FrameTiming&)> on_frame) {

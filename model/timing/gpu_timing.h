@@ -2,13 +2,14 @@
 // a pixel. gpu_timing.cpp wires the units and reads as the block diagram.
 //
 // Each GpuTiming has a SystemC simulation context of its own, so several can exist in a process,
-// one after the other or side by side on one thread.
+// one after the other or side by side; SystemC keeps the current one in a global, so only one
+// thread of a process may call them at a time.
 
 #pragma once
 
 #include "model/base/statistics.h"
-#include "model/packets/work_stream.h"
 #include "model/timing/config.h"
+#include "model/work/whole_command.h"
 
 #include <cstdint>
 #include <functional>
@@ -40,18 +41,20 @@ struct FrameTiming {
 
 class SimulationContext;
 
-class GpuTiming final : public WorkSink {
+class GpuTiming final : public work::CommandSink {
 public:
     // `evaluation_order`: a seed by which the units' order of evaluation is shuffled; for the test
     // that proves it invisible.
     explicit GpuTiming(const TimingConfig& config, std::uint32_t evaluation_order = 0);
     ~GpuTiming() override;
 
-    void bin(const WorkBin& bin) override;
-    void memory_written(DeviceAddress at, std::uint64_t bytes) override;
-    void memory_read(DeviceAddress at, std::uint64_t bytes) override;
+    void command(std::shared_ptr<const work::WholeCommand> command) override;
+    void host_transfer(const HostTransfer& transfer) override;
     // Runs the machine until the frame's last quad is written, then calls on_frame.
     void end_frame(std::uint32_t frame) override;
+    // Runs the machine as far as the commands so far allow, which is otherwise put off while they
+    // are few. No figure of a whole frame depends on it.
+    void catch_up();
 
     void set_on_frame(std::function<void(const FrameTiming&)> on_frame);
     void set_on_retire(std::function<void(const QuadRetired&)> on_retire);

@@ -2,20 +2,19 @@
 
 namespace ffgpu::timing {
 void RasterTiming::take(const SetupToken& token) {
-    bin_ = token.draw.bin;
+    scene_ = token.draw.scene;
     if (config_.architecture == Architecture::Immediate) {
         next_ = token.begin;
         end_ = token.end;
-    } else if (const Segment& segment = bin_->segments[token.draw.prepared().segment];
-               token.last && ++draws_taken_ == segment.draws) {
-        next_ = segment.quads_begin;
-        end_ = segment.quads_end;
+    } else if (token.last && ++draws_taken_ == scene_->work.draws.size()) {
+        next_ = 0;
+        end_ = static_cast<std::uint32_t>(scene_->work.quads.size());
         draws_taken_ = 0;
     }
     in_flight_.enter(end_ - next_);
     if (token.last) { // The draw itself is through: its quads are counted now.
         in_flight_.leave();
-        ++bin_->finished_draws;
+        ++scene_->finished_draws;
     }
 }
 
@@ -26,7 +25,7 @@ Activity RasterTiming::step() {
         if (next_ == end_) return Activity::Busy;
     }
     for (std::uint32_t i = 0; i < config_.quads_per_cycle && next_ < end_; ++i) {
-        if (bin_->quads[next_].new_tile && !tile_begun_) {
+        if (scene_->work.quads[next_].new_tile && !tile_begun_) {
             tile_begun_ = true;
             tile_cycles_left_ = config_.tile_cycles;
         }
@@ -35,7 +34,7 @@ Activity RasterTiming::step() {
             return Activity::Busy;
         }
         if (!ports_.quads_out.can_push()) return i > 0 ? Activity::Busy : Activity::StalledOutput;
-        ports_.quads_out.push({bin_, next_, 0});
+        ports_.quads_out.push({scene_, next_, 0});
         tile_begun_ = false;
         ++next_;
     }

@@ -1,6 +1,6 @@
 // RasterTiming: makes quads, quads_per_cycle of them, and steps from traversal tile to tile. An
 // immediate machine follows the primitives; a tile-based one first takes in all primitives of a
-// segment and then walks it screen bin by screen bin.
+// scene and then walks it screen bin by screen bin.
 
 #pragma once
 
@@ -37,11 +37,11 @@ private:
     const RasterConfig config_;
     const Ports ports_;
     InFlight& in_flight_;
-    PreparedBin* bin_ = nullptr;
+    TimedScene* scene_ = nullptr;
     std::uint32_t next_ = 0, end_ = 0;
     std::uint32_t tile_cycles_left_ = 0;
     bool tile_begun_ = false;
-    std::uint32_t draws_taken_ = 0; // tile-based: of the segment
+    std::uint32_t draws_taken_ = 0; // tile-based: of the scene
 };
 
 } // namespace ffgpu::timing

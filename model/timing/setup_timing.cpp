@@ -4,7 +4,7 @@ namespace ffgpu::timing {
 
 void SetupTiming::begin(const PrimitiveToken& token) {
     const PreparedDraw& draw = token.draw.prepared();
-    if (token.draw.bin != current_.bin || token.draw.draw != current_.draw) {
+    if (token.draw.scene != current_.scene || token.draw.draw != current_.draw) {
         current_ = token.draw;
         next_quad_ = draw.first_quad;
         empty_set_up_ = 0;
@@ -12,11 +12,11 @@ void SetupTiming::begin(const PrimitiveToken& token) {
     working_ = true;
     result_ = {token.draw, next_quad_, next_quad_};
     if (config_.raster.architecture ==
-        Architecture::TileBased) { // Quads are the bin's, in its order.
+        Architecture::TileBased) { // Quads are the scene's, in its order.
         cycles_left_ = config_.setup.triangle_cycles;
         return;
     }
-    const auto& quads = token.draw.bin->quads;
+    const auto& quads = token.draw.scene->work.quads;
     const std::uint32_t draw_end = draw.first_quad + draw.quad_count;
     const std::uint32_t key_end = draw.keys_before(token.primitive + 1);
     const auto belongs = [&](std::uint32_t quad) {
@@ -29,7 +29,7 @@ void SetupTiming::begin(const PrimitiveToken& token) {
         cycles_left_ = config_.setup.triangle_cycles;
         return;
     }
-    const GeometryWork& work = draw.work.geometry;
+    const GeometryWork& work = draw.geometry;
     const std::uint32_t empty = work.primitives_out > draw.primitives_with_quads
                                     ? work.primitives_out - draw.primitives_with_quads
                                     : 0;

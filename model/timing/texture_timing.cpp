@@ -28,7 +28,7 @@ bool TextureTiming::compare_tags(Activity& reason) {
         statistics_.samples += current_.quad().filter_steps;
         statistics_.quads += current_.quad().filter_steps > 0;
     }
-    const auto lines = current_.bin->lines_of(current_.quad());
+    const auto lines = current_.scene->work.lines_of(current_.quad());
     for (std::uint32_t i = 0; i < config_.lookups_per_cycle && next_line_ < lines.size(); ++i) {
         const LookupResult result = ports_.cache.look_up({.number = lines[next_line_]});
         if (!result.accepted) {

@@ -22,17 +22,17 @@ bool VertexFetch::reuse(std::uint32_t vertex) {
 }
 
 // What the host wrote before these draws is not what the cache holds. Vertices are never dirty.
-void VertexFetch::forget_rewritten(PreparedBin& bin) {
-    for (const HostWrite& write : bin.host_writes)
+void VertexFetch::forget_rewritten(TimedScene& scene) {
+    for (const HostWrite& write : scene.host_writes)
         check(ports_.cache.invalidate(write.begin, write.end).empty(), "the cache only reads");
-    bin.host_writes.clear();
+    scene.host_writes.clear();
 }
 
 bool VertexFetch::issue(Activity& reason) {
     if (!in_draw_) {
         if (!ports_.draws_in.can_pop()) return false;
         draw_ = ports_.draws_in.pop();
-        forget_rewritten(*draw_.bin);
+        forget_rewritten(*draw_.scene);
         in_draw_ = true;
         position_ = 0;
         recent_.clear();
@@ -41,8 +41,8 @@ bool VertexFetch::issue(Activity& reason) {
         reason = Activity::StalledMemory;
         return false;
     }
-    const GeometryWork& work = draw_.prepared().work.geometry;
-    if (work.vertices.empty()) { // An image, or the rest of a split draw: passes as one token.
+    const GeometryWork& work = draw_.prepared().geometry;
+    if (work.vertices.empty()) { // An image: passes as one token.
         waiting_.push_back({{draw_, 0, false}, 0});
         in_draw_ = false;
         return true;

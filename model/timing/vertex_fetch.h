@@ -47,7 +47,7 @@ private:
     bool issue(Activity& reason);
     bool forward(Activity& reason);
     bool reuse(std::uint32_t vertex);
-    void forget_rewritten(PreparedBin& bin);
+    void forget_rewritten(TimedScene& scene);
 
     const VertexConfig config_;
     const Ports ports_;

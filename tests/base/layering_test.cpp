@@ -56,7 +56,8 @@ const std::map<std::string, Layers> Allowed = {
       "model/texture",
       "model/fragment"}},
     {"model/capture", Contract},
-    {"model/timing", {"model/base", "model/device", "model/packets", "model/arith"}},
+    {"model/work", {"model/base", "model/device", "model/packets"}},
+    {"model/timing", {"model/base", "model/device", "model/packets", "model/work"}},
     // The driver, from the ground up.
     {"driver", Contract},
     {"driver/math", {"driver", "model/device"}},
@@ -211,6 +212,7 @@ const std::map<std::string, Layers> Allowed = {
       "model/packets",
       "model/gpu",
       "model/capture",
+      "model/work",
       "model/timing",
       "driver",
       "driver/context",

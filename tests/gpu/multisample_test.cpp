@@ -93,8 +93,8 @@ void draw_sampled_mixture(AnyScene& scene) {
 // Adds the samples of the quads up.
 class SampleCounter : public WorkSink {
 public:
-    void bin(const WorkBin& bin) override {
-        for (const WorkTile& tile : bin.tiles)
+    void bin(std::shared_ptr<const WorkBin> bin) override {
+        for (const WorkTile& tile : bin->tiles)
             for (const WorkBatch& batch : tile.batches)
                 for (const WorkQuad& quad : batch.quads) {
                     covered += static_cast<unsigned>(std::popcount(quad.samples_covered));
@@ -108,8 +108,6 @@ public:
                     REQUIRE((quad.samples_written & ~quad.samples_covered) == 0);
                 }
     }
-    void memory_written(DeviceAddress, std::uint64_t) override {}
-    void memory_read(DeviceAddress, std::uint64_t) override {}
     void end_frame(std::uint32_t) override {}
 
     std::uint64_t covered = 0, written = 0;

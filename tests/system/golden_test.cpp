@@ -3,8 +3,8 @@
 #include "model/gpu/functional_gpu.h"
 #include "tests/system/trace_run.h"
 #include "tools/image/compare_images.h"
-#include "tools/replay/frame_image.h"
-#include "tools/replay/frame_source.h"
+#include "tools/report/frame_image.h"
+#include "tools/frames/frame_source.h"
 
 #include <cstdlib>
 #include <fstream>

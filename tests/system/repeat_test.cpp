@@ -2,12 +2,13 @@
 
 #include "model/gpu/functional_gpu.h"
 #include "model/timing/gpu_timing.h"
+#include "model/work/command_assembler.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/system/trace_run.h"
-#include "tools/replay/frame_source.h"
-#include "tools/replay/heat_maps.h"
-#include "tools/replay/statistics_report.h"
-#include "tools/replay/work_fan_out.h"
+#include "tools/frames/frame_source.h"
+#include "tools/report/heat_maps.h"
+#include "tools/report/statistics_report.h"
+#include "tools/record/work_fan_out.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -110,7 +111,7 @@ public:
 
     // From now on all that can listen does.
     void listen() {
-        sinks_.add(timing_);
+        sinks_.add(assembler_);
         sinks_.add(heat_);
         gpu_.set_work_sink(&sinks_);
     }
@@ -120,6 +121,7 @@ private:
 
     FunctionalGpu gpu_{{.threads = 2}};
     timing::GpuTiming timing_{timing::TimingConfig{}};
+    work::CommandAssembler assembler_{timing_};
     HeatMapRecorder heat_;
     WorkFanOut sinks_;
     std::unique_ptr<FrameSource> source_;
@@ -150,8 +152,8 @@ TEST_CASE("The statistics of many frames wait in a file, and are whole") {
     for (std::uint32_t draw = 0; draw < 5000; ++draw)
         cycles.draws.push_back({draw, 1});
     const auto add = [&](std::uint64_t number) {
-        report.begin_frame({}, {});
-        report.end_frame({.number = number, .picture = {}, .api_calls = 1}, {}, {}, cycles);
+        report.add({.number = number, .api_calls = 1, .functional = {}},
+                   {.counters = {}, .frame = cycles});
     };
     add(0);
     const std::uint64_t before = resident_bytes();

@@ -3,9 +3,10 @@
 #include "model/gpu/command_reader.h"
 #include "model/gpu/functional_gpu.h"
 #include "model/timing/gpu_timing.h"
-#include "tools/replay/frame_image.h"
-#include "tools/replay/frame_source.h"
-#include "tools/replay/work_fan_out.h"
+#include "model/work/command_assembler.h"
+#include "tools/report/frame_image.h"
+#include "tools/frames/frame_source.h"
+#include "tools/record/work_fan_out.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -109,9 +110,7 @@ void add(Counters& to, const std::vector<const StatisticsGroup*>& groups) {
 
 class NullSink : public WorkSink {
 public:
-    void bin(const WorkBin&) override {}
-    void memory_written(DeviceAddress, std::uint64_t) override {}
-    void memory_read(DeviceAddress, std::uint64_t) override {}
+    void bin(std::shared_ptr<const WorkBin>) override {}
     void end_frame(std::uint32_t) override {}
 };
 
@@ -134,14 +133,17 @@ Picture picture_of(std::uint64_t frame, const Image& image) {
 
 Run run_trace(const std::string& path, const RunOptions& options) {
     Run run;
-    FunctionalGpu gpu({.threads = options.threads, .tile_size = options.tile_size});
+    FunctionalGpu gpu({.threads = options.threads,
+                       .tile_size = options.tile_size,
+                       .bin_bytes = options.bin_bytes});
     RegroupingDevice regrouping(gpu, options.grouping == Grouping::Halves);
     const bool as_given = options.grouping == Grouping::AsGiven;
     Device& device = as_given ? static_cast<Device&>(gpu) : regrouping;
 
     NullSink null;
-    WorkFanOut sinks; // Closed while we look at a picture, which is no work of the machine's.
+    WorkFanOut sinks;
     std::unique_ptr<timing::GpuTiming> timing;
+    std::optional<work::CommandAssembler> assembler;
     if (options.record_work) sinks.add(null);
     if (options.timing) {
         timing = std::make_unique<timing::GpuTiming>(*options.timing);
@@ -150,19 +152,23 @@ Run run_trace(const std::string& path, const RunOptions& options) {
             for (const timing::DrawCycles& draw : frame.draws)
                 run.draw_cycles.emplace_back(draw.draw, draw.cycles);
         });
-        sinks.add(*timing);
+        sinks.add(assembler.emplace(*timing));
     }
-    if (!sinks.empty()) gpu.set_work_sink(&sinks);
+    const auto listen = [&] {
+        if (!sinks.empty()) gpu.set_work_sink(&sinks);
+    };
+    listen();
 
     const auto source = open_frame_source(path, device, {.warn = [](const std::string&) {}});
     while (const auto frame = source->next()) {
         device.finish();
-        sinks.set_open(false);
+        gpu.set_work_sink(nullptr); // To look at a picture is no work of the machine's.
         run.pictures.push_back(picture_of(frame->number, read_surface(device, frame->picture)));
-        sinks.set_open(true);
+        listen();
         if (frame->number >= options.last_frame) break;
     }
     add(run.functional, gpu.statistics());
+    add(run.host, {&gpu.host_statistics()});
     if (timing) add(run.timed, timing->statistics());
     return run;
 }

@@ -5,8 +5,9 @@
 
 #include "model/timing/config.h"
 #include "tools/image/image.h"
-#include "tools/replay/frame_range.h"
+#include "tools/frames/frame_range.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -38,6 +39,7 @@ enum class Grouping : std::uint8_t {
 struct RunOptions {
     unsigned threads = 1;
     unsigned tile_size = 64;
+    std::size_t bin_bytes = std::size_t{512} << 10;
     Grouping grouping = Grouping::AsGiven;
     bool record_work = false;
     std::optional<timing::TimingConfig> timing{};
@@ -49,6 +51,7 @@ using Counters = std::map<std::string, std::uint64_t>;
 struct Run {
     std::vector<Picture> pictures;
     Counters functional;               // at the end
+    Counters host;                     // how the host drew
     Counters timed;                    // with timing
     std::vector<std::uint64_t> cycles; // of each frame, with timing
     std::vector<std::pair<std::uint32_t, std::uint64_t>> draw_cycles;

@@ -102,6 +102,7 @@ inline WorkBin make_bin(const Scene& scene, std::uint8_t samples = 1) {
         TexelFootprints footprints;
         for (unsigned x = 0; x < scene.width; x += 2) {
             WorkQuad quad{.primitive = 0,
+                          .piece = 0,
                           .x = static_cast<std::uint16_t>(x),
                           .y = static_cast<std::uint16_t>(y),
                           .covered = 0,

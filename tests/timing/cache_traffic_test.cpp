@@ -249,6 +249,7 @@ TEST_CASE("a copy reads the lines of its source rectangle and writes the pixels 
 
 TEST_CASE("a vertex that the host rewrites is fetched again, its neighbours are not") {
     GpuTiming timing{TimingConfig{}};
+    work::CommandAssembler assembler(timing);
     for (int i = 0; i < 4; ++i) {
         WorkBin bin;
         WorkDraw& draw = bin.draws.emplace_back();
@@ -258,10 +259,10 @@ TEST_CASE("a vertex that the host rewrites is fetched again, its neighbours are 
         draw.geometry.vertex_address = 4096;
         draw.geometry.vertices = {0, 1, 2};
         draw.geometry.primitives_in = 1;
-        timing.memory_written(4096 + 64, 64);
-        timing.bin(bin);
+        bin.transfers.push_back({.at = 4096 + 64, .bytes = 64});
+        assembler.bin(std::make_shared<const WorkBin>(bin));
     }
-    timing.end_frame(0);
+    assembler.end_frame(0);
     const Figures figures = figures_of(timing);
     CHECK(figures.at("memory_vertex_read_bytes") == (3 + 3) * 64);
     CHECK(figures.at("vertex_cache_conflict_misses") == 0);
@@ -274,11 +275,12 @@ TEST_CASE("a fully associative cache has no conflict miss in the frame after a f
     auto state = targets(32, 32);
     state->blend.enable = true;
     GpuTiming timing(config);
+    work::CommandAssembler assembler(timing);
     WorkBin bin;
     add_draw(bin, state, [](unsigned, unsigned) { return true; });
     for (std::uint32_t frame = 0; frame < 3; ++frame) {
-        timing.bin(bin);
-        timing.end_frame(frame);
+        assembler.bin(std::make_shared<const WorkBin>(bin));
+        assembler.end_frame(frame);
     }
     const Figures figures = figures_of(timing);
     CHECK(figures.at("color_cache_misses") == 3 * 64);

@@ -4,8 +4,10 @@
 
 #include "model/timing/account.h"
 #include "model/timing/gpu_timing.h"
+#include "model/work/command_assembler.h"
 
 #include <map>
+#include <memory>
 #include <string>
 
 namespace ffgpu::timing {
@@ -30,8 +32,9 @@ inline Figures figures_of(const GpuTiming& timing) {
 inline Figures
 run(const TimingConfig& config, const WorkBin& bin, std::uint32_t evaluation_order = 0) {
     GpuTiming timing(config, evaluation_order);
-    timing.bin(bin);
-    timing.end_frame(0);
+    work::CommandAssembler assembler(timing);
+    assembler.bin(std::make_shared<const WorkBin>(bin));
+    assembler.end_frame(0);
     return figures_of(timing);
 }
 

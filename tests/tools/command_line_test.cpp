@@ -6,7 +6,7 @@
 #include "tools/commands/command_line.h"
 #include "tools/config/config_file.h"
 #include "tools/image/compare_images.h"
-#include "tools/replay/frame_range.h"
+#include "tools/frames/frame_range.h"
 #include "tools/replay/replay.h"
 
 #include <cmath>

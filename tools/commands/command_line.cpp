@@ -52,6 +52,7 @@ int run_command_line(int count, const char* const* arguments, const char* versio
     Run run;
     add_replay_command(application, run);
     add_run_command(application, run);
+    add_time_command(application, run);
     add_compare_command(application, run);
     add_config_command(application, run);
     try {

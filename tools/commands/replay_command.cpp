@@ -23,8 +23,10 @@ int run_replay(Arguments& arguments) {
     options.warn = [](const std::string& line) {
         std::fprintf(stderr, "ffgpu: warning: %s\n", line.c_str());
     };
-    if (options.output.empty() && options.capture.empty() && options.benchmark == 0)
-        throw InputError("replay: nothing to do: expected -o DIR, --capture FILE or --benchmark N");
+    if (options.output.empty() && options.capture.empty() && options.save_work.empty() &&
+        options.benchmark == 0)
+        throw InputError("replay: nothing to do: expected -o DIR, --capture FILE, --save-work FILE "
+                         "or --benchmark N");
     std::fputs(replay(options).c_str(), stderr);
     return 0;
 }

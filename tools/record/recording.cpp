@@ -1,8 +1,8 @@
 #include "tools/record/recording.h"
 
 #include "model/base/input_error.h"
-#include "tools/files/whole_file.h"
-#include "tools/replay/frame_image.h"
+#include "tools/report/frame_image.h"
+#include "tools/report/statistics_file.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -25,12 +25,24 @@ Recording::Recording(const RecordingOptions& options)
     : options_(options)
     , gpu_(gpu_config(options.configuration.gpu))
     , capture_(gpu_)
-    , report_(options.configuration, options.timing) {
-    for (const HeatMap map : options.heat_maps)
-        if (info(map).needs_timing && !options.timing)
-            throw InputError("--heatmap " + std::string(info(map).name) + " needs --timing");
+    , report_(options.configuration, options.timing)
+    , pipeline_(pipeline_options(), report_) {
     make_output_folder();
-    connect_sinks();
+    if (pipeline_.sink()) sinks_.add(*pipeline_.sink());
+    if (!options_.heat_maps.empty()) sinks_.add(heat_);
+}
+
+WorkPipeline::Options Recording::pipeline_options() {
+    bool needs_costs = false;
+    for (const HeatMap map : options_.heat_maps) {
+        if (!info(map).needs_timing) continue;
+        if (!options_.timing)
+            throw InputError("--heatmap " + std::string(info(map).name) + " needs --timing");
+        needs_costs = true;
+    }
+    return {.timing = options_.timing ? &options_.configuration.timing : nullptr,
+            .save_work = options_.save_work,
+            .costs = needs_costs ? &heat_ : nullptr};
 }
 
 // A capture in between costs its bookkeeping, so that it is there only if wanted.
@@ -39,53 +51,42 @@ Device& Recording::device() {
 }
 
 void Recording::make_output_folder() {
-    if (options_.output.empty()) return;
-    std::error_code error;
-    std::filesystem::create_directories(options_.output, error);
-    if (error) throw InputError(options_.output + ": cannot be made: " + error.message());
+    if (!options_.output.empty()) make_folder(options_.output);
 }
 
-void Recording::connect_sinks() {
-    if (options_.timing) {
-        timing_ = std::make_unique<timing::GpuTiming>(options_.configuration.timing);
-        timing_->set_on_frame([this](const timing::FrameTiming& frame) { cycles_ = frame; });
-        if (!options_.heat_maps.empty())
-            timing_->set_on_retire(
-                [this](const timing::QuadRetired& quad) { heat_.quad_retired(quad); });
-        sinks_.add(*timing_);
-    }
-    if (!options_.heat_maps.empty()) sinks_.add(heat_);
+void Recording::listen() {
+    if (!sinks_.empty()) gpu_.set_work_sink(&sinks_);
 }
 
 void Recording::start(std::uint64_t first_frame) {
     measuring_ = true;
     if (!options_.capture.empty())
         capture_.begin(options_.capture, static_cast<std::uint32_t>(first_frame));
-    if (!sinks_.empty()) gpu_.set_work_sink(&sinks_);
+    counted_.take(gpu_.statistics());
+    listen();
 }
 
 void Recording::before_frame(std::uint64_t number) {
     if (!measuring_ && number >= options_.frames.first) start(number);
     if (!measuring_) return;
-    report_.begin_frame(gpu_.statistics(), timing_groups());
     heat_.clear();
-    cycles_.reset();
 }
 
 bool Recording::after_frame(const Frame& frame) {
     if (!measuring_) return false;
     capture_.frame_shown(static_cast<std::uint32_t>(frame.number), frame.picture);
     gpu_.finish();
-    report_.end_frame(frame, gpu_.statistics(), timing_groups(), cycles_);
+    pipeline_.frame({.number = frame.number,
+                     .width = frame.picture.width,
+                     .height = frame.picture.height,
+                     .api_calls = frame.api_calls,
+                     .functional = counted_.take(gpu_.statistics())});
+    if (!options_.heat_maps.empty()) pipeline_.drain();
     // Looking at the picture is no work of the machine's.
-    sinks_.set_open(false);
+    gpu_.set_work_sink(nullptr);
     write_pictures(frame);
-    sinks_.set_open(true);
+    listen();
     return true;
-}
-
-StatisticsReport::Groups Recording::timing_groups() const {
-    return timing_ ? timing_->statistics() : StatisticsReport::Groups{};
 }
 
 void Recording::write_pictures(const Frame& frame) {
@@ -102,11 +103,19 @@ void Recording::write_pictures(const Frame& frame) {
 void Recording::finish() {
     images_.finish();
     capture_.end();
+    try {
+        gpu_.finish();
+        pipeline_.finish();
+    } catch (const InputError&) {
+        write_statistics(); // Of the frames before it.
+        throw;
+    }
+    write_statistics();
+}
+
+void Recording::write_statistics() {
     if (options_.output.empty()) return;
-    const auto path = (std::filesystem::path(options_.output) / "stats.json").string();
-    WholeFile file(path);
-    report_.write([&file](std::string_view text) { file.write(text); });
-    file.commit();
+    write_statistics_file(report_, options_.output);
 }
 
 } // namespace ffgpu::tools

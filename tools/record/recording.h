@@ -1,18 +1,19 @@
 // Recording: the GPU, and all that looks at the frames drawn on it: pictures, heat maps, statistics
-// with or without the timing model, a capture. Replays and live programs draw on its device.
+// with or without the timing model, a capture, a work file. Replays and live programs draw on its device.
 
 #pragma once
 
 #include "model/capture/capture_writer.h"
 #include "model/gpu/functional_gpu.h"
-#include "model/timing/gpu_timing.h"
 #include "tools/config/configuration.h"
 #include "tools/image/image_writer.h"
-#include "tools/replay/frame_range.h"
-#include "tools/replay/frame_source.h"
-#include "tools/replay/heat_maps.h"
-#include "tools/replay/statistics_report.h"
-#include "tools/replay/work_fan_out.h"
+#include "tools/frames/frame_range.h"
+#include "tools/frames/frame.h"
+#include "tools/report/heat_maps.h"
+#include "tools/report/statistics_report.h"
+#include "tools/record/work_fan_out.h"
+#include "tools/record/work_pipeline.h"
+#include "tools/report/counter_changes.h"
 
 #include <memory>
 #include <optional>
@@ -24,6 +25,7 @@ namespace ffgpu::tools {
 struct RecordingOptions {
     std::string output; // a folder; empty: nothing is written
     std::string capture;
+    std::string save_work;
     FrameRange frames;
     Configuration configuration;
     std::set<HeatMap> heat_maps;
@@ -54,19 +56,20 @@ public:
 
 private:
     void make_output_folder();
-    void connect_sinks();
+    void listen();
+    WorkPipeline::Options pipeline_options();
     void start(std::uint64_t first_frame);
     void write_pictures(const Frame& frame);
-    StatisticsReport::Groups timing_groups() const;
+    void write_statistics();
 
     const RecordingOptions& options_;
     FunctionalGpu gpu_;
     capture::CaptureWriter capture_;
-    WorkFanOut sinks_;
     HeatMapRecorder heat_;
-    std::unique_ptr<timing::GpuTiming> timing_;
-    std::optional<timing::FrameTiming> cycles_;
     StatisticsReport report_;
+    WorkPipeline pipeline_;
+    WorkFanOut sinks_;
+    CounterChanges counted_; // of the functional GPU
     ImageWriter images_;
     bool measuring_ = false;
 };

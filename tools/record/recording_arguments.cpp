@@ -21,6 +21,7 @@ void visit_members(Arguments& arguments, Visitor&& member) {
     member("frames", arguments.frames);
     member("heat_maps", arguments.heat_maps);
     member("capture", arguments.capture);
+    member("save_work", arguments.save_work);
     member("config", arguments.config);
     member("settings", arguments.settings);
     member("timing", arguments.timing);
@@ -34,7 +35,7 @@ void make_absolute(std::string& path) {
 } // namespace
 
 bool RecordingArguments::any() const {
-    return !output.empty() || !capture.empty() || !config.empty() || !settings.empty() ||
+    return !output.empty() || !capture.empty() || !save_work.empty() || !config.empty() || !settings.empty() ||
            !frames.empty() || !heat_maps.empty() || threads || timing || no_images;
 }
 
@@ -55,6 +56,8 @@ void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {
         ->type_name("MAP[,MAP]");
     verb.add_option("--capture", arguments.capture, "Write the frames as a device capture")
         ->type_name("FILE.ffc");
+    verb.add_option("--save-work", arguments.save_work, "Keep the work of the frames: ffgpu time")
+        ->type_name("FILE.ffw");
     verb.add_flag("--no-images", arguments.no_images, "Write no frame_*.png");
 }
 
@@ -85,6 +88,7 @@ void resolve(const RecordingArguments& arguments, RecordingOptions& options) {
     if (!arguments.heat_maps.empty()) options.heat_maps = parse_heat_maps(arguments.heat_maps);
     options.output = arguments.output;
     options.capture = arguments.capture;
+    options.save_work = arguments.save_work;
     options.timing = arguments.timing;
     options.images = !arguments.no_images;
 }
@@ -92,6 +96,7 @@ void resolve(const RecordingArguments& arguments, RecordingOptions& options) {
 std::string to_json(RecordingArguments arguments) {
     make_absolute(arguments.output);
     make_absolute(arguments.capture);
+    make_absolute(arguments.save_work);
     make_absolute(arguments.config);
     if (arguments.threads)
         arguments.settings.push_back("gpu.threads=" + std::to_string(*arguments.threads));

@@ -18,7 +18,7 @@ class App;
 namespace ffgpu::tools {
 
 struct RecordingArguments {
-    std::string output, frames, heat_maps, capture, config;
+    std::string output, frames, heat_maps, capture, save_work, config;
     std::vector<std::string> settings;
     std::optional<std::uint32_t> threads;
     bool timing = false, no_images = false;

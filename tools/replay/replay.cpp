@@ -2,8 +2,8 @@
 
 #include "model/base/input_error.h"
 #include "tools/record/recording.h"
-#include "tools/replay/frame_source.h"
-#include "tools/replay/progress.h"
+#include "tools/frames/frame_source.h"
+#include "tools/frames/progress.h"
 
 #include <chrono>
 #include <memory>

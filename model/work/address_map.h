@@ -1,0 +1,66 @@
+// AddressMap: gives textures and surfaces their places in the explored machine's address space, in the
+// layouts of the configuration. Places are handed out in the order of first use and never reused; a
+// texture level that the driver writes again gets a new place, so that its next reads are
+// compulsory misses, as they are on a real bus.
+
+#pragma once
+
+#include "model/device/registers.h"
+#include "model/work/config.h"
+#include "model/work/image_layout.h"
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <vector>
+
+namespace ffgpu::work {
+
+struct PlacedLevel {
+    ImageLayout layout;
+    std::uint64_t base = 0;
+    std::uint64_t layer_bytes = 0;
+    std::uint32_t block_width = 1; // texels of an element (4x4 for S3TC)
+    std::uint32_t block_height = 1;
+    std::uint32_t border = 0;
+    std::uint32_t samples = 1; // of a pixel; they lie together
+
+    // Texel (x, y) of layer `layer`, borders counted from 0 as TexelAccess does.
+    std::uint64_t address(std::uint32_t x, std::uint32_t y, std::uint32_t layer) const {
+        return base + layer * layer_bytes + layout.offset(x / block_width, y / block_height);
+    }
+};
+
+class AddressMap {
+public:
+    explicit AddressMap(const TexelCacheShape& textures)
+        : texture_shape_(textures) {}
+
+    // The levels of a texture; the reference holds until the next call.
+    const std::vector<PlacedLevel>& texture(const TextureImage& image);
+
+    // A colour or depth target, in the layout of its cache; a pixel's samples lie together.
+    const PlacedLevel& surface(const Surface& surface, const CacheShape& cache);
+
+    // The driver wrote [at, at + bytes) of device memory.
+    void memory_written(std::uint64_t at, std::uint64_t bytes);
+
+private:
+    struct Texture {
+        TextureImage image;
+        std::uint64_t bytes = 0;
+        std::vector<PlacedLevel> levels;
+    };
+
+    std::uint64_t place(std::uint64_t bytes);
+    PlacedLevel place_level(const TextureImage& image, std::uint32_t level);
+
+    const TexelCacheShape texture_shape_;
+    std::map<DeviceAddress, Texture> textures_;
+    std::map<std::tuple<DeviceAddress, Format, std::uint32_t, std::uint32_t, std::uint32_t>,
+             PlacedLevel>
+        surfaces_;
+    std::uint64_t next_ = std::uint64_t{1} << 32; // Above all device addresses.
+};
+
+} // namespace ffgpu::work

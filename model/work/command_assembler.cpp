@@ -1,0 +1,160 @@
+#include "model/work/command_assembler.h"
+
+#include "model/base/check.h"
+#include "model/work/fragment_key.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+namespace ffgpu::work {
+namespace {
+
+// Where the accesses of each quad and unit of a batch begin: they are in the order of lanes.
+class AccessIndex {
+public:
+    explicit AccessIndex(const WorkBatch& batch)
+        : units_(batch.textures.size())
+        , begin_((batch.quads.size() + 1) * units_) {
+        for (std::size_t unit = 0; unit < units_; ++unit) {
+            const auto& accesses = batch.textures[unit].accesses;
+            std::uint32_t at = 0;
+            for (std::size_t quad = 0; quad <= batch.quads.size(); ++quad) {
+                while (at < accesses.size() && accesses[at].lane < 4 * quad)
+                    ++at;
+                begin_[quad * units_ + unit] = at;
+            }
+        }
+    }
+
+    std::uint32_t begin(std::size_t quad, std::size_t unit) const {
+        return begin_[quad * units_ + unit];
+    }
+
+private:
+    std::size_t units_;
+    std::vector<std::uint32_t> begin_;
+};
+
+struct Source {
+    std::uint64_t primitive_and_piece = 0;
+    std::uint32_t place = 0; // row, column
+    std::uint32_t batch = 0;
+    std::uint32_t quad = 0;
+
+    // Quads of one place stay in the order in which they came.
+    bool operator<(const Source& other) const {
+        if (primitive_and_piece != other.primitive_and_piece)
+            return primitive_and_piece < other.primitive_and_piece;
+        if (place != other.place) return place < other.place;
+        return std::pair(batch, quad) < std::pair(other.batch, other.quad);
+    }
+};
+
+// The quads of one place of an image, each drawn by another of its pixels, become pieces.
+void number_image_pieces(std::vector<Source>& sources) {
+    for (std::size_t i = 1; i < sources.size(); ++i)
+        if (sources[i].place == sources[i - 1].place)
+            sources[i].primitive_and_piece = sources[i - 1].primitive_and_piece + 1;
+}
+
+std::vector<Source> in_canonical_order(const std::vector<const WorkBatch*>& batches,
+                                       bool is_image) {
+    std::vector<Source> sources;
+    for (std::uint32_t batch = 0; batch < batches.size(); ++batch)
+        for (std::uint32_t q = 0; q < batches[batch]->quads.size(); ++q) {
+            const WorkQuad& quad = batches[batch]->quads[q];
+            sources.push_back({.primitive_and_piece = std::uint64_t{quad.primitive} << 32 |
+                                                      quad.piece,
+                               .place = static_cast<std::uint32_t>(quad.y) << 16 | quad.x,
+                               .batch = batch,
+                               .quad = q});
+        }
+    std::sort(sources.begin(), sources.end());
+    if (is_image) {
+        number_image_pieces(sources);
+        std::sort(sources.begin(), sources.end());
+    }
+    return sources;
+}
+
+// Appends what the batch's quad read, lanes counted in the quad.
+void append_accesses(const WorkBatch& batch,
+                     const AccessIndex& index,
+                     std::uint32_t quad,
+                     WholeCommand& whole) {
+    for (const std::uint8_t unit : whole.units) {
+        for (std::size_t i = 0; i < batch.textures.size(); ++i) {
+            if (batch.textures[i].unit != unit) continue;
+            const auto& accesses = batch.textures[i].accesses;
+            for (std::uint32_t at = index.begin(quad, i); at < index.begin(quad + 1, i); ++at) {
+                whole.accesses.push_back(accesses[at]);
+                whole.accesses.back().lane %= 4;
+            }
+        }
+        whole.access_begin.push_back(static_cast<std::uint32_t>(whole.accesses.size()));
+    }
+}
+
+std::vector<std::uint8_t> units_of(const std::vector<const WorkBatch*>& batches) {
+    std::array<bool, TextureUnits> used{};
+    for (const WorkBatch* const batch : batches)
+        for (const TexelFootprints& unit : batch->textures)
+            used[unit.unit] = used[unit.unit] || !unit.accesses.empty();
+    std::vector<std::uint8_t> units;
+    for (std::uint8_t unit = 0; unit < TextureUnits; ++unit)
+        if (used[unit]) units.push_back(unit);
+    return units;
+}
+
+} // namespace
+
+std::shared_ptr<const WholeCommand> CommandAssembler::assemble(const WorkDraw& draw,
+                                                               const Parts& parts) {
+    auto whole = std::make_shared<WholeCommand>();
+    whole->draw = draw;
+    whole->units = units_of(parts.batches);
+    std::vector<AccessIndex> indices;
+    indices.reserve(parts.batches.size());
+    for (const WorkBatch* const batch : parts.batches)
+        indices.emplace_back(*batch);
+    const std::vector<Source> sources = in_canonical_order(parts.batches, draw.kind == WorkKind::Image);
+    whole->quads.reserve(sources.size());
+    for (const Source& source : sources) {
+        const WorkBatch& batch = *parts.batches[source.batch];
+        whole->quads.push_back(batch.quads[source.quad]);
+        whole->quads.back().piece = static_cast<std::uint32_t>(source.primitive_and_piece);
+        append_accesses(batch, indices[source.batch], source.quad, *whole);
+    }
+    return whole;
+}
+
+void CommandAssembler::bin(std::shared_ptr<const WorkBin> bin) {
+    std::vector<Parts> parts(bin->draws.size());
+    if (!begun_.bins.empty()) {
+        check(!parts.empty(), "a bin that goes on with a draw holds the draw");
+        parts[0] = std::exchange(begun_, {});
+    }
+    for (const WorkTile& tile : bin->tiles)
+        for (const WorkBatch& batch : tile.batches)
+            parts[batch.draw].batches.push_back(&batch);
+    auto transfer = bin->transfers.begin();
+    const auto transfers_before = [&](std::size_t draw) {
+        for (; transfer != bin->transfers.end() && transfer->before_draw <= draw; ++transfer)
+            out_.host_transfer(*transfer);
+    };
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        transfers_before(i);
+        if (bin->last_draw_goes_on && i + 1 == parts.size()) {
+            begun_ = std::move(parts[i]);
+            begun_.bins.push_back(bin);
+            return;
+        }
+        out_.command(assemble(bin->draws[i], parts[i]));
+        parts[i] = {};
+    }
+    transfers_before(parts.size());
+}
+
+} // namespace ffgpu::work

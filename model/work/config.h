@@ -1,0 +1,119 @@
+// What the order and the places of work depend on, of any machine that is explored: raster order,
+// scenes, layouts, cache shapes. No time is in here; model/timing adds it.
+
+#pragma once
+
+#include "model/base/parameters.h"
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace ffgpu::work {
+
+enum class Traversal : std::uint8_t { Scanline, Column, Tiled };
+inline constexpr std::array<std::string_view, 3> TraversalNames{"scanline", "column", "tiled"};
+
+enum class Architecture : std::uint8_t { Immediate, TileBased };
+inline constexpr std::array<std::string_view, 2> ArchitectureNames{"immediate", "tile_based"};
+
+enum class Layout : std::uint8_t { Linear, Blocked, Blocked6d };
+inline constexpr std::array<std::string_view, 3> LayoutNames{"linear", "blocked", "blocked_6d"};
+
+struct RasterOrder {
+    Architecture architecture = Architecture::Immediate;
+    Traversal traversal = Traversal::Tiled;
+    std::uint32_t tile_width = 8;
+    std::uint32_t bin_size = 32;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field("architecture",
+              self.architecture,
+              {.meaning = "immediate: primitive after primitive; tile_based: screen bins, each "
+                          "with all its primitives",
+               .choices = ArchitectureNames});
+        field("traversal",
+              self.traversal,
+              {.meaning = "order of a primitive's quads", .choices = TraversalNames});
+        field("tile_width",
+              self.tile_width,
+              {.unit = "pixels",
+               .minimum = 2,
+               .maximum = 512,
+               .power_of_two = true,
+               .meaning = "tiled traversal: width and height"});
+        field("bin_size",
+              self.bin_size,
+              {.unit = "pixels",
+               .minimum = 8,
+               .maximum = 512,
+               .power_of_two = true,
+               .meaning = "tile_based: width and height of a bin"});
+    }
+};
+
+// A cache and the images that it reads.
+struct CacheShape {
+    std::uint32_t sets = 64;
+    std::uint32_t ways = 4;
+    std::uint32_t line_bytes = 64;
+    Layout layout = Layout::Blocked;
+    std::uint32_t block_width = 4;
+
+    std::uint32_t bytes() const { return sets * ways * line_bytes; }
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field("sets",
+              self.sets,
+              {.unit = "sets",
+               .minimum = 1,
+               .maximum = 1 << 20,
+               .power_of_two = true,
+               .meaning = "1: fully associative"});
+        field("ways",
+              self.ways,
+              {.unit = "ways", .minimum = 1, .maximum = 1 << 16, .meaning = "1: direct mapped"});
+        field("line_bytes",
+              self.line_bytes,
+              {.unit = "bytes",
+               .minimum = 16,
+               .maximum = 512,
+               .power_of_two = true,
+               .meaning = "of a line"});
+        field("layout", self.layout, {.meaning = "of the image in memory", .choices = LayoutNames});
+        field("block_width",
+              self.block_width,
+              {.unit = "texels",
+               .minimum = 1,
+               .maximum = 64,
+               .power_of_two = true,
+               .meaning = "blocked layouts: width and height of a block"});
+    }
+};
+
+struct TexelCacheShape : CacheShape {
+    std::uint32_t superblock_width = 32;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        CacheShape::visit(self, field);
+        field("superblock_width",
+              self.superblock_width,
+              {.unit = "texels",
+               .minimum = 2,
+               .maximum = 512,
+               .power_of_two = true,
+               .meaning = "blocked_6d: width and height of a superblock"});
+    }
+};
+
+struct WorkConfig {
+    RasterOrder raster;
+    TexelCacheShape texel_cache;
+    CacheShape depth_cache;
+    CacheShape color_cache;
+};
+
+} // namespace ffgpu::work

@@ -1,0 +1,76 @@
+// Where an element (a texel, a compressed block, a pixel) of an image lies in the explored machine's
+// memory: linear, in blocks, or in blocks inside superblocks ("6-D blocking"), after Z. Hakura and
+// A. Gupta, The Design and Analysis of a Cache Architecture for Texture Mapping, ISCA 1997.
+//
+// These are properties of the machine explored, not of the functional GPU's memory.
+
+#pragma once
+
+#include "model/work/config.h"
+
+#include <cstdint>
+
+namespace ffgpu::work {
+
+struct ImageLayout {
+    Layout kind = Layout::Linear;
+    std::uint32_t block = 4;       // elements
+    std::uint32_t superblock = 32; // elements
+    std::uint32_t width = 1;       // of the image, in elements
+    std::uint32_t height = 1;
+    std::uint32_t element_bytes = 4;
+
+    // An image smaller than a block is linear, smaller than a superblock only blocked.
+    static ImageLayout make(Layout wanted,
+                            std::uint32_t block,
+                            std::uint32_t superblock,
+                            std::uint32_t width,
+                            std::uint32_t height,
+                            std::uint32_t element_bytes) {
+        Layout kind = wanted;
+        if (kind == Layout::Blocked6d && (width < superblock || height < superblock))
+            kind = Layout::Blocked;
+        if (kind == Layout::Blocked && (width < block || height < block)) kind = Layout::Linear;
+        return {kind, block, superblock, width, height, element_bytes};
+    }
+
+    // Bytes of one layer, blocks at the right and upper edge padded.
+    std::uint64_t bytes() const {
+        const std::uint32_t grain = kind == Layout::Linear    ? 1
+                                    : kind == Layout::Blocked ? block
+                                                              : superblock;
+        return std::uint64_t{padded(width, grain)} * padded(height, grain) * element_bytes;
+    }
+
+    // Byte offset of element (x, y) in its layer.
+    std::uint64_t offset(std::uint32_t x, std::uint32_t y) const {
+        switch (kind) {
+        case Layout::Linear:
+            break;
+        case Layout::Blocked:
+            return element_bytes * in_blocks(x, y, block, padded(width, block));
+        case Layout::Blocked6d: {
+            const std::uint64_t outer =
+                std::uint64_t{y / superblock} * (padded(width, superblock) / superblock) +
+                x / superblock;
+            return element_bytes * (outer * superblock * superblock +
+                                    in_blocks(x % superblock, y % superblock, block, superblock));
+        }
+        }
+        return element_bytes * (std::uint64_t{y} * width + x);
+    }
+
+private:
+    static std::uint32_t padded(std::uint32_t size, std::uint32_t grain) {
+        return (size + grain - 1) / grain * grain;
+    }
+
+    // Element number in blocks of b x b in row order, row order inside, of an image `w` wide.
+    static std::uint64_t
+    in_blocks(std::uint32_t x, std::uint32_t y, std::uint32_t b, std::uint32_t w) {
+        const std::uint64_t number = std::uint64_t{y / b} * (w / b) + x / b;
+        return number * b * b + std::uint64_t{y % b} * b + x % b;
+    }
+};
+
+} // namespace ffgpu::work

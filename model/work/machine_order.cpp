@@ -1,0 +1,132 @@
+#include "model/work/machine_order.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ffgpu::work {
+namespace {
+
+bool overlap(std::uint64_t a, std::uint64_t a_bytes, std::uint64_t b, std::uint64_t b_bytes) {
+    return a < b + b_bytes && b < a + a_bytes;
+}
+
+void add_lines(const std::vector<WrittenLine>& lines,
+               bool depth,
+               bool write,
+               PreparedTransfer& transfer) {
+    for (const WrittenLine& line : lines)
+        transfer.lines.push_back({depth, write, line});
+}
+
+} // namespace
+
+void MachineOrder::command(std::shared_ptr<const WholeCommand> command) {
+    switch (command->draw.kind) {
+    case WorkKind::Draw:
+    case WorkKind::Image:
+        return draw(*command);
+    case WorkKind::Clear:
+        end_scene();
+        return clear(command->draw);
+    case WorkKind::Copy:
+        end_scene();
+        return copy(command->draw);
+    }
+}
+
+void MachineOrder::draw(const WholeCommand& command) {
+    const bool immediate = config_.raster.architecture == Architecture::Immediate;
+    const Targets targets = command.draw.state ? command.draw.state->targets : Targets{};
+    if (!scene_.draws.empty() && (!(targets == scene_targets_) || reads_scene(command)))
+        end_scene();
+    scene_targets_ = targets;
+    append(command, config_, addresses_, scene_);
+    if (immediate) end_scene();
+}
+
+void MachineOrder::end_scene() {
+    if (scene_.draws.empty()) return;
+    if (config_.raster.architecture == Architecture::TileBased)
+        sort_by_screen_bins(config_.raster, scene_);
+    out_.scene(std::exchange(scene_, {}));
+}
+
+bool MachineOrder::scene_draws_into(std::uint64_t at, std::uint64_t bytes) const {
+    if (scene_.draws.empty()) return false;
+    bool found = false;
+    Targets::for_each(scene_targets_, [&](const Surface& target) {
+        found = found || (target.format != Format::None &&
+                          overlap(at, bytes, target.address, target.bytes()));
+    });
+    return found;
+}
+
+bool MachineOrder::reads_scene(const WholeCommand& command) const {
+    const WorkDraw& draw = command.draw;
+    if (draw.kind == WorkKind::Image &&
+        scene_draws_into(draw.image.address, std::uint64_t{draw.image.stride} * draw.image.height))
+        return true;
+    return std::any_of(command.units.begin(), command.units.end(), [&](std::uint8_t unit) {
+        const TextureImage& image = draw.state->images[unit];
+        return image.shape.kind != TextureKind::None &&
+               scene_draws_into(image.address, texture_bytes(image.shape));
+    });
+}
+
+void MachineOrder::host_transfer(const HostTransfer& transfer) {
+    if (scene_draws_into(transfer.at, transfer.bytes)) end_scene();
+    if (transfer.is_write) addresses_.memory_written(transfer.at, transfer.bytes);
+    out_.host_transfer(transfer);
+}
+
+void MachineOrder::end_frame(std::uint32_t frame) {
+    end_scene();
+    out_.end_frame(frame);
+}
+
+void MachineOrder::clear(const WorkDraw& draw) {
+    PreparedTransfer transfer{.kind = WorkKind::Clear, .number = draw.number};
+    const Registers& state = *draw.state;
+    const Scissor& scissor = state.scissor;
+    const Rectangle rectangle{
+        scissor.x, scissor.y, scissor.x + scissor.width, scissor.y + scissor.height};
+    const auto clear = [&](const Surface& target, bool depth, PixelBytes pixel) {
+        if (target.format == Format::None) return;
+        const CacheShape& cache = depth ? config_.depth_cache : config_.color_cache;
+        const PlacedLevel& place = addresses_.surface(target, cache);
+        add_lines(rectangle_lines(place, LineGrain(cache.line_bytes), rectangle, pixel),
+                  depth,
+                  true,
+                  transfer);
+    };
+    if (draw.clear.color)
+        for (const Surface& target : state.targets.color)
+            clear(target, false, cleared_color_bytes(target.format, state.blend.write_mask));
+    const Surface& depth = state.targets.depth;
+    if (draw.clear.depth || draw.clear.stencil)
+        clear(depth,
+              true,
+              cleared_depth_bytes(depth.format, draw.clear, state.stencil.front.write_mask));
+    out_.transfer(std::move(transfer));
+}
+
+void MachineOrder::copy(const WorkDraw& draw) {
+    PreparedTransfer transfer{
+        .kind = WorkKind::Copy, .number = draw.number, .writes_back_caches = true};
+    const CopyRectangleCommand& copy = draw.copy;
+    const bool depth = format_info(copy.source.format).is_depth;
+    const CacheShape& cache = depth ? config_.depth_cache : config_.color_cache;
+    const auto lines = [&](const Surface& surface, int x, int y) {
+        return rectangle_lines(addresses_.surface(surface, cache),
+                               LineGrain(cache.line_bytes),
+                               {x, y, x + copy.width, y + copy.height},
+                               whole_pixel(surface.format));
+    };
+    add_lines(lines(copy.source, copy.source_x, copy.source_y), depth, false, transfer);
+    add_lines(
+        lines(copy.destination, copy.destination_x, copy.destination_y), depth, true, transfer);
+    addresses_.memory_written(copy.destination.address, copy.destination.bytes());
+    out_.transfer(std::move(transfer));
+}
+
+} // namespace ffgpu::work

@@ -1,0 +1,72 @@
+// MachineOrder: whole commands as a machine of a given shape carries them out: scenes, transfers
+// and ends of frames, one after the other, with addresses.
+//
+// An immediate machine makes a scene of each draw. A tile-based one gathers draws into a scene
+// until
+//   - the targets change, or a frame ends;
+//   - a clear or a copy comes: they are done on surfaces in memory;
+//   - the driver reads or writes bytes of the scene's targets;
+//   - a draw reads a texture or an image that the scene draws into.
+// All of these are what the application did: nothing of how the host drew can end a scene.
+
+#pragma once
+
+#include "model/work/prepared_work.h"
+#include "model/work/surface_lines.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace ffgpu::work {
+
+// A line that is read, or of which bytes are written past its cache.
+struct TransferLine {
+    bool depth = false; // of the depth cache's lines; else of the colour cache's
+    bool write = true;
+    WrittenLine line;
+};
+
+// A clear or a copy.
+struct PreparedTransfer {
+    WorkKind kind = WorkKind::Clear;
+    std::uint32_t number = 0;
+    bool writes_back_caches = false; // before it
+    std::vector<TransferLine> lines{};
+};
+
+class MachineSink {
+public:
+    virtual ~MachineSink() = default;
+    virtual void scene(PreparedScene&& scene) = 0;
+    virtual void transfer(PreparedTransfer&& transfer) = 0;
+    virtual void host_transfer(const HostTransfer& transfer) = 0;
+    virtual void end_frame(std::uint32_t frame) = 0;
+};
+
+class MachineOrder final : public CommandSink {
+public:
+    MachineOrder(const WorkConfig& config, MachineSink& out)
+        : config_(config)
+        , out_(out)
+        , addresses_(config.texel_cache) {}
+
+    void command(std::shared_ptr<const WholeCommand> command) override;
+    void host_transfer(const HostTransfer& transfer) override;
+    void end_frame(std::uint32_t frame) override;
+
+private:
+    void draw(const WholeCommand& command);
+    void clear(const WorkDraw& draw);
+    void copy(const WorkDraw& draw);
+    void end_scene();
+    bool scene_draws_into(std::uint64_t at, std::uint64_t bytes) const;
+    bool reads_scene(const WholeCommand& command) const;
+
+    const WorkConfig config_;
+    MachineSink& out_;
+    AddressMap addresses_;
+    PreparedScene scene_;  // tile-based: what was gathered
+    Targets scene_targets_; // of its draws
+};
+
+} // namespace ffgpu::work

@@ -1,0 +1,222 @@
+#include "model/work/prepared_work.h"
+
+#include "model/work/traversal.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace ffgpu::work {
+namespace {
+
+struct DrawPlaces {
+    const PlacedLevel* depth = nullptr;
+    std::vector<const PlacedLevel*> colors;
+    std::array<const std::vector<PlacedLevel>*, TextureUnits> textures{};
+};
+
+bool starts_tile(const RasterOrder& raster, const PreparedQuad* before, const PreparedQuad& quad) {
+    return !before || before->draw != quad.draw || before->primitive != quad.primitive ||
+           before->piece != quad.piece ||
+           traversal_tile(raster, before->x, before->y) != traversal_tile(raster, quad.x, quad.y);
+}
+
+class Appender {
+public:
+    Appender(const WholeCommand& command, const WorkConfig& config, PreparedScene& out)
+        : command_(command)
+        , config_(config)
+        , out_(out)
+        , draw_(out.draws.emplace_back()) {
+        draw_.number = command.draw.number;
+        draw_.geometry = command.draw.geometry;
+        draw_.early_depth = command.draw.early_depth;
+        draw_.first_quad = static_cast<std::uint32_t>(out.quads.size());
+        draw_.quad_count = static_cast<std::uint32_t>(command.quads.size());
+    }
+
+    void run(AddressMap& addresses) {
+        if (command_.draw.state) place(*command_.draw.state, addresses);
+        std::size_t begin = 0;
+        while (begin < command_.quads.size()) {
+            const std::size_t end = end_of_piece(begin);
+            const WorkQuad& first = command_.quads[begin];
+            draw_.primitives_with_quads +=
+                begin == 0 || command_.quads[begin - 1].primitive != first.primitive;
+            add_piece(begin, end);
+            begin = end;
+        }
+    }
+
+private:
+    void place(const Registers& state, AddressMap& addresses) {
+        for (unsigned unit = 0; unit < TextureUnits; ++unit) {
+            draw_.combiners =
+                static_cast<std::uint8_t>(draw_.combiners + state.combiners[unit].enable);
+            if (state.images[unit].shape.kind == TextureKind::None) continue;
+            places_.textures[unit] = &addresses.texture(state.images[unit]);
+        }
+        if (state.targets.depth.format != Format::None) {
+            draw_.uses_depth = state.depth.test_enable || state.stencil.enable;
+            draw_.writes_depth = state.depth.write_enable || state.stencil.enable;
+            places_.depth = &addresses.surface(state.targets.depth, config_.depth_cache);
+            draw_.depth_place = *places_.depth;
+        }
+        for (const Surface& target : state.targets.color) {
+            if (target.format == Format::None) continue;
+            const Blend& blend = state.blend;
+            draw_.writes_color = blend.write_mask != 0;
+            draw_.reads_color = draw_.writes_color && (blend.enable || blend.logic_op_enable ||
+                                                       blend.write_mask != 0xf);
+            places_.colors.push_back(&addresses.surface(target, config_.color_cache));
+            draw_.color_places.push_back(*places_.colors.back());
+        }
+    }
+
+    std::size_t end_of_piece(std::size_t begin) const {
+        const WorkQuad& first = command_.quads[begin];
+        std::size_t end = begin + 1;
+        while (end < command_.quads.size() && command_.quads[end].primitive == first.primitive &&
+               command_.quads[end].piece == first.piece)
+            ++end;
+        return end;
+    }
+
+    void add_piece(std::size_t begin, std::size_t end) {
+        order_.clear();
+        for (std::size_t i = begin; i < end; ++i)
+            order_.emplace_back(
+                traversal_key(config_.raster, command_.quads[i].x, command_.quads[i].y),
+                static_cast<std::uint32_t>(i));
+        std::sort(order_.begin(), order_.end());
+        for (const auto& [key, quad] : order_)
+            add_quad(quad);
+    }
+
+    void add_quad(std::uint32_t number) {
+        const WorkQuad& from = command_.quads[number];
+        PreparedQuad quad{.draw = static_cast<std::uint32_t>(out_.draws.size() - 1),
+                          .primitive = from.primitive,
+                          .piece = from.piece,
+                          .x = from.x,
+                          .y = from.y,
+                          .covered = from.covered,
+                          .after_early_depth = from.after_early_depth,
+                          .after_stencil = from.after_stencil,
+                          .after_depth = from.after_depth,
+                          .samples_written = from.samples_written};
+        quad.new_tile = starts_tile(
+            config_.raster, out_.quads.empty() ? nullptr : &out_.quads.back(), quad);
+        add_target_lines(quad);
+        add_texel_lines(number, quad);
+        out_.quads.push_back(quad);
+    }
+
+    void add_target_lines(PreparedQuad& quad) {
+        quad.target_lines_begin = static_cast<std::uint32_t>(out_.target_lines.size());
+        if (places_.depth)
+            quad.depth_line_count = add_surface_lines(
+                *places_.depth, config_.depth_cache.line_bytes, quad, quad.covered);
+        for (const PlacedLevel* const color : places_.colors)
+            quad.color_line_count = static_cast<std::uint8_t>(
+                quad.color_line_count +
+                add_surface_lines(*color, config_.color_cache.line_bytes, quad, quad.after_depth));
+    }
+
+    // The lines that hold the samples of `lanes`, each once, in the order of the lanes; returns
+    // their number. A quad with one sample a pixel takes one access.
+    std::uint8_t add_surface_lines(const PlacedLevel& place,
+                                   std::uint32_t line_bytes,
+                                   const PreparedQuad& quad,
+                                   std::uint8_t lanes) {
+        const std::size_t begin = out_.target_lines.size();
+        const auto add = [&](std::uint64_t line) {
+            const auto first = out_.target_lines.begin() + static_cast<std::ptrdiff_t>(begin);
+            if (std::find(first, out_.target_lines.end(), line) == out_.target_lines.end())
+                out_.target_lines.push_back(line);
+        };
+        if (place.samples == 1) {
+            add(place.address(quad.x, quad.y, 0) / line_bytes);
+            return 1;
+        }
+        for (unsigned lane = 0; lane < 4; ++lane) {
+            if ((lanes >> lane & 1) == 0) continue;
+            const std::uint64_t at = place.address(quad.x + (lane & 1u), quad.y + (lane >> 1), 0);
+            const std::uint64_t end = at + place.layout.element_bytes;
+            for (std::uint64_t line = at / line_bytes; line * line_bytes < end; ++line)
+                add(line);
+        }
+        return static_cast<std::uint8_t>(out_.target_lines.size() - begin);
+    }
+
+    void add_texel_lines(std::uint32_t number, PreparedQuad& quad) {
+        quad.texel_lines_begin = static_cast<std::uint32_t>(out_.texel_lines.size());
+        unsigned steps = 0;
+        for (std::size_t i = 0; i < command_.units.size(); ++i) {
+            const auto* levels = places_.textures[command_.units[i]];
+            std::array<unsigned, 4> samples{}; // a lane
+            for (const TexelAccess& access : command_.accesses_of(number, i)) {
+                samples[access.lane] += (access.linear & 4) ? 2 : 1;
+                if (levels && access.level < levels->size())
+                    add_access((*levels)[access.level], access, quad);
+            }
+            steps += *std::max_element(samples.begin(), samples.end());
+        }
+        quad.filter_steps = static_cast<std::uint16_t>(std::min(steps, 0xffffu));
+        quad.texel_line_count =
+            static_cast<std::uint16_t>(out_.texel_lines.size() - quad.texel_lines_begin);
+    }
+
+    void add_access(const PlacedLevel& level, const TexelAccess& access, PreparedQuad& quad) {
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            if (corner & ~unsigned{access.linear})
+                continue; // Texels that this filter does not read.
+            const std::uint16_t x = corner & 1 ? access.x1 : access.x0;
+            const std::uint16_t y = corner & 2 ? access.y1 : access.y0;
+            const std::uint16_t layer = corner & 4 ? access.layer1 : access.layer0;
+            if (x == TexelAccess::BorderTexel || y == TexelAccess::BorderTexel ||
+                layer == TexelAccess::BorderTexel) {
+                continue;
+            }
+            ++quad.texel_reads;
+            add_line(level.address(x, y, layer) / config_.texel_cache.line_bytes, quad);
+        }
+    }
+
+    void add_line(std::uint64_t line, const PreparedQuad& quad) {
+        const auto begin = out_.texel_lines.begin() + quad.texel_lines_begin;
+        if (std::find(begin, out_.texel_lines.end(), line) == out_.texel_lines.end())
+            out_.texel_lines.push_back(line);
+    }
+
+    const WholeCommand& command_;
+    const WorkConfig& config_;
+    PreparedScene& out_;
+    PreparedDraw& draw_;
+    DrawPlaces places_;
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order_; // of a piece: traversal, quad
+};
+
+} // namespace
+
+void append(const WholeCommand& command,
+            const WorkConfig& config,
+            AddressMap& addresses,
+            PreparedScene& scene) {
+    Appender(command, config, scene).run(addresses);
+}
+
+void sort_by_screen_bins(const RasterOrder& raster, PreparedScene& scene) {
+    std::stable_sort(scene.quads.begin(),
+                     scene.quads.end(),
+                     [&](const PreparedQuad& a, const PreparedQuad& b) {
+                         return screen_bin(raster, a.x, a.y) < screen_bin(raster, b.x, b.y);
+                     });
+    const PreparedQuad* before = nullptr;
+    for (PreparedQuad& quad : scene.quads) {
+        quad.new_tile = starts_tile(raster, before, quad);
+        before = &quad;
+    }
+}
+
+} // namespace ffgpu::work

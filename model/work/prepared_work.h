@@ -1,0 +1,96 @@
+// PreparedScene: work made ready for a machine of a given shape: quads in the order in which its
+// rasterizer makes them, and for each quad the lines that it will touch. Addresses are in here;
+// time is not.
+
+#pragma once
+
+#include "model/work/address_map.h"
+#include "model/work/config.h"
+#include "model/work/whole_command.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace ffgpu::work {
+
+struct PreparedQuad {
+    std::uint32_t draw = 0;      // index into PreparedScene::draws
+    std::uint32_t primitive = 0; // number within the draw
+    std::uint32_t piece = 0;
+    std::uint16_t x = 0, y = 0; // window pixel of lane 0
+    std::uint8_t covered = 0, after_early_depth = 0, after_stencil = 0, after_depth = 0;
+    bool new_tile = false;          // first of a traversal tile of its primitive's piece
+    std::uint16_t filter_steps = 0; // bilinear (or simpler) samples a fragment, over all units
+    std::uint16_t texel_reads = 0;
+    std::uint16_t texel_line_count = 0;
+    std::uint32_t texel_lines_begin = 0; // into PreparedScene::texel_lines
+    std::uint16_t samples_written = 0;   // as WorkQuad has it
+    std::uint8_t depth_line_count = 0;
+    std::uint8_t color_line_count = 0;    // of all colour targets
+    std::uint32_t target_lines_begin = 0; // into PreparedScene::target_lines: depth, then colour
+};
+
+struct PreparedDraw {
+    std::uint32_t number = 0; // PrimitiveKey::draw
+    GeometryWork geometry;
+    bool early_depth = false;
+    std::uint32_t first_quad = 0; // immediate machines: the draw's quads stand together
+    std::uint32_t quad_count = 0;
+    std::uint8_t combiners = 0; // enabled texture environments
+    PlacedLevel depth_place;               // of its target, if it has one
+    std::vector<PlacedLevel> color_places; // of its colour targets
+    bool uses_depth = false;
+    bool writes_depth = false;
+    bool reads_color = false; // blending, logic op or a partial mask
+    bool writes_color = false;
+    std::uint32_t primitives_with_quads = 0;
+
+    // Primitives that reach set-up one by one. Images have no geometry work: only what they drew.
+    std::uint32_t primitives() const {
+        return std::max(geometry.primitives_in, primitives_with_quads);
+    }
+
+    // Keys up to which the quads belong to the first n of them.
+    std::uint32_t keys_before(std::uint32_t n) const {
+        return static_cast<std::uint32_t>(std::uint64_t{n} * geometry.keys /
+                                          std::max(primitives(), 1u));
+    }
+};
+
+// What streams through a machine's pipe in one go: one draw of an immediate machine; of a
+// tile-based one all draws that are sorted by screen bins together.
+struct PreparedScene {
+    std::vector<PreparedDraw> draws;
+    std::vector<PreparedQuad> quads;
+    std::vector<std::uint64_t> texel_lines; // line numbers
+    std::vector<std::uint64_t> target_lines;
+
+    std::span<const std::uint64_t> lines_of(const PreparedQuad& quad) const {
+        return std::span(texel_lines).subspan(quad.texel_lines_begin, quad.texel_line_count);
+    }
+    // Of the covered fragments, and of those that are written. With one sample a pixel a quad lies
+    // in one line; with several it may need a line or two for each row.
+    std::span<const std::uint64_t> depth_lines(const PreparedQuad& quad) const {
+        return std::span(target_lines).subspan(quad.target_lines_begin, quad.depth_line_count);
+    }
+    std::span<const std::uint64_t> color_lines(const PreparedQuad& quad) const {
+        return std::span(target_lines)
+            .subspan(quad.target_lines_begin + quad.depth_line_count, quad.color_line_count);
+    }
+};
+
+// Appends a draw or an image: primitive after primitive, piece after piece, quads in the traversal
+// order.
+void append(const WholeCommand& command,
+            const WorkConfig& config,
+            AddressMap& addresses,
+            PreparedScene& scene);
+
+// Brings the quads of a whole scene into the order of a tile-based machine: screen bins in row
+// order, inside each as they were.
+void sort_by_screen_bins(const RasterOrder& raster, PreparedScene& scene);
+
+} // namespace ffgpu::work

@@ -1,0 +1,115 @@
+// The work file: whole commands, uploads and ends of frames, as docs/work_file.md tells. A file is
+// a magic number, a version, and blocks of about a MiB, each a zstd frame with a checksum. A block
+// holds columns, one a kind of number: what is alike lies together, which is what makes it small.
+
+#pragma once
+
+#include "model/work/whole_command.h"
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace ffgpu::work {
+
+inline constexpr std::string_view WorkFileMagic = "FFGPUWRK";
+inline constexpr std::uint32_t WorkFileVersion = 1;
+
+enum class BlockKind : std::uint32_t { Names = 1, Items = 2, End = 3 };
+
+// Before each block's bytes.
+struct BlockHeader {
+    std::uint32_t kind = 0;
+    std::uint32_t items = 0;
+    std::uint32_t raw_bytes = 0;
+    std::uint32_t packed_bytes = 0;
+};
+
+inline constexpr std::size_t BlockBytes = std::size_t{1} << 20;    // A block ends beyond these;
+inline constexpr std::size_t MaxBlockBytes = std::size_t{8} << 20; // an item is far smaller.
+
+// What an item of a block is; the first byte of it in Column::Control.
+enum class Item : std::uint8_t { Command, Vertex, Quad, HostTransfer, FrameEnd, FrameFigures, Count };
+
+enum class Column : std::uint8_t {
+    Control,   // items but quads, and their numbers
+    Vertex,    // vertex numbers, as steps
+    Primitive, // of quads
+    Piece,
+    Row,
+    Column,
+    Covered,
+    Fate,
+    Samples,
+    AccessCount,
+    Shape, // lane, filter, and whether all but x and y is as foreseen
+    X,
+    Y,
+    Rare, // what is not as foreseen
+    Count
+};
+inline constexpr std::size_t ColumnCount = static_cast<std::size_t>(Column::Count);
+
+// Bits of Column::Shape: lane in 0 and 1, TexelAccess::linear in 2 to 4.
+inline constexpr std::uint8_t ShapeForeseen = 1 << 5;
+
+// What the next access is foreseen to be, from those before it: the same in writer and reader. The
+// first lane of a quad steps on as it did from the quad before; the other lanes lie about it as
+// they did in the quad before.
+class AccessForecast {
+public:
+    struct Expected {
+        std::uint16_t x = 0, y = 0;
+        std::uint8_t level = 0;
+        std::uint16_t layer = 0;
+    };
+
+    void begin_quad(unsigned unit) {
+        unit_ = unit;
+        lane_ = first_lane_ = None;
+    }
+
+    Expected next(unsigned lane) {
+        if (first_lane_ == None) first_lane_ = lane;
+        if (lane != lane_) ordinal_ = 0;
+        lane_ = lane;
+        const Place& from = reference();
+        const Step& step = steps_[unit_][slot()][ordinal_];
+        return {static_cast<std::uint16_t>(from.x + step.x),
+                static_cast<std::uint16_t>(from.y + step.y),
+                from.level,
+                from.layer};
+    }
+
+    // What it was.
+    void take(const TexelAccess& access) {
+        const Place& from = reference();
+        steps_[unit_][slot()][ordinal_] = {static_cast<std::uint16_t>(access.x0 - from.x),
+                                           static_cast<std::uint16_t>(access.y0 - from.y)};
+        if (slot() == 0)
+            places_[unit_][ordinal_] = {access.x0, access.y0, access.level, access.layer0};
+        if (ordinal_ + 1 < Ordinals) ++ordinal_;
+    }
+
+private:
+    static constexpr unsigned None = ~0u;
+    static constexpr unsigned Ordinals = 32; // of the accesses of a lane
+    struct Place {
+        std::uint16_t x = 0, y = 0;
+        std::uint8_t level = 0;
+        std::uint16_t layer = 0;
+    };
+    struct Step {
+        std::uint16_t x = 0, y = 0; // modulo 2^16
+    };
+
+    unsigned slot() const { return lane_ == first_lane_ ? 0 : lane_; }
+    const Place& reference() const { return places_[unit_][ordinal_]; }
+
+    unsigned unit_ = 0, lane_ = None, first_lane_ = None, ordinal_ = 0;
+    std::array<std::array<Place, Ordinals>, TextureUnits> places_{}; // of the first lanes
+    std::array<std::array<std::array<Step, Ordinals>, 4>, TextureUnits> steps_{};
+};
+
+} // namespace ffgpu::work

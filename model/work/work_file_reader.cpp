@@ -1,0 +1,305 @@
+#include "model/work/work_file_reader.h"
+
+#include "model/base/input_error.h"
+#include "model/work/fragment_key.h"
+#include "model/work/quad_fate.h"
+#include "model/work/work_check.h"
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace ffgpu::work {
+namespace {
+
+constexpr std::size_t LongestName = 256, MostNames = 1 << 16;
+constexpr std::uint64_t Most32 = std::numeric_limits<std::uint32_t>::max();
+
+std::uint16_t moved(std::uint16_t from, std::int64_t by) {
+    return static_cast<std::uint16_t>(from + by);
+}
+
+// `from + by`, in units of two pixels.
+std::uint16_t quad_place(std::int64_t from, std::int64_t by) {
+    const std::int64_t place = from + by;
+    if (place < 0 || place > MaxSurfaceSize / 2) throw DamagedItem("a quad lies outside any surface");
+    return static_cast<std::uint16_t>(2 * place);
+}
+
+} // namespace
+
+WorkFileReader::WorkFileReader(const std::string& path)
+    : blocks_(path) {
+    if (!blocks_.next() || blocks_.kind() != BlockKind::Names)
+        blocks_.fail("expected the names of the fields");
+    try {
+        register_places_ = read_names(field_names<Registers>());
+        image_places_ = read_names(field_names<DrawImageCommand>());
+        clear_places_ = read_names(field_names<ClearCommand>());
+        copy_places_ = read_names(field_names<CopyRectangleCommand>());
+    } catch (const DamagedItem& error) {
+        blocks_.fail(error.what());
+    }
+    // The writer began with reset values, too: of the fields that it knew.
+    FieldValues reset;
+    field_values(Registers{}, reset);
+    for (const std::uint32_t place : register_places_)
+        file_values_.push_back(place == NotHere ? 0 : reset[place]);
+}
+
+WorkFileReader::Places WorkFileReader::read_names(const std::vector<std::string>& ours) {
+    Places places(in_.number(Column::Control, MostNames));
+    for (std::uint32_t& place : places) {
+        const std::string name = in_.text(Column::Control, LongestName);
+        const auto found = std::find(ours.begin(), ours.end(), name);
+        place = found == ours.end() ? NotHere : static_cast<std::uint32_t>(found - ours.begin());
+    }
+    return places;
+}
+
+bool WorkFileReader::begin_item() {
+    while (items_left_ == 0) {
+        if (over_ || !blocks_.next()) {
+            over_ = true;
+            return false;
+        }
+        if (blocks_.kind() != BlockKind::Items) throw DamagedItem("expected a block of items");
+        items_left_ = blocks_.items();
+    }
+    --items_left_;
+    return true;
+}
+
+void WorkFileReader::need_item() {
+    if (!begin_item()) throw DamagedItem("the file ends within a command");
+}
+
+void WorkFileReader::play(CommandSink& sink,
+                          const std::function<void(const FrameFigures&)>& frame) {
+    while (true) {
+        Content content;
+        try {
+            if (!begin_item()) return;
+            content = read_item();
+        } catch (const DamagedItem& error) {
+            blocks_.fail(std::string("the block is damaged: ") + error.what());
+        }
+        if (auto* const command = std::get_if<std::shared_ptr<const WholeCommand>>(&content))
+            sink.command(std::move(*command));
+        else if (const auto* const transfer = std::get_if<HostTransfer>(&content))
+            sink.host_transfer(*transfer);
+        else if (const auto* const end = std::get_if<FrameEnd>(&content))
+            sink.end_frame(end->frame);
+        else
+            frame(std::get<FrameFigures>(content));
+    }
+}
+
+WorkFileReader::Content WorkFileReader::read_item() {
+    switch (static_cast<Item>(in_.byte(Column::Control))) {
+    case Item::Command:
+        return read_command();
+    case Item::HostTransfer: {
+        HostTransfer transfer;
+        transfer.is_write = in_.byte(Column::Control) != 0;
+        transfer.at = in_.word(Column::Control);
+        transfer.bytes = in_.number(Column::Control, Most32);
+        return transfer;
+    }
+    case Item::FrameEnd:
+        return FrameEnd{in_.word(Column::Control)};
+    case Item::FrameFigures:
+        return read_figures();
+    default:
+        throw DamagedItem("there is no such item");
+    }
+}
+
+FrameFigures WorkFileReader::read_figures() {
+    FrameFigures figures;
+    figures.number = in_.number(Column::Control);
+    figures.width = in_.word(Column::Control);
+    figures.height = in_.word(Column::Control);
+    figures.api_calls = in_.number(Column::Control);
+    const std::uint64_t count = in_.number(Column::Control, MostNames);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        std::string name = in_.text(Column::Control, LongestName);
+        figures.functional.emplace_back(std::move(name), in_.number(Column::Control));
+    }
+    return figures;
+}
+
+template <class Command>
+void WorkFileReader::read_fields(const Places& places, Command& command) {
+    FieldValues values;
+    field_values(command, values);
+    for (const std::uint32_t place : places) {
+        const std::uint32_t value = in_.word(Column::Control);
+        if (place != NotHere) values[place] = value;
+    }
+    set_fields(values, command);
+}
+
+std::shared_ptr<const WholeCommand> WorkFileReader::read_command() {
+    auto whole = std::make_shared<WholeCommand>();
+    WorkDraw& draw = whole->draw;
+    draw.kind = static_cast<WorkKind>(
+        in_.number(Column::Control, static_cast<std::uint64_t>(WorkKind::Copy)));
+    draw.number = in_.word(Column::Control);
+    draw.frame = in_.word(Column::Control);
+    draw.early_depth = in_.byte(Column::Control) != 0;
+    read_state(draw);
+    if (draw.kind == WorkKind::Image) read_fields(image_places_, draw.image);
+    if (draw.kind == WorkKind::Clear) read_fields(clear_places_, draw.clear);
+    if (draw.kind == WorkKind::Copy) read_fields(copy_places_, draw.copy);
+    try {
+        check_draw(draw);
+    } catch (const InputError& error) {
+        throw DamagedItem(error.what());
+    }
+    const std::uint8_t units = in_.byte(Column::Control);
+    for (std::uint8_t unit = 0; unit < TextureUnits; ++unit)
+        if ((units >> unit & 1) != 0) whole->units.push_back(unit);
+    const std::uint64_t quads = in_.number(Column::Control, Most32);
+    if (draw.kind == WorkKind::Draw) read_geometry(draw.geometry);
+    for (std::uint64_t i = 0; i < quads; ++i) {
+        need_item();
+        read_quad(*whole);
+    }
+    return whole;
+}
+
+void WorkFileReader::read_state(WorkDraw& draw) {
+    if (in_.byte(Column::Control) == 0) return;
+    const std::uint64_t changes = in_.number(Column::Control, file_values_.size());
+    std::uint64_t at = 0;
+    for (std::uint64_t i = 0; i < changes; ++i) {
+        at += in_.number(Column::Control, file_values_.size());
+        if (at >= file_values_.size()) throw DamagedItem("there is no such field");
+        file_values_[at] = in_.word(Column::Control);
+    }
+    if (changes > 0 || !state_) {
+        auto state = std::make_shared<Registers>();
+        FieldValues values;
+        field_values(*state, values);
+        for (std::size_t i = 0; i < file_values_.size(); ++i)
+            if (register_places_[i] != NotHere) values[register_places_[i]] = file_values_[i];
+        set_fields(values, *state);
+        state_ = std::move(state);
+    }
+    draw.state = state_;
+}
+
+void WorkFileReader::read_geometry(GeometryWork& geometry) {
+    GeometryWork::for_each_number(geometry, [this](auto& value) {
+        using Value = std::remove_reference_t<decltype(value)>;
+        value = static_cast<Value>(
+            in_.number(Column::Control, std::numeric_limits<Value>::max()));
+    });
+    const std::uint64_t count = in_.number(Column::Control, Most32);
+    std::uint32_t last = ~0u;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        need_item();
+        last += static_cast<std::uint32_t>(in_.difference(Column::Vertex)) + 1;
+        geometry.vertices.push_back(last);
+    }
+}
+
+void WorkFileReader::read_quad(WholeCommand& command) {
+    const WorkQuad before = command.quads.empty() ? WorkQuad{} : command.quads.back();
+    WorkQuad quad{};
+    quad.primitive = before.primitive + in_.word(Column::Primitive);
+    const std::uint32_t piece = quad.primitive == before.primitive ? before.piece : 0;
+    quad.piece = piece + in_.word(Column::Piece);
+    quad.y = quad_place(before.y / 2, in_.difference(Column::Row));
+    quad.x =
+        quad_place(before.x / 2 + (quad.y == before.y ? 1 : 0), in_.difference(Column::Column));
+    quad.covered = static_cast<std::uint8_t>(in_.number(Column::Covered, 0xf));
+    read_masks(quad);
+    if (!command.quads.empty() && !comes_before(before, quad))
+        throw DamagedItem("quads are not in their order");
+    command.quads.push_back(quad);
+    read_accesses(command);
+}
+
+void WorkFileReader::read_masks(WorkQuad& quad) {
+    const auto mask = [this] {
+        return static_cast<std::uint8_t>(in_.number(Column::Fate, 0xf));
+    };
+    switch (static_cast<QuadFate>(in_.byte(Column::Fate))) {
+    case QuadFate::AllWritten:
+        set_masks(quad, quad.covered, quad.covered);
+        break;
+    case QuadFate::DeadEarly:
+        break;
+    case QuadFate::SurvivorsWrite: {
+        const std::uint8_t left = mask();
+        set_masks(quad, left, left);
+        break;
+    }
+    case QuadFate::Other:
+        for (std::uint8_t* const to : {&quad.after_early_depth,
+                                       &quad.after_coverage,
+                                       &quad.after_alpha,
+                                       &quad.after_stencil,
+                                       &quad.after_depth})
+            *to = mask();
+        break;
+    default:
+        throw DamagedItem("there is no such fate of a quad");
+    }
+    switch (static_cast<SampleFate>(in_.byte(Column::Samples))) {
+    case SampleFate::None:
+        break;
+    case SampleFate::Whole:
+        quad.samples_covered = whole_samples(quad.covered);
+        quad.samples_written = whole_samples(quad.after_depth);
+        break;
+    case SampleFate::Other:
+        quad.samples_covered = static_cast<std::uint16_t>(in_.number(Column::Samples, 0xffff));
+        quad.samples_written = static_cast<std::uint16_t>(in_.number(Column::Samples, 0xffff));
+        break;
+    default:
+        throw DamagedItem("there is no such fate of samples");
+    }
+}
+
+void WorkFileReader::read_accesses(WholeCommand& command) {
+    for (const std::uint8_t unit : command.units) {
+        forecast_.begin_quad(unit);
+        const std::uint64_t count = in_.number(Column::AccessCount, Most32);
+        for (std::uint64_t i = 0; i < count; ++i)
+            command.accesses.push_back(read_access());
+        if (command.accesses.size() > Most32) throw DamagedItem("a draw reads too many texels");
+        command.access_begin.push_back(static_cast<std::uint32_t>(command.accesses.size()));
+    }
+}
+
+TexelAccess WorkFileReader::read_access() {
+    const std::uint8_t shape = in_.byte(Column::Shape);
+    TexelAccess access{};
+    access.lane = shape & 3;
+    access.linear = shape >> 2 & 7;
+    const AccessForecast::Expected expected = forecast_.next(access.lane);
+    access.x0 = moved(expected.x, in_.difference(Column::X));
+    access.y0 = moved(expected.y, in_.difference(Column::Y));
+    access.level = expected.level;
+    access.layer0 = expected.layer;
+    access.x1 = moved(access.x0, access.linear & 1);
+    access.y1 = moved(access.y0, access.linear >> 1 & 1);
+    if ((shape & ShapeForeseen) == 0) {
+        access.level = in_.byte(Column::Rare);
+        access.x1 = moved(access.x1, in_.difference(Column::Rare));
+        access.y1 = moved(access.y1, in_.difference(Column::Rare));
+        access.layer0 = moved(access.layer0, in_.difference(Column::Rare));
+        access.layer1 = moved(moved(access.layer0, access.linear >> 2),
+                              in_.difference(Column::Rare));
+    } else {
+        access.layer1 = moved(access.layer0, access.linear >> 2);
+    }
+    forecast_.take(access);
+    return access;
+}
+
+} // namespace ffgpu::work

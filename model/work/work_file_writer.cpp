@@ -1,0 +1,259 @@
+#include "model/work/work_file_writer.h"
+
+#include "model/base/check.h"
+#include "model/base/input_error.h"
+#include "model/work/quad_fate.h"
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include <zstd.h>
+
+namespace ffgpu::work {
+namespace {
+
+constexpr int CompressionLevel = 3;
+
+std::int16_t step(std::uint16_t value, std::uint16_t expected) {
+    return static_cast<std::int16_t>(value - expected);
+}
+
+} // namespace
+
+WorkFileWriter::WorkFileWriter(const std::string& path)
+    : path_(path)
+    , file_(std::fopen(path.c_str(), "wb")) {
+    if (!file_) throw InputError(path + ": cannot be written: " + std::strerror(errno));
+    write_bytes(WorkFileMagic.data(), WorkFileMagic.size());
+    write_bytes(&WorkFileVersion, sizeof WorkFileVersion);
+    field_values(Registers{}, state_values_);
+    write_names();
+}
+
+WorkFileWriter::~WorkFileWriter() = default;
+
+// The lists of names by which a reader finds registers' and commands' fields.
+void WorkFileWriter::write_names() {
+    const auto list = [this](const std::vector<std::string>& names) {
+        columns_.number(Column::Control, names.size());
+        for (const std::string& name : names)
+            columns_.text(Column::Control, name);
+    };
+    list(field_names<Registers>());
+    list(field_names<DrawImageCommand>());
+    list(field_names<ClearCommand>());
+    list(field_names<CopyRectangleCommand>());
+    write_block(BlockKind::Names);
+}
+
+void WorkFileWriter::begin_item(Item item) {
+    if (columns_.bytes() >= BlockBytes) write_block(BlockKind::Items);
+    ++items_;
+    if (item != Item::Quad && item != Item::Vertex)
+        columns_.byte(Column::Control, static_cast<std::uint8_t>(item));
+}
+
+void WorkFileWriter::host_transfer(const HostTransfer& transfer) {
+    begin_item(Item::HostTransfer);
+    columns_.byte(Column::Control, transfer.is_write);
+    columns_.number(Column::Control, transfer.at);
+    columns_.number(Column::Control, transfer.bytes);
+}
+
+void WorkFileWriter::end_frame(std::uint32_t frame) {
+    begin_item(Item::FrameEnd);
+    columns_.number(Column::Control, frame);
+}
+
+void WorkFileWriter::frame(const FrameFigures& figures) {
+    begin_item(Item::FrameFigures);
+    columns_.number(Column::Control, figures.number);
+    columns_.number(Column::Control, figures.width);
+    columns_.number(Column::Control, figures.height);
+    columns_.number(Column::Control, figures.api_calls);
+    columns_.number(Column::Control, figures.functional.size());
+    for (const auto& [name, value] : figures.functional) {
+        columns_.text(Column::Control, name);
+        columns_.number(Column::Control, value);
+    }
+}
+
+template <class Command>
+void WorkFileWriter::write_fields(const Command& command) {
+    field_values(command, values_);
+    for (const std::uint32_t value : values_)
+        columns_.number(Column::Control, value);
+}
+
+void WorkFileWriter::command(std::shared_ptr<const WholeCommand> command) {
+    const WorkDraw& draw = command->draw;
+    begin_item(Item::Command);
+    columns_.byte(Column::Control, static_cast<std::uint8_t>(draw.kind));
+    columns_.number(Column::Control, draw.number);
+    columns_.number(Column::Control, draw.frame);
+    columns_.byte(Column::Control, draw.early_depth);
+    write_state(draw.state);
+    if (draw.kind == WorkKind::Image) write_fields(draw.image);
+    if (draw.kind == WorkKind::Clear) write_fields(draw.clear);
+    if (draw.kind == WorkKind::Copy) write_fields(draw.copy);
+    std::uint8_t units = 0;
+    for (const std::uint8_t unit : command->units)
+        units = static_cast<std::uint8_t>(units | 1u << unit);
+    columns_.byte(Column::Control, units);
+    columns_.number(Column::Control, command->quads.size());
+    if (draw.kind == WorkKind::Draw) write_geometry(draw.geometry);
+    write_quads(*command);
+}
+
+// The fields that differ from those before: how many, then the steps to each, and its value.
+void WorkFileWriter::write_state(const std::shared_ptr<const Registers>& state) {
+    columns_.byte(Column::Control, state != nullptr);
+    if (!state) return;
+    values_ = state_values_;
+    if (state != state_) field_values(*state, values_);
+    state_ = state;
+    std::size_t changes = 0;
+    for (std::size_t i = 0; i < values_.size(); ++i)
+        changes += values_[i] != state_values_[i];
+    columns_.number(Column::Control, changes);
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < values_.size() && changes > 0; ++i) {
+        if (values_[i] == state_values_[i]) continue;
+        columns_.number(Column::Control, i - last);
+        columns_.number(Column::Control, values_[i]);
+        last = i;
+        --changes;
+    }
+    state_values_ = values_;
+}
+
+void WorkFileWriter::write_geometry(const GeometryWork& geometry) {
+    GeometryWork::for_each_number(geometry, [this](const auto& value) {
+        columns_.number(Column::Control, value);
+    });
+    columns_.number(Column::Control, geometry.vertices.size());
+    std::uint32_t last = ~0u; // The first step from here to 0 is 1.
+    for (const std::uint32_t vertex : geometry.vertices) {
+        begin_item(Item::Vertex);
+        columns_.difference(Column::Vertex,
+                            static_cast<std::int32_t>(vertex - last - 1u));
+        last = vertex;
+    }
+}
+
+void WorkFileWriter::write_quads(const WholeCommand& command) {
+    for (std::size_t i = 0; i < command.quads.size(); ++i) {
+        begin_item(Item::Quad);
+        write_quad(command, i);
+    }
+}
+
+void WorkFileWriter::write_quad(const WholeCommand& command, std::size_t number) {
+    const WorkQuad& quad = command.quads[number];
+    const WorkQuad before = number == 0 ? WorkQuad{} : command.quads[number - 1];
+    columns_.number(Column::Primitive, quad.primitive - before.primitive);
+    const std::uint32_t piece = quad.primitive == before.primitive ? before.piece : 0;
+    columns_.number(Column::Piece, quad.piece - piece);
+    columns_.difference(Column::Row, quad.y / 2 - before.y / 2);
+    columns_.difference(Column::Column,
+                        quad.x / 2 - before.x / 2 - (quad.y == before.y ? 1 : 0));
+    columns_.byte(Column::Covered, quad.covered);
+    write_fate(quad);
+    write_accesses(command, number);
+}
+
+void WorkFileWriter::write_fate(const WorkQuad& quad) {
+    const QuadFate fate = fate_of(quad);
+    columns_.byte(Column::Fate, static_cast<std::uint8_t>(fate));
+    if (fate == QuadFate::SurvivorsWrite) columns_.byte(Column::Fate, quad.after_depth);
+    if (fate == QuadFate::Other) {
+        for (const std::uint8_t mask : {quad.after_early_depth,
+                                        quad.after_coverage,
+                                        quad.after_alpha,
+                                        quad.after_stencil,
+                                        quad.after_depth})
+            columns_.byte(Column::Fate, mask);
+    }
+    const SampleFate samples = sample_fate_of(quad);
+    columns_.byte(Column::Samples, static_cast<std::uint8_t>(samples));
+    if (samples != SampleFate::Other) return;
+    columns_.number(Column::Samples, quad.samples_covered);
+    columns_.number(Column::Samples, quad.samples_written);
+}
+
+void WorkFileWriter::write_accesses(const WholeCommand& command, std::size_t number) {
+    for (std::size_t unit = 0; unit < command.units.size(); ++unit) {
+        const auto accesses = command.accesses_of(number, unit);
+        columns_.number(Column::AccessCount, accesses.size());
+        forecast_.begin_quad(command.units[unit]);
+        for (const TexelAccess& access : accesses)
+            write_access(access);
+    }
+}
+
+void WorkFileWriter::write_access(const TexelAccess& access) {
+    const AccessForecast::Expected expected = forecast_.next(access.lane);
+    const std::uint16_t x1 = static_cast<std::uint16_t>(access.x0 + (access.linear & 1));
+    const std::uint16_t y1 = static_cast<std::uint16_t>(access.y0 + (access.linear >> 1 & 1));
+    const std::uint16_t layer1 = static_cast<std::uint16_t>(access.layer0 + (access.linear >> 2));
+    const bool foreseen = access.level == expected.level && access.layer0 == expected.layer &&
+                          access.x1 == x1 && access.y1 == y1 && access.layer1 == layer1;
+    columns_.byte(Column::Shape,
+                  static_cast<std::uint8_t>(access.lane | access.linear << 2 |
+                                            (foreseen ? ShapeForeseen : 0)));
+    columns_.difference(Column::X, step(access.x0, expected.x));
+    columns_.difference(Column::Y, step(access.y0, expected.y));
+    if (!foreseen) {
+        columns_.byte(Column::Rare, access.level);
+        columns_.difference(Column::Rare, step(access.x1, x1));
+        columns_.difference(Column::Rare, step(access.y1, y1));
+        columns_.difference(Column::Rare, step(access.layer0, expected.layer));
+        columns_.difference(Column::Rare, step(access.layer1, layer1));
+    }
+    forecast_.take(access);
+}
+
+void WorkFileWriter::write_block(BlockKind kind) {
+    std::vector<std::uint8_t> raw;
+    for (std::size_t i = 0; i < ColumnCount; ++i) {
+        const auto bytes = static_cast<std::uint32_t>(columns_.of(static_cast<Column>(i)).size());
+        for (unsigned shift = 0; shift < 32; shift += 8)
+            raw.push_back(static_cast<std::uint8_t>(bytes >> shift));
+    }
+    for (std::size_t i = 0; i < ColumnCount; ++i) {
+        const auto& column = columns_.of(static_cast<Column>(i));
+        raw.insert(raw.end(), column.begin(), column.end());
+    }
+    columns_.clear();
+    const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
+                                                                       &ZSTD_freeCCtx);
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, CompressionLevel);
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
+    std::vector<std::uint8_t> packed(ZSTD_compressBound(raw.size()));
+    const std::size_t count =
+        ZSTD_compress2(context.get(), packed.data(), packed.size(), raw.data(), raw.size());
+    check(!ZSTD_isError(count), "zstd compresses what fits its bound");
+    const BlockHeader header{.kind = static_cast<std::uint32_t>(kind),
+                             .items = std::exchange(items_, 0),
+                             .raw_bytes = static_cast<std::uint32_t>(raw.size()),
+                             .packed_bytes = static_cast<std::uint32_t>(count)};
+    write_bytes(&header, sizeof header);
+    write_bytes(packed.data(), count);
+}
+
+void WorkFileWriter::write_bytes(const void* bytes, std::size_t count) {
+    if (std::fwrite(bytes, 1, count, file_.get()) != count)
+        throw InputError(path_ + ": cannot be written: " + std::strerror(errno));
+}
+
+void WorkFileWriter::finish() {
+    if (!file_) return;
+    if (items_ > 0) write_block(BlockKind::Items);
+    write_block(BlockKind::End);
+    if (std::fclose(file_.release()) != 0)
+        throw InputError(path_ + ": cannot be written: " + std::strerror(errno));
+}
+
+} // namespace ffgpu::work

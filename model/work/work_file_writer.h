@@ -1,0 +1,59 @@
+// WorkFileWriter: keeps whole commands in a file, streamed: it holds a block at most.
+
+#pragma once
+
+#include "model/work/column_bytes.h"
+#include "model/work/frame_figures.h"
+#include "model/work/whole_command.h"
+#include "model/work/work_fields.h"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+namespace ffgpu::work {
+
+class WorkFileWriter final : public CommandSink {
+public:
+    // Throws InputError, as all below, where the file cannot be written.
+    explicit WorkFileWriter(const std::string& path);
+    ~WorkFileWriter() override;
+
+    void command(std::shared_ptr<const WholeCommand> command) override;
+    void host_transfer(const HostTransfer& transfer) override;
+    void end_frame(std::uint32_t frame) override;
+    // The frame's work is all written.
+    void frame(const FrameFigures& figures);
+
+    // Without it the file shows that it is not whole.
+    void finish();
+
+private:
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+
+    void begin_item(Item item);
+    void write_names();
+    void write_state(const std::shared_ptr<const Registers>& state);
+    void write_geometry(const GeometryWork& geometry);
+    void write_quads(const WholeCommand& command);
+    void write_quad(const WholeCommand& command, std::size_t number);
+    void write_fate(const WorkQuad& quad);
+    void write_accesses(const WholeCommand& command, std::size_t number);
+    void write_access(const TexelAccess& access);
+    void write_block(BlockKind kind);
+    void write_bytes(const void* bytes, std::size_t count);
+    template <class Command>
+    void write_fields(const Command& command);
+
+    std::string path_;
+    std::unique_ptr<std::FILE, Close> file_;
+    ColumnWriter columns_;
+    std::uint32_t items_ = 0;
+    std::shared_ptr<const Registers> state_; // the last written
+    FieldValues state_values_, values_;
+    AccessForecast forecast_;
+};
+
+} // namespace ffgpu::work

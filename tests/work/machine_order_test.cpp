@@ -1,0 +1,156 @@
+// When a scene of a tile-based machine ends: by what the application did, and by nothing else.
+
+#include "model/work/machine_order.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::work {
+namespace {
+
+constexpr DeviceAddress TargetAt = 1 << 20, TextureAt = 1 << 24;
+constexpr std::uint16_t Size = 64;
+constexpr std::uint32_t TargetBytes = Size * Size * 4;
+
+// A letter for each thing that the machine is to do; a scene tells how many draws it has.
+class Log : public MachineSink {
+public:
+    void scene(PreparedScene&& scene) override {
+        text += std::to_string(scene.draws.size()) + ' ';
+        last = std::move(scene);
+    }
+    void transfer(PreparedTransfer&& transfer) override {
+        text += transfer.kind == WorkKind::Clear ? "clear " : "copy ";
+    }
+    void host_transfer(const HostTransfer& transfer) override {
+        text += transfer.is_write ? "write " : "read ";
+    }
+    void end_frame(std::uint32_t) override { text += "end "; }
+
+    std::string text;
+    PreparedScene last;
+};
+
+Surface target(DeviceAddress at) {
+    return {at, Format::Rgba8, Size, Size, Size * 4};
+}
+
+struct Machine {
+    Log log;
+    MachineOrder order;
+    Registers registers;
+
+    explicit Machine(Architecture architecture)
+        : order(
+              [architecture] {
+                  WorkConfig config;
+                  config.raster.architecture = architecture;
+                  return config;
+              }(),
+              log) {
+        registers.targets.color[0] = target(TargetAt);
+        registers.scissor.width = registers.scissor.height = Size;
+        registers.images[0].shape = {TextureKind::TwoD, Format::Rgba8, 16, 16, 1, 1, 0};
+        registers.images[0].address = TextureAt;
+    }
+
+    // A quad at (x, y); textured: one texel of it.
+    void draw(std::uint16_t x = 0, std::uint16_t y = 0, bool textured = false) {
+        auto command = std::make_shared<WholeCommand>();
+        command->draw.state = std::make_shared<const Registers>(registers);
+        command->quads.push_back({.primitive = 0, .x = x, .y = y, .covered = 1,
+                                  .after_early_depth = 1, .after_coverage = 1, .after_alpha = 1,
+                                  .after_stencil = 1, .after_depth = 1});
+        if (textured) {
+            command->units = {0};
+            command->accesses = {TexelAccess{}};
+        }
+        command->access_begin = textured ? std::vector<std::uint32_t>{0, 1}
+                                         : std::vector<std::uint32_t>{0};
+        order.command(std::move(command));
+    }
+    void whole(WorkKind kind) {
+        auto command = std::make_shared<WholeCommand>();
+        command->draw.kind = kind;
+        command->draw.state = std::make_shared<const Registers>(registers);
+        command->draw.clear.color = true;
+        command->draw.copy = {.source = target(TargetAt), .destination = target(1 << 25)};
+        order.command(std::move(command));
+    }
+    void host(bool is_write, DeviceAddress at) {
+        order.host_transfer({.is_write = is_write, .at = at, .bytes = 4});
+    }
+};
+
+TEST_CASE("An immediate machine takes each draw for itself") {
+    Machine machine(Architecture::Immediate);
+    machine.draw();
+    machine.draw();
+    machine.order.end_frame(0);
+    CHECK(machine.log.text == "1 1 end ");
+}
+
+TEST_CASE("A tile-based machine's scene goes on over uploads and reads of other memory") {
+    Machine machine(Architecture::TileBased);
+    machine.draw();
+    machine.host(true, TextureAt);
+    machine.host(false, TargetAt + TargetBytes); // The byte behind the target.
+    machine.host(true, TargetAt - 4);
+    machine.draw(0, 0, true);
+    machine.order.end_frame(0);
+    CHECK(machine.log.text == "write read write 2 end ");
+}
+
+TEST_CASE("A scene ends where the driver reads or writes its target's first or last byte") {
+    const bool is_write = GENERATE(false, true);
+    const std::string what = is_write ? "write " : "read ";
+    Machine machine(Architecture::TileBased);
+    machine.draw();
+    machine.host(is_write, TargetAt + TargetBytes - 1);
+    machine.draw();
+    machine.host(is_write, TargetAt - 3);
+    machine.draw();
+    machine.order.end_frame(0);
+    CHECK(machine.log.text == "1 " + what + "1 " + what + "1 end ");
+}
+
+TEST_CASE("A scene ends with its targets, a clear, a copy, and what reads it") {
+    Machine machine(Architecture::TileBased);
+    machine.whole(WorkKind::Clear);
+    machine.draw();
+    machine.whole(WorkKind::Clear);
+    machine.draw();
+    machine.draw();
+    machine.whole(WorkKind::Copy);
+    machine.draw();
+    machine.registers.targets.color[0].address = TextureAt;
+    machine.draw();
+    machine.draw();
+    machine.draw(0, 0, true); // It reads what the two drew.
+    machine.draw();
+    machine.order.end_frame(0);
+    CHECK(machine.log.text == "clear 1 clear 2 copy 1 2 2 end ");
+}
+
+TEST_CASE("A scene's quads come screen bin by screen bin, in each in the order of the draws") {
+    Machine machine(Architecture::TileBased); // bins of 32 pixels
+    machine.draw(40, 40);
+    machine.draw(2, 2);
+    machine.draw(40, 0);
+    machine.draw(0, 0);
+    machine.draw(34, 34);
+    machine.order.end_frame(0);
+    std::vector<std::uint32_t> draws;
+    for (const PreparedQuad& quad : machine.log.last.quads)
+        draws.push_back(quad.draw);
+    CHECK(draws == std::vector<std::uint32_t>{1, 3, 2, 0, 4});
+    CHECK(std::all_of(machine.log.last.quads.begin(),
+                      machine.log.last.quads.end(),
+                      [](const PreparedQuad& quad) { return quad.new_tile; }));
+}
+
+} // namespace
+} // namespace ffgpu::work

@@ -1,0 +1,107 @@
+// Whole commands: nothing of the host is left in them, and every fragment has a name of its own.
+
+#include "model/work/fragment_key.h"
+#include "tests/work/recorded_work.h"
+
+#include <bit>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::work {
+namespace {
+
+constexpr std::size_t SmallBin = 4096; // some ten records
+
+TEST_CASE("Commands are the same however the host drew them") {
+    const auto samples = GENERATE(std::uint8_t{1}, std::uint8_t{MaxSamples});
+    const CommandList plain = recorded({}, samples);
+    const std::string file = file_of(plain);
+    REQUIRE(plain.commands.size() == 43); // a clear, 40 draws, an image, a copy
+    for (const FunctionalGpu::Config& host : {FunctionalGpu::Config{.tile_size = 16},
+                                              {.threads = 3, .tile_size = 128},
+                                              {.bin_bytes = SmallBin},
+                                              {.threads = 2, .tile_size = 32, .bin_bytes = 1}}) {
+        INFO(host.threads << " threads, tiles of " << host.tile_size << ", bins of "
+                          << host.bin_bytes);
+        const CommandList other = recorded(host, samples);
+        CHECK(other.log == plain.log);
+        CHECK(file_of(other) == file);
+    }
+}
+
+TEST_CASE("An upload stands between the draws that it came between") {
+    const CommandList list = recorded({});
+    // The clear; a draw's vertices before each draw, and once the texture; the image and a copy.
+    std::string expected = "c";
+    for (int draw = 0; draw < 40; ++draw)
+        expected += draw == 10 ? "wwc" : "wc";
+    CHECK(list.log == expected + "wcc" + "e");
+}
+
+TEST_CASE("Quads stand in the canonical order") {
+    const CommandList list = recorded({.tile_size = 16}, MaxSamples);
+    std::size_t quads = 0, pieces = 0;
+    for (const auto& command : list.commands) {
+        for (std::size_t i = 1; i < command->quads.size(); ++i)
+            REQUIRE(comes_before(command->quads[i - 1], command->quads[i]));
+        for (const WorkQuad& quad : command->quads)
+            pieces += quad.piece > 0;
+        quads += command->quads.size();
+    }
+    CHECK(quads > 10000);
+    CHECK(pieces > 1000); // There were clipped primitives, quads, outlines.
+}
+
+// The names of all fragments, or samples; fails where one is there already.
+std::set<FragmentKey> names_of(const CommandList& list, bool samples) {
+    std::set<FragmentKey> names;
+    for (const auto& command : list.commands)
+        for (const WorkQuad& quad : command->quads)
+            for (unsigned lane = 0; lane < 4; ++lane)
+                for (unsigned sample = 0; sample < (samples ? MaxSamples : 1); ++sample) {
+                    const bool is_there = samples
+                                              ? (quad.samples_covered >> (4 * lane + sample) & 1) != 0
+                                              : (quad.covered >> lane & 1) != 0;
+                    if (!is_there) continue;
+                    REQUIRE(names
+                                .insert({command->draw.number,
+                                         quad.primitive,
+                                         fragment_sequence(quad, lane, sample)})
+                                .second);
+                }
+    return names;
+}
+
+std::uint64_t counted(test::Scene& scene, const char* name) {
+    for (const StatisticsGroup* const group : scene.gpu.statistics())
+        for (const Counter& counter : group->counters())
+            if (counter.name() == name) return counter.value();
+    return 0;
+}
+
+TEST_CASE("A key names one fragment, and a sample's key one sample") {
+    for (const std::uint8_t samples : {std::uint8_t{1}, std::uint8_t{MaxSamples}}) {
+        test::Scene scene(150, 100);
+        set_samples(scene, samples);
+        CommandList list;
+        CommandAssembler assembler(list);
+        scene.gpu.set_work_sink(&assembler);
+        draw_varied(scene);
+        const auto fragments = names_of(list, false);
+        CHECK(fragments.size() == counted(scene, "fragments_covered"));
+        CHECK(fragments.size() > 40000);
+        if (samples == 1) continue;
+        CHECK(names_of(list, true).size() == counted(scene, "samples_covered"));
+    }
+}
+
+TEST_CASE("A sequence holds piece, row, column, lane and sample apart") {
+    const WorkQuad quad{.primitive = 9, .piece = 5, .x = 6, .y = 4, .covered = 15,
+                        .after_early_depth = 15, .after_coverage = 15, .after_alpha = 15,
+                        .after_stencil = 15, .after_depth = 15};
+    CHECK(fragment_sequence(quad, 2, 3) == (5ull << 32 | 2ull << 17 | 3ull << 4 | 2ull << 2 | 3));
+}
+
+} // namespace
+} // namespace ffgpu::work

@@ -1,0 +1,217 @@
+// The work file: what is written is read again; what is damaged, cut off or newer is told so.
+
+#include "model/base/input_error.h"
+#include "model/work/work_file_reader.h"
+#include "tests/work/recorded_work.h"
+
+#include <cstring>
+#include <random>
+
+#include <catch2/catch.hpp>
+#include <zstd.h>
+
+namespace ffgpu::work {
+namespace {
+
+using Catch::Matchers::Contains;
+
+CommandList read_back(const std::string& bytes, std::vector<FrameFigures>* frames = nullptr) {
+    const TemporaryFile file(bytes, ".ffw");
+    CommandList list;
+    WorkFileReader reader(file.path());
+    reader.play(list, [&](const FrameFigures& figures) {
+        if (frames) frames->push_back(figures);
+    });
+    return list;
+}
+
+// What is wrong with the file; empty: nothing.
+std::string complaint(const std::string& bytes) {
+    try {
+        read_back(bytes);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+void check_equal(const WholeCommand& a, const WholeCommand& b) {
+    CHECK(a.draw.kind == b.draw.kind);
+    CHECK(a.draw.number == b.draw.number);
+    CHECK(a.draw.early_depth == b.draw.early_depth);
+    CHECK((a.draw.state != nullptr) == (b.draw.state != nullptr));
+    if (a.draw.state) CHECK(*a.draw.state == *b.draw.state);
+    CHECK(a.draw.geometry.vertices == b.draw.geometry.vertices);
+    CHECK(a.draw.geometry.primitives_in == b.draw.geometry.primitives_in);
+    CHECK(a.draw.geometry.vertex_address == b.draw.geometry.vertex_address);
+    CHECK(a.draw.clear.color_value == b.draw.clear.color_value);
+    CHECK(a.draw.copy.destination == b.draw.copy.destination);
+    CHECK(a.draw.image.zoom_x == b.draw.image.zoom_x);
+    CHECK(a.units == b.units);
+    CHECK((a.quads == b.quads)); // Too many to be printed.
+    CHECK(a.access_begin == b.access_begin);
+    CHECK((a.accesses == b.accesses));
+}
+
+TEST_CASE("What is written is read again, whole") {
+    const auto samples = GENERATE(std::uint8_t{1}, std::uint8_t{MaxSamples});
+    const CommandList list = recorded({}, samples);
+    const CommandList read = read_back(file_of(list));
+    REQUIRE(read.commands.size() == list.commands.size());
+    for (std::size_t i = 0; i < list.commands.size(); ++i)
+        check_equal(*read.commands[i], *list.commands[i]);
+    REQUIRE(read.transfers.size() == list.transfers.size());
+    CHECK(read.log.ends_with("we"));
+}
+
+TEST_CASE("A command larger than a block, with accesses of any kind, is read again") {
+    std::mt19937 random(3);
+    auto whole = std::make_shared<WholeCommand>();
+    whole->draw.state = std::make_shared<const Registers>();
+    whole->units = {1, 6};
+    for (std::uint32_t i = 0; i < 60000; ++i) {
+        const auto bits = random();
+        whole->quads.push_back({.primitive = i / 7, .piece = i % 7, .x = 20, .y = 40,
+                                .covered = static_cast<std::uint8_t>(bits & 15),
+                                .after_early_depth = static_cast<std::uint8_t>(bits >> 4 & 15),
+                                .after_coverage = static_cast<std::uint8_t>(bits >> 8 & 15),
+                                .after_alpha = static_cast<std::uint8_t>(bits >> 12 & 15),
+                                .after_stencil = static_cast<std::uint8_t>(bits >> 16 & 15),
+                                .after_depth = static_cast<std::uint8_t>(bits >> 20 & 15),
+                                .samples_covered = static_cast<std::uint16_t>(random()),
+                                .samples_written = static_cast<std::uint16_t>(random())});
+        for (unsigned unit = 0; unit < 2; ++unit) {
+            for (unsigned lane = 0; lane < 4 && random() % 8 != 0; ++lane) {
+                TexelAccess access{};
+                access.lane = static_cast<std::uint16_t>(lane);
+                access.level = static_cast<std::uint8_t>(random() % 12);
+                access.linear = static_cast<std::uint8_t>(random() % 8);
+                for (std::uint16_t* const value : {&access.x0, &access.x1, &access.y0, &access.y1,
+                                                   &access.layer0, &access.layer1})
+                    *value = static_cast<std::uint16_t>(random());
+                whole->accesses.push_back(access);
+            }
+            whole->access_begin.push_back(static_cast<std::uint32_t>(whole->accesses.size()));
+        }
+    }
+    for (std::uint32_t i = 0; i < 400000; ++i)
+        whole->draw.geometry.vertices.push_back(static_cast<std::uint32_t>(random()));
+    CommandList list;
+    list.commands.push_back(whole);
+    const CommandList read = read_back(file_of(list));
+    REQUIRE(read.commands.size() == 1);
+    check_equal(*read.commands[0], *whole);
+}
+
+TEST_CASE("A frame's figures are read again") {
+    const FrameFigures figures{.number = 7, .width = 640, .height = 480, .api_calls = 1234567890123,
+                               .functional = {{"draws", 3}, {"fragments_written", ~0ull}}};
+    const TemporaryFile file("", ".ffw");
+    WorkFileWriter writer(file.path());
+    writer.frame(figures);
+    writer.finish();
+    std::vector<FrameFigures> frames;
+    read_back(content(file.path()), &frames);
+    REQUIRE(frames.size() == 1);
+    CHECK(frames[0] == figures);
+}
+
+TEST_CASE("A file of a newer version is refused in one line") {
+    std::string bytes = file_of(CommandList{});
+    bytes[WorkFileMagic.size()] = static_cast<char>(WorkFileVersion + 1);
+    CHECK_THAT(complaint(bytes),
+               Contains("byte 8: is a work file of version 2, but this program reads version 1"));
+    CHECK_THAT(complaint("FFGPUWRX" + bytes.substr(8)), Contains("byte 0: is no work file"));
+    CHECK_THAT(complaint("FF"), Contains("byte 0: is no work file"));
+}
+
+TEST_CASE("A file that was cut off is refused wherever that was") {
+    const std::string bytes = file_of(recorded({}));
+    REQUIRE(complaint(bytes).empty());
+    std::mt19937 random(1);
+    for (std::size_t size = 0; size < bytes.size(); size += 1 + random() % 997) {
+        INFO(size << " of " << bytes.size() << " bytes");
+        CHECK_THAT(complaint(bytes.substr(0, size)), Contains("byte "));
+    }
+    CHECK_THAT(complaint(bytes.substr(0, bytes.size() - 1)), Contains("byte "));
+    CHECK_THAT(complaint(bytes + '\0'), Contains("expected the end of the file"));
+}
+
+TEST_CASE("A file in which a byte was changed is refused, or says the same") {
+    const std::string bytes = file_of(recorded({}));
+    std::mt19937 random(2);
+    unsigned refused = 0;
+    for (unsigned i = 0; i < 300; ++i) {
+        std::string damaged = bytes;
+        const std::size_t at = 12 + random() % (bytes.size() - 12);
+        damaged[at] = static_cast<char>(damaged[at] ^ (1 << random() % 8));
+        INFO("byte " << at);
+        const std::string what = complaint(damaged);
+        if (!what.empty()) {
+            CHECK_THAT(what, Contains(": byte "));
+            ++refused;
+        }
+    }
+    CHECK(refused > 290); // A bit that zstd does not use may be either.
+}
+
+TEST_CASE("A block that claims to be large is refused before memory is taken for it") {
+    std::string bytes = file_of(CommandList{});
+    const std::uint32_t large = 0xfffffff0;
+    std::string raw = bytes, packed = bytes;
+    std::memcpy(raw.data() + 12 + offsetof(BlockHeader, raw_bytes), &large, 4);
+    CHECK_THAT(complaint(raw), Contains("byte 12: the block is damaged: it cannot be of 4294967280"));
+    std::memcpy(packed.data() + 12 + offsetof(BlockHeader, packed_bytes), &large, 4);
+    CHECK_THAT(complaint(packed), Contains("byte 12: the block is cut off or damaged"));
+}
+
+// The file with another name for a field: as if a program had written it that called it so.
+std::string renamed(const std::string& bytes, const std::string& from, const std::string& to) {
+    BlockHeader header;
+    const std::size_t at = 12 + sizeof header;
+    std::memcpy(&header, bytes.data() + 12, sizeof header);
+    std::string raw(header.raw_bytes, '\0');
+    ZSTD_decompress(raw.data(), raw.size(), bytes.data() + at, header.packed_bytes);
+    const std::size_t place = raw.find(from);
+    REQUIRE(place != std::string::npos);
+    REQUIRE(from.size() == to.size());
+    raw.replace(place, to.size(), to);
+    std::string packed(ZSTD_compressBound(raw.size()), '\0');
+    packed.resize(ZSTD_compress(packed.data(), packed.size(), raw.data(), raw.size(), 1));
+    const std::string rest = bytes.substr(at + header.packed_bytes);
+    header.packed_bytes = static_cast<std::uint32_t>(packed.size());
+    return bytes.substr(0, 12) +
+           std::string(reinterpret_cast<const char*>(&header), sizeof header) + packed + rest;
+}
+
+TEST_CASE("Fields are found by name: one that is not known here is passed over") {
+    Registers registers;
+    registers.fog.density = 0.5f;
+    registers.blend.enable = true;
+    registers.scissor.width = 77;
+    auto whole = std::make_shared<WholeCommand>();
+    whole->draw.state = std::make_shared<const Registers>(registers);
+    CommandList list;
+    list.commands.push_back(whole);
+    const std::string bytes = renamed(file_of(list), "fog.density", "fog.dens1ty");
+    Registers expected = registers;
+    expected.fog.density = Registers{}.fog.density;
+    const CommandList read = read_back(bytes);
+    REQUIRE(read.commands.size() == 1);
+    CHECK(*read.commands[0]->draw.state == expected);
+}
+
+TEST_CASE("A full disk is told, not passed over") {
+    if (!std::ifstream("/dev/full")) return;
+    const CommandList list = recorded({});
+    const auto write = [&] {
+        WorkFileWriter writer("/dev/full");
+        for (const auto& command : list.commands)
+            writer.command(command);
+        writer.finish();
+    };
+    CHECK_THROWS_WITH(write(), Contains("/dev/full: cannot be written"));
+}
+
+} // namespace
+} // namespace ffgpu::work

@@ -1,0 +1,43 @@
+#include "tools/commands/commands.h"
+#include "tools/config/config_file.h"
+#include "tools/time/time_work.h"
+
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace ffgpu::tools {
+
+void add_time_command(CLI::App& application, Run& run) {
+    struct Arguments {
+        TimeOptions time;
+        std::string config;
+        std::vector<std::string> settings;
+    };
+    const auto arguments = std::make_shared<Arguments>();
+    CLI::App* const verb = application.add_subcommand(
+        "time", "Runs the timing model on work that replay or run kept with --save-work");
+    verb->add_option("work", arguments->time.input, "A work file (.ffw)")->required();
+    verb->add_option("-o,--output", arguments->time.output, "Folder for stats.json")
+        ->type_name("DIR")
+        ->required();
+    verb->add_option("--config", arguments->config, "Parameters; ffgpu config prints them")
+        ->type_name("F.toml");
+    verb->add_option("--set", arguments->settings, "Change a parameter: texel_cache.ways=8")
+        ->type_name("NAME=VALUE");
+    verb->footer("Example: ffgpu time corridor.ffw -o out/two_ways --set texel_cache.ways=2");
+    verb->callback([arguments, &run] {
+        run = [arguments] {
+            Configuration& configuration = arguments->time.configuration;
+            if (!arguments->config.empty()) read_config_file(arguments->config, configuration);
+            for (const std::string& setting : arguments->settings)
+                apply_setting(setting, configuration);
+            std::fputs(time_work(arguments->time).c_str(), stderr);
+            return 0;
+        };
+    });
+}
+
+} // namespace ffgpu::tools

@@ -1,0 +1,28 @@
+#include "tools/frames/frame_range.h"
+
+#include "model/base/input_error.h"
+
+#include <charconv>
+
+namespace ffgpu::tools {
+
+FrameRange parse_frame_range(const std::string& text) {
+    const auto wrong = [&] {
+        return InputError("--frames " + text + ": expected A-B, A or A-, with A not above B");
+    };
+    FrameRange range;
+    const char* const end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, range.first);
+    if (first.ec != std::errc()) throw wrong();
+    if (first.ptr == end) {
+        range.last = range.first;
+        return range;
+    }
+    if (*first.ptr != '-') throw wrong();
+    if (first.ptr + 1 == end) return range;
+    const auto last = std::from_chars(first.ptr + 1, end, range.last);
+    if (last.ec != std::errc() || last.ptr != end || range.last < range.first) throw wrong();
+    return range;
+}
+
+} // namespace ffgpu::tools

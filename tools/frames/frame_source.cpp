@@ -1,0 +1,75 @@
+#include "tools/frames/frame_source.h"
+
+#include "driver/trace/player/player.h"
+#include "model/base/input_error.h"
+#include "model/capture/capture_reader.h"
+
+#include <utility>
+
+namespace ffgpu::tools {
+namespace {
+
+class TraceSource : public FrameSource {
+public:
+    TraceSource(const std::string& path, Device& device, const FrameSourceOptions& options)
+        : reader_(path)
+        , player_(device,
+                  reader_,
+                  {.warn = options.warn,
+                   .report_errors = options.report_errors,
+                   .keep_last_frame = options.keep_last,
+                   .samples = options.samples,
+                   .swap = options.swap}) {}
+
+    std::optional<Frame> next() override {
+        const std::uint64_t before = player_.calls_played();
+        const auto shown = player_.play_frame();
+        if (!shown) return std::nullopt;
+        return Frame{shown->number, shown->picture, player_.calls_played() - before};
+    }
+
+    bool repeat_last() override { return player_.repeat_last_frame(); }
+
+private:
+    trace::TraceReader reader_;
+    trace::TracePlayer player_;
+};
+
+class CaptureSource : public FrameSource {
+public:
+    CaptureSource(const std::string& path, Device& device)
+        : reader_(path)
+        , device_(device) {
+        if (reader_.memory_size() > device.memory_size())
+            throw InputError(path + ": needs a device with " +
+                             std::to_string(reader_.memory_size()) + " bytes of memory");
+    }
+
+    std::uint64_t first_frame() const override { return reader_.first_frame(); }
+
+    std::optional<Frame> next() override {
+        const auto shown = reader_.play_frame(device_);
+        if (!shown) return std::nullopt;
+        return Frame{shown->frame, shown->picture, 0};
+    }
+
+private:
+    capture::CaptureReader reader_;
+    Device& device_;
+};
+
+} // namespace
+
+std::unique_ptr<FrameSource>
+open_frame_source(const std::string& path, Device& device, const FrameSourceOptions& options) {
+    const bool is_capture = capture::CaptureReader::is_capture(path);
+    if (is_capture && options.samples > 1)
+        throw InputError(path + ": is a capture, whose windows are as they were: --samples is for "
+                                "traces");
+    if (is_capture && options.swap != gl::SwapMode::Copy)
+        throw InputError(path + ": is a capture, whose swaps are in it: --swap is for traces");
+    if (is_capture) return std::make_unique<CaptureSource>(path, device);
+    return std::make_unique<TraceSource>(path, device, options);
+}
+
+} // namespace ffgpu::tools

@@ -1,0 +1,40 @@
+#include "tools/record/work_pipeline.h"
+
+namespace ffgpu::tools {
+
+WorkPipeline::WorkPipeline(const Options& options, StatisticsReport& report)
+    : timing_(options.timing ? std::make_unique<timing::GpuTiming>(*options.timing) : nullptr)
+    , file_(options.save_work.empty() ? nullptr
+                                      : std::make_unique<work::WorkFileWriter>(options.save_work))
+    , meter_(report, timing_.get())
+    , assembler_(readers_) {
+    if (timing_) readers_.add(*timing_);
+    if (file_) readers_.add(*file_);
+    if (timing_ && options.costs)
+        timing_->set_on_retire([costs = options.costs](const timing::QuadRetired& quad) {
+            costs->quad_retired(quad);
+        });
+    if (timing_ || file_) thread_.emplace(assembler_);
+}
+
+void WorkPipeline::frame(const work::FrameFigures& figures) {
+    if (!thread_) return add(figures);
+    thread_->check_failure();
+    thread_->post([this, figures] { add(figures); });
+}
+
+void WorkPipeline::add(const work::FrameFigures& figures) {
+    if (file_) file_->frame(figures);
+    meter_.add(figures);
+}
+
+void WorkPipeline::drain() {
+    if (thread_) thread_->drain();
+}
+
+void WorkPipeline::finish() {
+    drain();
+    if (file_) file_->finish();
+}
+
+} // namespace ffgpu::tools

@@ -1,0 +1,54 @@
+// WorkPipeline: what reads the work stream beside the drawing, on a thread of its own: the machine
+// in time, and the file that keeps the work. The statistics of a frame are put together there,
+// because only there is it known what the frame took.
+
+#pragma once
+
+#include "model/timing/gpu_timing.h"
+#include "model/work/command_assembler.h"
+#include "model/work/sink_thread.h"
+#include "model/work/work_file_writer.h"
+#include "tools/record/work_fan_out.h"
+#include "tools/report/frame_meter.h"
+#include "tools/report/heat_maps.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace ffgpu::tools {
+
+class WorkPipeline {
+public:
+    struct Options {
+        const timing::TimingConfig* timing = nullptr; // null: no machine in time
+        std::string save_work;                        // empty: no file
+        HeatMapRecorder* costs = nullptr;             // of quads; needs timing; read after drain()
+    };
+
+    // Throws InputError where the file cannot be made.
+    WorkPipeline(const Options& options, StatisticsReport& report);
+
+    // What it reads; null: nothing.
+    WorkSink* sink() { return thread_ ? &*thread_ : nullptr; }
+
+    // The frame's work is handed over. Throws what went wrong in earlier frames.
+    void frame(const work::FrameFigures& figures);
+
+    // Returns when all is read, and counted in the report. Throws what went wrong.
+    void drain();
+    // The same at the end: completes the file.
+    void finish();
+
+private:
+    void add(const work::FrameFigures& figures);
+
+    std::unique_ptr<timing::GpuTiming> timing_;
+    std::unique_ptr<work::WorkFileWriter> file_;
+    FrameMeter meter_;
+    CommandFanOut readers_;
+    work::CommandAssembler assembler_;
+    std::optional<work::SinkThread> thread_; // The last: it uses the others.
+};
+
+} // namespace ffgpu::tools

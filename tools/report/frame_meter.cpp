@@ -1,0 +1,24 @@
+#include "tools/report/frame_meter.h"
+
+#include <utility>
+
+namespace ffgpu::tools {
+
+FrameMeter::FrameMeter(StatisticsReport& report, timing::GpuTiming* timing)
+    : report_(report)
+    , timing_(timing) {
+    if (timing_)
+        timing_->set_on_frame([this](const timing::FrameTiming& frame) { ended_ = frame; });
+}
+
+void FrameMeter::add(const work::FrameFigures& frame) {
+    TimedFigures timed;
+    if (timing_) {
+        timing_->catch_up();
+        timed.counters = changes_.take(timing_->statistics());
+        timed.frame = std::exchange(ended_, std::nullopt);
+    }
+    report_.add(frame, timed);
+}
+
+} // namespace ffgpu::tools

@@ -1,0 +1,15 @@
+// stats.json in a folder, which is made where it is missing.
+
+#pragma once
+
+#include "tools/report/statistics_report.h"
+
+#include <string>
+
+namespace ffgpu::tools {
+
+// Both throw InputError.
+void make_folder(const std::string& path);
+void write_statistics_file(const StatisticsReport& report, const std::string& folder);
+
+} // namespace ffgpu::tools

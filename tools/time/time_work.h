@@ -1,0 +1,20 @@
+// The machine in time from a work file: what `replay --timing` would have told, without drawing.
+
+#pragma once
+
+#include "tools/config/configuration.h"
+
+#include <string>
+
+namespace ffgpu::tools {
+
+struct TimeOptions {
+    std::string input;
+    std::string output; // a folder
+    Configuration configuration;
+};
+
+// Returns a summary for people. Throws InputError; what was finished before is written.
+std::string time_work(const TimeOptions& options);
+
+} // namespace ffgpu::tools
