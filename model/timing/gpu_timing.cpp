@@ -45,7 +45,7 @@ struct CachePort {
               const CacheConfig& config,
               Client client,
               InFlight& in_flight)
-        : requests(clock, RequestQueue, in_flight)
+        : requests(clock, config.request_queue, in_flight, config.miss_queue)
         , responses(clock, ResponseQueue + config.outstanding_lines)
         , cache(name, config, client, requests) {}
 
@@ -92,7 +92,7 @@ public:
         , depth_to_texture(clock, config.fragment.queue)
         , texture_to_fragment(clock, config.fragment.queue)
         , fragment_to_depth(
-              clock, config.fragment.queue + config.fragment.latency, config.fragment.latency)
+              clock, config.fragment.queue, config.fragment.latency, config.raster.quads_per_cycle)
         , depth_to_color(clock, config.fragment.queue)
         , command_processor("command_processor",
                             clock,
@@ -188,6 +188,7 @@ public:
     void scene(work::PreparedScene&& scene) override {
         waiting_quads += scene.quads.size() + scene.draws.size();
         scenes.emplace_back(std::move(scene));
+        scenes.back().host_writes = std::exchange(host_writes, {});
         command_processor.enqueue(scenes.back());
         if (waiting_quads > MostWaiting) run();
     }
@@ -198,6 +199,7 @@ public:
     void host_transfer(const HostTransfer& transfer) override {
         (transfer.is_write ? frame_statistics.host_written_bytes
                            : frame_statistics.host_read_bytes) += transfer.bytes;
+        if (transfer.is_write) host_writes.push_back({transfer.at, transfer.at + transfer.bytes});
     }
     void end_frame(std::uint32_t number) override {
         command_processor.enqueue_frame_end();
@@ -271,6 +273,7 @@ public:
     MemoryArbiter arbiter;
     MemoryController memory;
 
+    std::vector<HostWrite> host_writes; // since the last scene
     FrameStatistics frame_statistics;
     FrameTiming frame;
     Cycle frame_begin = 0;

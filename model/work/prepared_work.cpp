@@ -60,6 +60,7 @@ private:
             draw_.uses_depth = state.depth.test_enable || state.stencil.enable;
             draw_.writes_depth = state.depth.write_enable || state.stencil.enable;
             places_.depth = &addresses.surface(state.targets.depth, config_.depth_cache);
+            draw_.depth_place = *places_.depth;
         }
         for (const Surface& target : state.targets.color) {
             if (target.format == Format::None) continue;
@@ -68,6 +69,7 @@ private:
             draw_.reads_color = draw_.writes_color &&
                                 (blend.enable || blend.logic_op_enable || blend.write_mask != 0xf);
             places_.colors.push_back(&addresses.surface(target, config_.color_cache));
+            draw_.color_places.push_back(*places_.colors.back());
         }
     }
 
@@ -101,7 +103,8 @@ private:
                           .covered = from.covered,
                           .after_early_depth = from.after_early_depth,
                           .after_stencil = from.after_stencil,
-                          .after_depth = from.after_depth};
+                          .after_depth = from.after_depth,
+                          .samples_written = from.samples_written};
         quad.new_tile =
             starts_tile(config_.raster, out_.quads.empty() ? nullptr : &out_.quads.back(), quad);
         add_target_lines(quad);
