@@ -1,7 +1,7 @@
 // A program of the installed library of techniques.
-#include <techniques/mapping.h>
-
 #include <cstdio>
+
+#include <techniques/mapping.h>
 
 int main() {
     const glm::dvec2 uv = ffgpu::techniques::spherical(glm::dvec3(0), {0, 2, 0});

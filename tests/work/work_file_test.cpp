@@ -68,7 +68,6 @@ TEST_CASE("A command larger than a block, with accesses of any kind, is read aga
     std::mt19937 random(3);
     auto whole = std::make_shared<WholeCommand>();
     Registers registers;
-    registers.vertex_format.stride = 1; // Others are refused.
     whole->draw.state = std::make_shared<const Registers>(registers);
     whole->units = {1, 6};
     for (std::uint32_t i = 0; i < 60000; ++i) {
@@ -199,7 +198,6 @@ std::string renamed(const std::string& bytes, const std::string& from, const std
 
 TEST_CASE("Fields are found by name: one that is not known here is passed over") {
     Registers registers;
-    registers.vertex_format.stride = 1;
     registers.fog.density = 0.5f;
     registers.blend.enable = true;
     registers.scissor.width = 77;
