@@ -5,7 +5,7 @@
 #pragma once
 
 #include "model/base/parameters.h"
-#include "model/timing/memory_config.h"
+#include "model/timing/memory/config.h"
 #include "model/work/config.h"
 
 #include <cstdint>

@@ -12,18 +12,21 @@ namespace ffgpu::timing {
 class RequestPort {
 public:
     RequestPort(const Clock& clock, std::size_t capacity, InFlight& in_flight)
-        : channel_(clock, capacity)
+        : clock_(clock)
+        , channel_(clock, capacity)
         , in_flight_(in_flight) {}
 
     bool can_push(std::size_t n = 1) const { return channel_.can_push(n); }
-    void push(const MemoryRequest& request) {
+    void push(MemoryRequest request) {
         in_flight_.enter();
+        request.issued = clock_.now();
         channel_.push(request);
     }
     // The arbiter's end.
     Channel<MemoryRequest>& channel() { return channel_; }
 
 private:
+    const Clock& clock_;
     Channel<MemoryRequest> channel_;
     InFlight& in_flight_;
 };
