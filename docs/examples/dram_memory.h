@@ -55,8 +55,7 @@ private:
     }
 
     // Takes a request if its channel has a place, else later: END_REQ on the backward path.
-    tlm::tlm_sync_enum
-    on_forward(Payload& payload, tlm::tlm_phase& phase, sc_core::sc_time&) {
+    tlm::tlm_sync_enum on_forward(Payload& payload, tlm::tlm_phase& phase, sc_core::sc_time&) {
         const std::uint32_t number = timing::memory_channel(config_, payload.get_address());
         if (!arriving_[number].can_push()) {
             refused_[number] = &payload;

@@ -1,7 +1,8 @@
 // Example of a memory of one's own: any number of requests at once, each answered after a time that
 // a function gives. Bind it with
 //     GpuTiming(config, 0, [](const Clock& clock, const MemoryConfig&) {
-//         return std::make_unique<LatencyMemory>("mine", clock, [](const auto& request) { return 100; });
+//         return std::make_unique<LatencyMemory>("mine", clock, [](const auto& request) { return
+//         100; });
 //     });
 
 #pragma once
@@ -59,7 +60,8 @@ private:
     const timing::Clock& clock_;
     const Latency latency_;
     tlm_utils::simple_target_socket<LatencyMemory> socket_{"socket"};
-    std::multimap<timing::Cycle, tlm::tlm_generic_payload*> answers_; // by the time that they are due
+    std::multimap<timing::Cycle, tlm::tlm_generic_payload*>
+        answers_; // by the time that they are due
 };
 
 } // namespace ffgpu::examples

@@ -28,11 +28,11 @@ ClientStatistics::ClientStatistics() {
         for (unsigned i = 0; i < Buckets; ++i) {
             const bool last = i + 1 == Buckets;
             const unsigned limit = 1u << (FirstBucket + i - (last ? 1 : 0));
-            of.histogram[i] = &add(prefix + "read_latency_" +
-                                       (last ? std::to_string(limit) + "_or_more"
-                                             : "below_" + std::to_string(limit)),
-                                   "reads",
-                                   "by latency in cycles, each read in one of the ranges");
+            of.histogram[i] = &add(
+                prefix + "read_latency_" +
+                    (last ? std::to_string(limit) + "_or_more" : "below_" + std::to_string(limit)),
+                "reads",
+                "by latency in cycles, each read in one of the ranges");
         }
     }
 }

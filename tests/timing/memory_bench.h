@@ -124,8 +124,7 @@ inline BenchResult run_memory(const MemoryConfig& config,
 inline std::vector<MemoryRequest> line_stream(std::size_t count, bool write = false) {
     std::vector<MemoryRequest> list;
     for (std::size_t i = 0; i < count; ++i)
-        list.push_back(
-            {.address = 64 * i, .bytes = 64, .write = write, .client = Client::Texture});
+        list.push_back({.address = 64 * i, .bytes = 64, .write = write, .client = Client::Texture});
     return list;
 }
 

@@ -57,7 +57,8 @@ TEST_CASE("a memory that is a function of the request answers after that many cy
     // One at a time: to the arbiter, the latency, and back to the client.
     CHECK(result.done.back().second - result.done.front().second ==
           Reads / 2 * (70 + 2) + (Reads / 2 - 1) * (10 + 2));
-    const BenchResult together = run_memory({}, line_stream(Reads), Unlimited, latency_memory(by_place));
+    const BenchResult together =
+        run_memory({}, line_stream(Reads), Unlimited, latency_memory(by_place));
     CHECK(together.cycles < Reads + 100); // nothing but latency
 }
 

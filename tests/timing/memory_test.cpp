@@ -129,8 +129,8 @@ double random_bank_cycles(unsigned banks, unsigned window, unsigned row_cycle, u
         });
         if (ready != slots.end()) { // A command a cycle; the bank stays its row cycle.
             bus_free = t + Burst;
-            free_at[ready->bank] = std::max<std::int64_t>(
-                ready->opened + row_cycle, t + 2 /* tRTP */ + 4 /* tRP */);
+            free_at[ready->bank] =
+                std::max<std::int64_t>(ready->opened + row_cycle, t + 2 /* tRTP */ + 4 /* tRP */);
             in_use[ready->bank] = false;
             slots.erase(ready);
             slots.push_back({dice.below(banks), -1});

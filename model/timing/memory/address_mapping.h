@@ -30,7 +30,8 @@ inline DramPlace place_of(const MemoryConfig& config, std::uint64_t address) {
 }
 
 // Whether [address, address + bytes) is one row of one channel.
-inline bool is_in_one_place(const MemoryConfig& config, std::uint64_t address, std::uint32_t bytes) {
+inline bool
+is_in_one_place(const MemoryConfig& config, std::uint64_t address, std::uint32_t bytes) {
     const std::uint64_t last = address + bytes - 1;
     const DramPlace begin = place_of(config, address), end = place_of(config, last);
     return (config.channels == 1 ||

@@ -64,7 +64,8 @@ void DramChannel::issue(const DramCommand& command, MemoryCycle now) {
     WaitingRequest& waiting = waiting_[command.index];
     const DramRequest& request = waiting.request;
     switch (command.kind) {
-    case DramCommand::Kind::Column: return serve(command.index, now);
+    case DramCommand::Kind::Column:
+        return serve(command.index, now);
     case DramCommand::Kind::Activate:
         causes_.note(now, command.cause);
         device_.activate(request.bank, request.row, now);
@@ -75,7 +76,8 @@ void DramChannel::issue(const DramCommand& command, MemoryCycle now) {
         device_.precharge(request.bank, now);
         waiting.result = RowResult::Conflict;
         return;
-    case DramCommand::Kind::None: return;
+    case DramCommand::Kind::None:
+        return;
     }
 }
 
@@ -91,8 +93,8 @@ void DramChannel::serve(std::size_t index, MemoryCycle now) {
     causes_.restart(now, LostTo::Column);
 
     policy_.learn(request.bank, request.row, waiting.result);
-    if (policy_.closes_behind(request.bank, is_wanted(request.bank)))
-        device_.auto_precharge(request.bank);
+    const auto wanted = [&] { return is_wanted(request.bank); };
+    if (policy_.closes_behind(request.bank, wanted)) device_.auto_precharge(request.bank);
     observer_.on_access(number_, request, waiting.result);
     served_.push_back({request, data});
 }

@@ -13,35 +13,6 @@ bool DramDevice::any_row_open() const {
     return std::ranges::any_of(banks_, [](const Bank& bank) { return bank.row != NoRow; });
 }
 
-Ready DramDevice::activate_ready(std::uint32_t bank) const {
-    Ready ready{banks_[bank].activate_at, LostTo::Row};
-    ready.not_before(next_activate_, LostTo::Activates);
-    ready.not_before(activates_[oldest_activate_], LostTo::Activates);
-    if (refreshed_at_ >= ready.at) ready = {refreshed_at_, LostTo::Refresh};
-    return ready;
-}
-
-Ready DramDevice::precharge_ready(std::uint32_t bank) const {
-    return {banks_[bank].precharge_at, LostTo::Row};
-}
-
-// Data follow the command by the column latency, so the bus is not held while they are on their
-// way.
-Ready DramDevice::column_ready(const DramRequest& request) const {
-    const Bank& bank = banks_[request.bank];
-    Ready ready{bank.column_at, bank.opened_after};
-    ready.not_before(next_column_, LostTo::Column);
-    const bool turns = request.write != last_was_write_;
-    const LostTo waiting = turns ? LostTo::Turnaround : LostTo::Column;
-    const MemoryCycle latency = column_latency(request.write);
-    const MemoryCycle idle = turns && request.write ? config_.read_to_write_cycles : 0;
-    if (bus_free_ > 0 && bus_free_ + idle > latency)
-        ready.not_before(bus_free_ + idle - latency, waiting);
-    if (turns && !request.write)
-        ready.not_before(bus_free_ + (bus_free_ > 0 ? config_.write_to_read_cycles : 0), waiting);
-    return ready;
-}
-
 MemoryCycle DramDevice::all_precharge_ready() const {
     MemoryCycle at = 0;
     for (const Bank& bank : banks_) {

@@ -24,8 +24,7 @@ enum class RowResult : std::uint8_t { Hit, Miss, Conflict, Count };
 class DramObserver {
 public:
     virtual ~DramObserver() = default;
-    virtual void
-    on_access(std::uint32_t channel, const DramRequest& request, RowResult result) = 0;
+    virtual void on_access(std::uint32_t channel, const DramRequest& request, RowResult result) = 0;
     virtual void on_data(MemoryCycle cycles) = 0;
     virtual void on_lost(LostTo cause, MemoryCycle cycles) = 0;
     virtual void on_turnaround() = 0;

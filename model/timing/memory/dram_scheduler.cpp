@@ -1,5 +1,7 @@
 #include "model/timing/memory/dram_scheduler.h"
 
+#include <algorithm>
+
 namespace ffgpu::timing {
 namespace {
 
@@ -15,8 +17,8 @@ struct DramScheduler::Search {
     const std::vector<WaitingRequest>& waiting;
     const DramDevice& device;
     MemoryCycle now;
-    std::uint64_t hits = 0;      // banks whose open row somebody waits for
-    bool order_forbids = false;  // a younger one's data could flow
+    std::uint64_t hits = 0;     // banks whose open row somebody waits for
+    bool order_forbids = false; // a younger one's data could flow
     DramCommand command{.again_at = Never};
 
     bool is_hit(const DramRequest& request) const {
@@ -44,8 +46,10 @@ void DramScheduler::find_column(Search& search) const {
         const Ready ready = search.device.column_ready(request);
         if (i == 0 || may_pass) {
             if (search.consider(DramCommand::Kind::Column, i, ready)) return;
+        } else if (ready.at <= search.now) {
+            search.order_forbids = true;
         } else {
-            search.order_forbids |= ready.at <= search.now;
+            search.command.again_at = std::min(search.command.again_at, ready.at); // a new cause
         }
     }
 }
@@ -90,7 +94,9 @@ DramCommand DramScheduler::choose(const std::vector<WaitingRequest>& waiting,
     if (search.command.kind == DramCommand::Kind::None) find_row(search);
     if (search.command.kind == DramCommand::Kind::Column) return search.command;
 
-    search.command.cause = search.order_forbids ? LostTo::Order : why_oldest_waits(search);
+    search.command.cause = why_oldest_waits(search);
+    if (search.order_forbids && search.command.cause != LostTo::Turnaround)
+        search.command.cause = LostTo::Order;
     return search.command;
 }
 

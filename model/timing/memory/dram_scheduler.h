@@ -21,9 +21,9 @@ struct WaitingRequest {
 struct DramCommand {
     enum class Kind : std::uint8_t { None, Column, Activate, Precharge };
     Kind kind = Kind::None;
-    std::size_t index = 0;              // of the waiting request
-    MemoryCycle again_at = 0;           // None: nothing can go out before
-    LostTo cause = LostTo::NoRequest;   // None: why not now
+    std::size_t index = 0;            // of the waiting request
+    MemoryCycle again_at = 0;         // None: nothing can go out before
+    LostTo cause = LostTo::NoRequest; // None: why not now
 };
 
 class DramScheduler {

@@ -5,8 +5,11 @@
 namespace ffgpu::timing {
 namespace {
 
-// A bus and nothing else: no banks to open, no latency, no refresh.
+// A bus and nothing else: no latency, no refresh, and so many rows open that opening them takes
+// next to no commands.
 void make_ideal(MemoryConfig& config) {
+    config.banks = 64;
+    config.row_bytes = 65536;
     config.burst_cycles = config.column_to_column_cycles = 1;
     config.row_to_column_cycles = config.column_cycles = config.write_column_cycles = 0;
     config.precharge_cycles = config.row_active_cycles = 0;
@@ -82,10 +85,14 @@ void make_ddr(MemoryConfig& config) {
 
 void MemoryConfig::apply_profile() {
     switch (profile) {
-    case MemoryProfile::Ideal: return make_ideal(*this);
-    case MemoryProfile::Sdr: return make_sdr(*this);
-    case MemoryProfile::Ddr: return make_ddr(*this);
-    case MemoryProfile::Gddr3: return make_gddr3(*this);
+    case MemoryProfile::Ideal:
+        return make_ideal(*this);
+    case MemoryProfile::Sdr:
+        return make_sdr(*this);
+    case MemoryProfile::Ddr:
+        return make_ddr(*this);
+    case MemoryProfile::Gddr3:
+        return make_gddr3(*this);
     }
 }
 

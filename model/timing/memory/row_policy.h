@@ -18,12 +18,13 @@ public:
         , conflicts_(config.banks, 1)
         , closed_row_(config.banks, DramDevice::NoRow) {}
 
-    // Whether the access that now goes to `bank` is to close its row behind it. `wanted`: another
-    // request waits for the row.
-    bool closes_behind(std::uint32_t bank, bool wanted) const {
+    // Whether the access that now goes to `bank` is to close its row behind it. `is_wanted` says
+    // whether another request waits for the row.
+    template <class IsWanted>
+    bool closes_behind(std::uint32_t bank, const IsWanted& is_wanted) const {
         if (config_.page_policy == PagePolicy::Closed) return true;
-        return config_.page_policy == PagePolicy::Adaptive && !wanted &&
-               conflicts_[bank] > Neutral;
+        return config_.page_policy == PagePolicy::Adaptive && conflicts_[bank] > Neutral &&
+               !is_wanted();
     }
 
     // When an open row that nobody waits for closes.
@@ -36,9 +37,8 @@ public:
     // A saturating counter a bank learns whether rows left open were of use: a conflict says no, a
     // hit yes, and so does the row that was closed and comes back.
     void learn(std::uint32_t bank, std::uint64_t row, RowResult result) {
-        const bool closing_is_right =
-            result == RowResult::Conflict ||
-            (result == RowResult::Miss && closed_row_[bank] != row);
+        const bool closing_is_right = result == RowResult::Conflict ||
+                                      (result == RowResult::Miss && closed_row_[bank] != row);
         std::uint8_t& count = conflicts_[bank];
         if (closing_is_right)
             count = static_cast<std::uint8_t>(count + (count < Most));
