@@ -1,5 +1,6 @@
 #include "model/timing/gpu_timing.h"
 
+#include "model/timing/cache_port.h"
 #include "model/timing/color_timing.h"
 #include "model/timing/command_processor.h"
 #include "model/timing/depth_timing.h"
@@ -26,7 +27,6 @@ __attribute__((visibility("default"))) int sc_main(int, char**) {
 namespace ffgpu::timing {
 namespace {
 
-constexpr std::size_t ResponseQueue = 256;   // and as many as a cache may have outstanding
 constexpr std::size_t MostWaiting = 1 << 14; // quads that are prepared before they are run
 
 class FrameStatistics : public StatisticsGroup {
@@ -36,23 +36,6 @@ public:
         count("host_written_bytes", "bytes", "that the driver wrote to device memory");
     Counter& host_read_bytes =
         count("host_read_bytes", "bytes", "that the driver read from device memory");
-};
-
-// A cache, its way to memory and back, and the unit that owns it.
-struct CachePort {
-    CachePort(std::string_view name,
-              const Clock& clock,
-              const TimingConfig& machine,
-              const CacheConfig& config,
-              Client client,
-              InFlight& in_flight)
-        : requests(clock, machine.memory.client_queue, in_flight)
-        , responses(clock, ResponseQueue + config.outstanding_lines)
-        , cache(name, config, client, requests) {}
-
-    RequestPort requests;
-    Channel<std::uint64_t> responses;
-    LineCache cache;
 };
 
 CacheConfig vertex_cache(const VertexConfig& config) {

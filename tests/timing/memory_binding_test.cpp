@@ -3,6 +3,7 @@
 #include "docs/examples/dram_memory.h"
 #include "docs/examples/latency_memory.h"
 #include "model/timing/gpu_timing.h"
+#include "model/work/command_assembler.h"
 #include "tests/timing/analytic_scenes.h"
 #include "tests/timing/memory_bench.h"
 
@@ -14,8 +15,9 @@ namespace {
 // All figures but the account of our controller's unit, which another memory has not.
 Figures machine_figures(const TimingConfig& config, const MakeMemory& make_memory) {
     GpuTiming timing(config, 0, make_memory);
-    timing.bin(make_bin(floor_scene(256)));
-    timing.end_frame(0);
+    work::CommandAssembler assembler(timing);
+    assembler.bin(std::make_shared<const WorkBin>(make_bin(floor_scene(256))));
+    assembler.end_frame(0);
     Figures figures;
     for (const StatisticsGroup* group : timing.statistics()) {
         for (const Counter& counter : group->counters())
