@@ -6,7 +6,7 @@
 
 #include "model/base/parameters.h"
 #include "model/timing/cache_traffic_config.h"
-#include "model/timing/memory_config.h"
+#include "model/timing/memory/config.h"
 #include "model/work/cache_policy.h"
 #include "model/work/config.h"
 

@@ -19,20 +19,23 @@ public:
                 std::size_t requests,
                 InFlight& in_flight,
                 std::size_t misses = 1)
-        : channel_(clock, requests)
+        : clock_(clock)
+        , channel_(clock, requests)
         , in_flight_(in_flight)
         , misses_(misses) {}
 
     bool can_push(std::size_t n = 1) const { return channel_.can_push(n); }
-    void push(const MemoryRequest& request) {
+    void push(MemoryRequest request) {
         in_flight_.enter();
+        request.issued = clock_.now();
         channel_.push(request);
     }
 
     // A miss posts one or two requests; its place is free again when the last has left.
     bool can_post() const { return waiting_misses_ < misses_; }
-    void post(const MemoryRequest& request, bool last_of_miss) {
+    void post(MemoryRequest request, bool last_of_miss) {
         in_flight_.enter();
+        request.issued = clock_.now();
         waiting_.push_back({request, last_of_miss});
         waiting_misses_ += last_of_miss;
         advance();
@@ -56,6 +59,7 @@ private:
         bool last_of_miss = true;
     };
 
+    const Clock& clock_;
     Channel<MemoryRequest> channel_;
     InFlight& in_flight_;
     std::deque<Waiting> waiting_;
