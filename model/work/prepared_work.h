@@ -71,8 +71,8 @@ struct PreparedScene {
     std::span<const std::uint64_t> lines_of(const PreparedQuad& quad) const {
         return std::span(texel_lines).subspan(quad.texel_lines_begin, quad.texel_line_count);
     }
-    // Of the covered fragments, and of those that are written. With one sample a pixel a quad lies
-    // in one line; with several it may need a line or two for each row.
+    // Of the fragments whose depth is tested, and of those that are written: as many lines as the
+    // layout spreads them over.
     std::span<const std::uint64_t> depth_lines(const PreparedQuad& quad) const {
         return std::span(target_lines).subspan(quad.target_lines_begin, quad.depth_line_count);
     }
