@@ -1,7 +1,13 @@
-// Channel: the only way two units talk. Bounded, and at least one cycle long: what is pushed in
-// cycle n can be popped from cycle n + latency on, and a place that is freed in cycle n can be
-// taken from n + 1 on. Both ends see the channel as it stood when the cycle began, so the order in
-// which SystemC calls the units cannot be seen in a result.
+// Channel: the only way two units talk: a delay line and the queue at its end. What is pushed in
+// cycle n can be popped from cycle n + latency on; a place that is freed in cycle n can be taken
+// from n + 1 on. Both ends see the channel as it stood when the cycle began, so the order in which
+// SystemC calls the units cannot be seen in a result.
+//
+// Latency is not throughput: the delay line has a place for every item that is on its way, `width`
+// a cycle, beside the queue's own. An item holds its place from the cycle of its push to that of
+// its pop, latency + 1 cycles, and there are queue + (latency - 1) width places: w items a cycle
+// flow at any latency through a queue of 2 w, and latency of latency + 1 cycles carry an item
+// through a queue of one.
 
 #pragma once
 
@@ -16,12 +22,13 @@ namespace ffgpu::timing {
 template <class T>
 class Channel {
 public:
-    Channel(const Clock& clock, std::size_t capacity, Cycle latency = 1)
+    // `queue`: places at the end; `width`: items that may enter the delay line in a cycle.
+    Channel(const Clock& clock, std::size_t queue, Cycle latency = 1, std::size_t width = 1)
         : clock_(clock)
-        , items_(capacity)
         , latency_(latency) {
-        check(capacity > 0, "a channel needs a place");
+        check(queue > 0 && width > 0, "a channel needs a place");
         check(latency > 0, "a channel without latency would show the order of evaluation");
+        items_.resize(queue + (latency - 1) * width);
     }
 
     // Both ends are known before the simulation starts.
@@ -35,7 +42,9 @@ public:
     bool can_push(std::size_t n) const { return taken_at_start() + n <= items_.size(); }
     void push(const T& item) {
         check(can_push(), "push into a full channel");
-        items_[(first_ + count_) % items_.size()] = {clock_.now() + latency_, item};
+        std::size_t last = first_ + count_;
+        if (last >= items_.size()) last -= items_.size();
+        items_[last] = {clock_.now() + latency_, item};
         ++count_;
         if (consumer_) consumer_->wake();
     }
@@ -48,7 +57,7 @@ public:
     T pop() {
         check(can_pop(), "pop from an empty channel");
         T value = items_[first_].value;
-        first_ = (first_ + 1) % items_.size();
+        if (++first_ == items_.size()) first_ = 0;
         --count_;
         if (last_pop_ != clock_.now()) {
             last_pop_ = clock_.now();

@@ -1,5 +1,7 @@
 #include "model/timing/color_timing.h"
 
+#include "model/work/surface_lines.h"
+
 namespace ffgpu::timing {
 
 ColorTiming::ColorTiming(sc_core::sc_module_name name,
@@ -25,11 +27,18 @@ bool ColorTiming::look_up(Activity& reason) {
     const PreparedDraw& draw = token.draw();
     const auto lines = token.scene->work.color_lines(token.quad());
     if (draw.writes_color && !lines.empty()) {
-        if (!ports_.cache.can_look_up()) {
+        const std::uint64_t line = lines[walk_.next];
+        work::WrittenBytes written;
+        for (const work::PlacedLevel& place : draw.color_places)
+            written |= quad_bytes(place, ports_.cache.grain(), token.quad(), line);
+        if (!walk_.look_up(ports_.cache,
+                           {.number = line,
+                            .read = draw.reads_color ? written.touched : 0,
+                            .written = written.touched,
+                            .covered = written.covered})) {
             blame(reason, Activity::StalledRequests);
             return false;
         }
-        walk_.look_up(ports_.cache, lines, true, draw.reads_color);
         if (walk_.next < lines.size()) return true;
     }
     parked_.park(ports_.quads_in.pop(), walk_.end());
@@ -50,8 +59,7 @@ bool ColorTiming::retire(Activity& reason) {
 }
 
 Activity ColorTiming::step() {
-    while (ports_.responses_in.can_pop())
-        ports_.cache.complete(ports_.responses_in.pop());
+    ports_.cache.begin_cycle(ports_.responses_in);
     Activity reason = Activity::Idle;
     bool worked = false;
     for (std::uint32_t i = 0; i < config_.raster.quads_per_cycle && retire(reason); ++i)

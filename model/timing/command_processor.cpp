@@ -32,7 +32,7 @@ void CommandProcessor::enqueue_frame_end() {
 Activity CommandProcessor::step() {
     while (ports_.responses_in.can_pop())
         ports_.responses_in.pop(); // Data of copies: only their time matters.
-    if (!transfers_.empty()) return move_line();
+    if (!requests_.empty()) return move_line();
     if (commands_.empty()) return Activity::Idle;
     const Command& command = commands_.front();
     if (const auto* const token = std::get_if<DrawToken>(&command)) return draw(*token);
@@ -64,10 +64,10 @@ Activity CommandProcessor::begin(const work::PreparedTransfer& transfer) {
         write_back(ports_.color_cache);
         write_back(ports_.depth_cache);
     }
-    for (const work::Discard& lines : transfer.discards)
-        (lines.depth ? ports_.depth_cache : ports_.color_cache).discard(lines.begin, lines.end);
-    for (const work::LineRange& lines : transfer.lines)
-        transfers_.push_back({lines, Client::Command});
+    for (const work::TransferLine& part : transfer.lines) {
+        LineCache& cache = part.depth ? ports_.depth_cache : ports_.color_cache;
+        part.write ? overwrite(cache, part.line) : read(cache, part.line.number);
+    }
     commands_.pop_front();
     return Activity::Busy;
 }
@@ -85,24 +85,41 @@ Activity CommandProcessor::end_frame() {
     return Activity::Busy;
 }
 
+void CommandProcessor::read(const LineCache& cache, std::uint64_t line) {
+    requests_.push_back({.address = line * cache.line_bytes(),
+                         .bytes = cache.line_bytes(),
+                         .write = false,
+                         .client = Client::Command});
+}
+
+void CommandProcessor::write_back(const LineCache& cache, const LineWrite& line) {
+    if (line.bytes == 0) return;
+    requests_.push_back({.address = line.number * cache.line_bytes(),
+                         .bytes = line.bytes,
+                         .write = true,
+                         .client = cache.client()});
+}
+
 void CommandProcessor::write_back(LineCache& cache) {
-    for (const std::uint64_t line : cache.flush())
-        transfers_.push_back({{line, line + 1, cache.line_bytes(), true}, cache.client()});
+    for (const LineWrite& line : cache.flush())
+        write_back(cache, line);
+}
+
+// Writes a line past the cache, which forgets it. Bytes of which only some bits are written are
+// read before.
+void CommandProcessor::overwrite(LineCache& cache, const work::WrittenLine& line) {
+    write_back(cache, cache.overwrite(line.number, line.bytes.covered));
+    if (line.bytes.touched != line.bytes.covered) read(cache, line.number);
+    requests_.push_back({.address = line.number * cache.line_bytes(),
+                         .bytes = cache.moved_bytes(line.bytes.touched),
+                         .write = true,
+                         .client = Client::Command});
 }
 
 Activity CommandProcessor::move_line() {
     if (!ports_.requests_out.can_push()) return Activity::StalledRequests;
-    Transfer& transfer = transfers_.front();
-    work::LineRange& lines = transfer.lines;
-    if (lines.begin < lines.end) {
-        ports_.requests_out.push({.address = lines.begin * lines.line_bytes,
-                                  .bytes = lines.line_bytes,
-                                  .write = lines.write,
-                                  .client = transfer.client,
-                                  .ticket = 0});
-        ++lines.begin;
-    }
-    if (lines.begin == lines.end) transfers_.pop_front();
+    ports_.requests_out.push(requests_.front());
+    requests_.pop_front();
     return Activity::Busy;
 }
 

@@ -1,6 +1,6 @@
 // CommandProcessor: reads draws, clears and copies in order. Draws stream into the pipe one behind
 // the other; a clear, a copy or the end of a frame waits until the pipe is empty. Clears, copies
-// and the write-back of caches move whole lines through the command processor's own port to memory.
+// and the write-back of caches go line by line through the command processor's own port to memory.
 
 #pragma once
 
@@ -38,16 +38,11 @@ public:
     void enqueue(work::PreparedTransfer&& transfer);
     void enqueue_frame_end();
     // Nothing is left to read: the clock must not go on without the host.
-    bool starves() const { return commands_.empty() && transfers_.empty(); }
+    bool starves() const { return commands_.empty() && requests_.empty(); }
 
 private:
     struct FrameEnd {};
     using Command = std::variant<DrawToken, work::PreparedTransfer, FrameEnd>;
-    // Lines still to be written (clear, copy) or read (copy).
-    struct Transfer {
-        work::LineRange lines;
-        Client client = Client::Command;
-    };
 
     Activity step() override;
     bool may_sleep() const override {
@@ -58,7 +53,10 @@ private:
     Activity begin(const work::PreparedTransfer& transfer);
     Activity end_frame();
     Activity move_line();
+    void read(const LineCache& cache, std::uint64_t line);
+    void write_back(const LineCache& cache, const LineWrite& line);
     void write_back(LineCache& cache);
+    void overwrite(LineCache& cache, const work::WrittenLine& line);
 
     const TimingConfig& config_;
     const Ports ports_;
@@ -66,7 +64,7 @@ private:
     InFlight& memory_in_flight_;
     bool written_back_ = false; // at the end of a frame: only the memory has to finish
     std::deque<Command> commands_;
-    std::deque<Transfer> transfers_;
+    std::deque<MemoryRequest> requests_; // of clears, copies and write-backs, a line each
     std::uint32_t decode_cycles_left_ = 0;
     bool decoding_ = false;
 };

@@ -5,7 +5,9 @@
 #pragma once
 
 #include "model/base/parameters.h"
-#include "model/timing/memory_config.h"
+#include "model/timing/cache_traffic_config.h"
+#include "model/timing/memory/config.h"
+#include "model/work/cache_policy.h"
 #include "model/work/config.h"
 
 #include <cstdint>
@@ -149,7 +151,7 @@ struct RasterConfig : work::RasterOrder {
 };
 
 // What a cache does in time, whatever its shape.
-struct CachePace {
+struct CachePace : work::CachePolicy, CacheTrafficConfig {
     std::uint32_t lookups_per_cycle = 1;
     std::uint32_t fragment_fifo = 64;
     std::uint32_t outstanding_lines = 64;
@@ -174,6 +176,8 @@ struct CachePace {
                .minimum = 1,
                .maximum = 65536,
                .meaning = "fills under way at once"});
+        CachePolicy::visit(self, field);
+        CacheTrafficConfig::visit(self, field);
     }
 };
 

@@ -1,5 +1,7 @@
 #include "model/timing/depth_timing.h"
 
+#include "model/work/surface_lines.h"
+
 namespace ffgpu::timing {
 
 DepthTiming::DepthTiming(sc_core::sc_module_name name,
@@ -31,9 +33,16 @@ bool DepthTiming::look_up(Path path, std::uint32_t& lookups_left, Activity& reas
         const auto lines = token.scene->work.depth_lines(token.quad());
         const bool writes = draw.writes_depth && token.quad().after_depth != 0;
         const std::size_t before = walk.next;
-        while (walk.next < lines.size() && lookups_left > 0 && ports_.cache.can_look_up()) {
+        while (walk.next < lines.size() && lookups_left > 0) {
+            const std::uint64_t line = lines[walk.next];
+            const work::WrittenBytes written =
+                writes ? quad_bytes(draw.depth_place, ports_.cache.grain(), token.quad(), line)
+                       : work::WrittenBytes{};
+            if (!walk.look_up(
+                    ports_.cache,
+                    {.number = line, .written = written.touched, .covered = written.covered}))
+                break;
             --lookups_left;
-            walk.look_up(ports_.cache, lines, writes, true);
         }
         if (walk.next < lines.size()) {
             if (lookups_left > 0) blame(reason, Activity::StalledRequests);
@@ -71,8 +80,7 @@ bool DepthTiming::send(Path path, Activity& reason) {
 }
 
 Activity DepthTiming::step() {
-    while (ports_.responses_in.can_pop())
-        ports_.cache.complete(ports_.responses_in.pop());
+    ports_.cache.begin_cycle(ports_.responses_in);
     Activity reason = Activity::Idle;
     bool worked = false;
     std::uint32_t lookups_left = config_.depth_cache.lookups_per_cycle;

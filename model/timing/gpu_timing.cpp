@@ -1,5 +1,6 @@
 #include "model/timing/gpu_timing.h"
 
+#include "model/timing/cache_port.h"
 #include "model/timing/color_timing.h"
 #include "model/timing/command_processor.h"
 #include "model/timing/depth_timing.h"
@@ -7,6 +8,7 @@
 #include "model/timing/geometry_timing.h"
 #include "model/timing/memory_arbiter.h"
 #include "model/timing/memory_controller.h"
+#include "model/timing/memory_lines.h"
 #include "model/timing/raster_timing.h"
 #include "model/timing/setup_timing.h"
 #include "model/timing/simulation_context.h"
@@ -25,8 +27,6 @@ __attribute__((visibility("default"))) int sc_main(int, char**) {
 namespace ffgpu::timing {
 namespace {
 
-constexpr std::size_t RequestQueue = 16;
-constexpr std::size_t ResponseQueue = 256;   // and as many as a cache may have outstanding
 constexpr std::size_t MostWaiting = 1 << 14; // quads that are prepared before they are run
 
 class FrameStatistics : public StatisticsGroup {
@@ -36,22 +36,6 @@ public:
         count("host_written_bytes", "bytes", "that the driver wrote to device memory");
     Counter& host_read_bytes =
         count("host_read_bytes", "bytes", "that the driver read from device memory");
-};
-
-// A cache, its way to memory and back, and the unit that owns it.
-struct CachePort {
-    CachePort(std::string_view name,
-              const Clock& clock,
-              const CacheConfig& config,
-              Client client,
-              InFlight& in_flight)
-        : requests(clock, RequestQueue, in_flight)
-        , responses(clock, ResponseQueue + config.outstanding_lines)
-        , cache(name, config, client, requests) {}
-
-    RequestPort requests;
-    Channel<std::uint64_t> responses;
-    LineCache cache;
 };
 
 CacheConfig vertex_cache(const VertexConfig& config) {
@@ -69,14 +53,15 @@ class GpuTiming::Machine final : public work::MachineSink {
 public:
     Machine(const SimulationContext& kernel,
             const TimingConfig& wanted,
-            std::uint32_t evaluation_order)
+            std::uint32_t evaluation_order,
+            const MakeMemory& make_memory)
         : context(kernel)
         , config(wanted)
         , order(config.work(), *this)
         , clock("clock", [this] { return must_wait(); })
         , in_flight(clock)
         , memory_in_flight(clock)
-        , command_requests(clock, RequestQueue, memory_in_flight)
+        , command_requests(clock, config.memory.client_queue, memory_in_flight)
         , command_responses(clock, ResponseQueue)
         , vertex_port(
               "vertex_cache", clock, vertex_cache(config.vertex), Client::Vertex, memory_in_flight)
@@ -92,7 +77,7 @@ public:
         , depth_to_texture(clock, config.fragment.queue)
         , texture_to_fragment(clock, config.fragment.queue)
         , fragment_to_depth(
-              clock, config.fragment.queue + config.fragment.latency, config.fragment.latency)
+              clock, config.fragment.queue, config.fragment.latency, config.raster.quads_per_cycle)
         , depth_to_color(clock, config.fragment.queue)
         , command_processor("command_processor",
                             clock,
@@ -164,7 +149,8 @@ public:
                                      &depth_port.responses,
                                      &color_port.responses}},
                   memory_in_flight)
-        , memory("memory", clock, config.memory) {
+        , memory(make_memory ? make_memory(clock, config.memory)
+                             : std::make_unique<MemoryController>("memory", clock, config.memory)) {
         draws.connect(command_processor, vertex_fetch);
         vertices.connect(vertex_fetch, geometry);
         primitives.connect(geometry, setup);
@@ -179,8 +165,8 @@ public:
         connect_memory(texture, texel_port.requests, texel_port.responses);
         connect_memory(depth, depth_port.requests, depth_port.responses);
         connect_memory(color, color_port.requests, color_port.responses);
-        memory.connect(arbiter);
-        arbiter.socket.bind(memory.socket);
+        memory->connect(arbiter);
+        arbiter.socket.bind(memory->target());
         attach_units(evaluation_order);
     }
 
@@ -188,6 +174,7 @@ public:
     void scene(work::PreparedScene&& scene) override {
         waiting_quads += scene.quads.size() + scene.draws.size();
         scenes.emplace_back(std::move(scene));
+        scenes.back().host_writes = std::exchange(host_writes, {});
         command_processor.enqueue(scenes.back());
         if (waiting_quads > MostWaiting) run();
     }
@@ -198,6 +185,7 @@ public:
     void host_transfer(const HostTransfer& transfer) override {
         (transfer.is_write ? frame_statistics.host_written_bytes
                            : frame_statistics.host_read_bytes) += transfer.bytes;
+        if (transfer.is_write) host_writes.push_back({transfer.at, transfer.at + transfer.bytes});
     }
     void end_frame(std::uint32_t number) override {
         command_processor.enqueue_frame_end();
@@ -218,6 +206,7 @@ public:
     void finish_frame(std::uint32_t number) {
         for (Unit* unit : units())
             unit->settle();
+        memory->settle();
         frame_statistics.cycles += clock.now() - frame_statistics.cycles.value();
         frame.frame = number;
         frame.cycles = clock.now() - frame_begin;
@@ -226,18 +215,19 @@ public:
         frame.draws.clear();
     }
 
-    std::array<Unit*, 11> units() {
-        return {&command_processor,
-                &vertex_fetch,
-                &geometry,
-                &setup,
-                &raster,
-                &depth,
-                &texture,
-                &fragment,
-                &color,
-                &arbiter,
-                &memory};
+    std::vector<Unit*> units() {
+        std::vector<Unit*> all{&command_processor,
+                               &vertex_fetch,
+                               &geometry,
+                               &setup,
+                               &raster,
+                               &depth,
+                               &texture,
+                               &fragment,
+                               &color,
+                               &arbiter};
+        if (Unit* unit = memory->unit()) all.push_back(unit);
+        return all;
     }
 
     const SimulationContext& context;
@@ -269,8 +259,9 @@ public:
     FragmentTiming fragment;
     ColorTiming color;
     MemoryArbiter arbiter;
-    MemoryController memory;
+    std::unique_ptr<MemoryModule> memory;
 
+    std::vector<HostWrite> host_writes; // since the last scene
     FrameStatistics frame_statistics;
     FrameTiming frame;
     Cycle frame_begin = 0;
@@ -310,7 +301,7 @@ private:
 
     void connect_memory(Unit& unit, RequestPort& requests, Channel<std::uint64_t>& responses) {
         requests.channel().connect(unit, arbiter);
-        responses.connect(memory, unit);
+        responses.connect(arbiter, unit);
     }
 
     void retire(const QuadToken& token, Cycle now) {
@@ -330,10 +321,13 @@ private:
     }
 };
 
-GpuTiming::GpuTiming(const TimingConfig& config, std::uint32_t evaluation_order)
+GpuTiming::GpuTiming(const TimingConfig& config,
+                     std::uint32_t evaluation_order,
+                     const MakeMemory& make_memory)
     : context_(std::make_unique<SimulationContext>()) {
+    check_memory_lines(config);
     const SimulationContext::Scope scope(*context_);
-    machine_ = std::make_unique<Machine>(*context_, config, evaluation_order);
+    machine_ = std::make_unique<Machine>(*context_, config, evaluation_order, make_memory);
 }
 
 GpuTiming::~GpuTiming() {
@@ -380,7 +374,9 @@ std::vector<const StatisticsGroup*> GpuTiming::statistics() const {
                                   &machine_->depth_port,
                                   &machine_->color_port})
         groups.push_back(&port->cache.statistics());
-    groups.push_back(&machine_->memory.statistics());
+    groups.push_back(&machine_->arbiter.statistics());
+    for (const StatisticsGroup* group : machine_->memory->statistics())
+        groups.push_back(group);
     return groups;
 }
 

@@ -9,6 +9,7 @@
 
 #include "model/base/statistics.h"
 #include "model/timing/config.h"
+#include "model/timing/memory_module.h"
 #include "model/work/whole_command.h"
 
 #include <cstdint>
@@ -45,7 +46,11 @@ class GpuTiming final : public work::CommandSink {
 public:
     // `evaluation_order`: a seed by which the units' order of evaluation is shuffled; for the test
     // that proves it invisible.
-    explicit GpuTiming(const TimingConfig& config, std::uint32_t evaluation_order = 0);
+    // `make_memory`: a memory of one's own behind the TLM-2.0 socket; none: MemoryController.
+    // Throws InputError for a configuration whose parts do not fit together.
+    explicit GpuTiming(const TimingConfig& config,
+                       std::uint32_t evaluation_order = 0,
+                       const MakeMemory& make_memory = {});
     ~GpuTiming() override;
 
     void command(std::shared_ptr<const work::WholeCommand> command) override;

@@ -2,64 +2,133 @@
 
 #include "model/base/check.h"
 
+#include <algorithm>
+
 namespace ffgpu::timing {
+
+using work::MissKind;
+using work::TagArray;
 
 LineCache::LineCache(std::string_view name,
                      const CacheConfig& config,
                      Client client,
                      RequestPort& requests)
     : config_(config)
+    , grain_(config.line_bytes)
     , client_(client)
     , requests_(requests)
-    , tags_(config.sets, config.ways)
-    , classifier_(std::size_t{config.sets} * config.ways)
-    , statistics_(name) {}
+    , tags_(config.sets, config.ways, config)
+    , classifier_(config.sets, config.ways)
+    , statistics_(name)
+    , bank_lookups_(config.banks) {}
 
-bool LineCache::can_look_up() const {
-    return outstanding_ < config_.outstanding_lines && requests_.can_push(2);
+void LineCache::begin_cycle(Channel<std::uint64_t>& responses) {
+    std::fill(bank_lookups_.begin(), bank_lookups_.end(), 0);
+    while (responses.can_pop())
+        complete(responses.pop());
+    requests_.advance();
 }
 
-std::uint64_t LineCache::lookup(std::uint64_t number, bool write, bool fetch, bool& missed) {
+LookupResult LineCache::look_up(const LineAccess& access) {
+    if (!has_port(access.number)) return {};
+    TagArray::Line* const line = tags_.find(access.number);
+    const LookupResult result = line ? look_up_present(access, *line) : look_up_absent(access);
+    if (!result.accepted) return {};
     ++statistics_.accesses;
-    using work::MissKind;
-    const MissKind kind = classifier_.access(number);
-    if (work::TagArray::Line* line = tags_.find(number)) {
-        ++statistics_.hits;
-        line->dirty |= write;
-        missed = false;
-        return line->fill;
-    }
+    ++bank_lookups_[access.number & (config_.banks - 1)];
+    const MissKind kind = classifier_.access(access.number);
+    result.missed ? count_miss(kind) : count_hit();
+    return result;
+}
 
-    missed = true;
+bool LineCache::has_port(std::uint64_t number) {
+    if (config_.ports == 0 || bank_lookups_[number & (config_.banks - 1)] < config_.ports)
+        return true;
+    ++statistics_.bank_conflicts;
+    return false;
+}
+
+// Bytes that the line must hold: what is read, what a write covers in part, and with fetch on write
+// the whole line.
+LineMask LineCache::needed(const LineAccess& access) const {
+    const LineMask needed = (access.read | (access.written & ~access.covered)) & grain_.all();
+    const bool fetches = config_.write_miss == WriteMiss::FetchOnWrite && access.written != 0 &&
+                         access.covered != grain_.all();
+    return fetches ? grain_.all() : needed;
+}
+
+LookupResult LineCache::look_up_present(const LineAccess& access, TagArray::Line& line) {
+    const bool fetches = (needed(access) & ~line.valid) != 0;
+    if (fetches && !can_fetch()) return {};
+    tags_.use(line);
+    if (fetches) {
+        ++statistics_.partial_fetches;
+        fetch(access.number, line);
+    }
+    write(access, line);
+    return {.accepted = true, .missed = false, .ticket = line.fill};
+}
+
+LookupResult LineCache::look_up_absent(const LineAccess& access) {
+    const bool fetches = needed(access) != 0;
+    if (fetches ? !can_fetch() : !requests_.can_post()) return {};
+    TagArray::Evicted evicted;
+    TagArray::Line& line = tags_.replace(access.number, evicted);
+    if (evicted.line.dirty != 0) {
+        const LineWrite back = written_back(evicted.number, evicted.line.dirty);
+        requests_.post({.address = back.number * config_.line_bytes,
+                        .bytes = back.bytes,
+                        .write = true,
+                        .client = client_},
+                       !fetches);
+    }
+    if (fetches) {
+        fetch(access.number, line);
+    } else {
+        ++statistics_.without_fetch; // Complete from the start.
+    }
+    write(access, line);
+    return {.accepted = true, .missed = true, .ticket = line.fill};
+}
+
+void LineCache::fetch(std::uint64_t number, TagArray::Line& line) {
+    line.fill = next_ticket_++;
+    line.valid = grain_.all();
+    done_.push_back(false);
+    ++outstanding_;
+    statistics_.read_bytes += config_.line_bytes;
+    requests_.post({.address = number * config_.line_bytes,
+                    .bytes = config_.line_bytes,
+                    .write = false,
+                    .client = client_,
+                    .ticket = line.fill},
+                   true);
+}
+
+void LineCache::write(const LineAccess& access, TagArray::Line& line) {
+    const LineMask written = access.written & grain_.all();
+    statistics_.dirtied_bytes += grain_.count_bytes(written & ~line.dirty);
+    line.valid |= written;
+    line.dirty |= written;
+}
+
+void LineCache::count_hit() {
+    ++statistics_.hits;
+    if (outstanding_ > 0) ++statistics_.under_miss;
+    if (classifier_.shadow_missed()) ++statistics_.beyond_shadow;
+}
+
+void LineCache::count_miss(MissKind kind) {
     ++statistics_.misses;
     ++(kind == MissKind::Compulsory ? statistics_.compulsory
        : kind == MissKind::Capacity ? statistics_.capacity
                                     : statistics_.conflict);
+}
 
-    const work::TagArray::Line evicted = tags_.victim(number);
-    if (evicted.number != work::TagArray::Line::Empty && evicted.dirty) {
-        statistics_.written_bytes += config_.line_bytes;
-        requests_.push({.address = evicted.number * config_.line_bytes,
-                        .bytes = config_.line_bytes,
-                        .write = true,
-                        .client = client_});
-    }
-    work::TagArray::Line& line = tags_.replace(number);
-    line.dirty = write;
-    if (!fetch) {
-        ++statistics_.without_fetch;
-        return line.fill = 0; // Complete from the start.
-    }
-    line.fill = next_ticket_++;
-    done_.push_back(false);
-    ++outstanding_;
-    statistics_.read_bytes += config_.line_bytes;
-    requests_.push({.address = number * config_.line_bytes,
-                    .bytes = config_.line_bytes,
-                    .write = false,
-                    .client = client_,
-                    .ticket = line.fill});
-    return line.fill;
+LineWrite LineCache::written_back(std::uint64_t number, LineMask dirty) {
+    const LineWrite back{number, moved_bytes(dirty)};
+    statistics_.written_bytes += back.bytes;
+    return back;
 }
 
 void LineCache::complete(std::uint64_t ticket) {
@@ -72,22 +141,40 @@ void LineCache::complete(std::uint64_t ticket) {
     }
 }
 
-std::vector<std::uint64_t> LineCache::flush() {
-    std::vector<std::uint64_t> dirty;
-    for (work::TagArray::Line& line : tags_.lines()) {
-        if (line.number != work::TagArray::Line::Empty && line.dirty) dirty.push_back(line.number);
-        line = {};
-    }
-    statistics_.written_bytes += dirty.size() * config_.line_bytes;
+std::vector<LineWrite> LineCache::flush() {
+    std::vector<LineWrite> dirty;
+    tags_.for_each([&](std::uint64_t number, TagArray::Line& line) {
+        if (line.dirty != 0) dirty.push_back(written_back(number, line.dirty));
+        tags_.drop(line);
+    });
+    classifier_.flush();
     return dirty;
 }
 
-void LineCache::discard(std::uint64_t begin, std::uint64_t end) {
-    for (work::TagArray::Line& line : tags_.lines()) {
-        if (line.number == work::TagArray::Line::Empty) continue;
-        const std::uint64_t address = line.number * config_.line_bytes;
-        if (address + config_.line_bytes > begin && address < end) line = {};
+LineWrite LineCache::overwrite(std::uint64_t number, LineMask overwritten) {
+    classifier_.drop(number);
+    TagArray::Line* const line = tags_.find(number);
+    if (!line) return {};
+    const LineMask dirty = line->dirty;
+    tags_.drop(*line);
+    if (dirty == 0) return {};
+    if ((overwritten & grain_.all()) != grain_.all()) return written_back(number, dirty);
+    statistics_.dropped_bytes += grain_.count_bytes(dirty);
+    return {};
+}
+
+std::vector<LineWrite> LineCache::invalidate(std::uint64_t begin, std::uint64_t end) {
+    std::vector<LineWrite> dirty;
+    if (begin >= end) return dirty;
+    const std::uint64_t bytes = config_.line_bytes;
+    const std::uint64_t first = begin / bytes, last = (end - 1) / bytes;
+    for (std::uint64_t number = first; number <= last; ++number) {
+        const auto from = static_cast<std::uint32_t>(number == first ? begin % bytes : 0);
+        const auto to = static_cast<std::uint32_t>(number == last ? (end - 1) % bytes + 1 : bytes);
+        const LineWrite back = overwrite(number, grain_.covered(from, to));
+        if (back.bytes > 0) dirty.push_back(back);
     }
+    return dirty;
 }
 
 } // namespace ffgpu::timing

@@ -2,49 +2,49 @@
 // up ahead of use and parks its work in a FIFO until the fill it needs has come: misses are
 // hidden, not waited for (H. Igehy, M. Eldridge, K. Proudfoot, Prefetching in a Texture Cache
 // Architecture, 1998).
+//
+// A line knows which of its bytes are valid and which are dirty. A write without fetch makes valid
+// what it writes; a read of other bytes fetches the line, which keeps its dirty bytes. What is
+// written back are the dirty bytes, in pieces of transfer_bytes.
 
 #pragma once
 
-#include "model/base/statistics.h"
+#include "model/timing/cache_statistics.h"
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
 #include "model/timing/memory_request.h"
 #include "model/timing/request_port.h"
+#include "model/work/line_mask.h"
 #include "model/work/miss_classifier.h"
 #include "model/work/tag_array.h"
 
 #include <deque>
-#include <string>
 #include <vector>
 
 namespace ffgpu::timing {
 
-// Names carry the cache's: texel_cache_hits ...
-class CacheStatistics : public StatisticsGroup {
-    std::string prefix_;
-    std::deque<std::string> names_;
+using work::LineMask;
 
-    Counter& add(const char* name, const char* unit, const char* meaning) {
-        return count(names_.emplace_back(prefix_ + '_' + name), unit, meaning);
-    }
+// One look-up: the line's number (address / line bytes) and what of it is read and written.
+struct LineAccess {
+    static constexpr LineMask Whole = ~LineMask{0};
 
-public:
-    explicit CacheStatistics(std::string_view cache)
-        : prefix_(cache) {}
+    std::uint64_t number = 0;
+    LineMask read = Whole;
+    LineMask written = 0; // bits of which a byte is written
+    LineMask covered = 0; // bits of which all bytes are
+};
 
-    Counter& accesses =
-        add("accesses", "lines", "lookups, after a quad's reads of one line are merged");
-    Counter& hits = add("hits", "lines", "lookups that found their line");
-    Counter& misses = add("misses", "lines", "lookups that did not");
-    Counter& compulsory = add("compulsory_misses", "lines", "misses of lines never touched before");
-    Counter& capacity =
-        add("capacity_misses", "lines", "misses that a fully associative cache has, too");
-    Counter& conflict = add("conflict_misses", "lines", "all other misses");
-    Counter& without_fetch =
-        add("misses_without_fetch", "lines", "misses whose line is overwritten, not read");
-    Counter& read_bytes =
-        add("read_bytes", "bytes", "fetched from memory: (misses - without fetch) x line");
-    Counter& written_bytes = add("written_bytes", "bytes", "written back to memory");
+struct LookupResult {
+    bool accepted = false; // false: nothing happened; ask again in a later cycle
+    bool missed = false;
+    std::uint64_t ticket = 0; // of the fill that brings what is read
+};
+
+// A dirty line on its way to memory.
+struct LineWrite {
+    std::uint64_t number = 0;
+    std::uint32_t bytes = 0; // moved
 };
 
 class LineCache {
@@ -54,38 +54,65 @@ public:
               Client client,
               RequestPort& requests);
 
-    // Whether lookup() may be called in this cycle: its requests (a write-back and a fill) find
-    // room in the channel and fewer than outstanding_lines fills are under way.
-    bool can_look_up() const;
+    // The owner calls it first in each cycle: ports are free again, fills have come, requests that
+    // waited go out.
+    void begin_cycle(Channel<std::uint64_t>& responses);
 
-    // Looks line `number` (address / line bytes) up; a miss takes its place at once and asks for
-    // the data, unless the whole line will be overwritten (`fetch` false). Returns the ticket of
-    // the fill whose data the caller needs: usable once is_complete(ticket). `missed` tells.
-    std::uint64_t lookup(std::uint64_t number, bool write, bool fetch, bool& missed);
+    // Looks a line up. A miss takes its place at once and asks for the data if bytes are needed
+    // that the access does not write. A hit needs only a port of its bank; what fetches needs a
+    // place in the miss queue and fewer than outstanding_lines fills under way, too. The data are
+    // usable once is_complete(ticket).
+    LookupResult look_up(const LineAccess& access);
 
     bool is_complete(std::uint64_t ticket) const { return ticket < first_incomplete_; }
 
     // The memory delivered the data of `ticket`.
     void complete(std::uint64_t ticket);
 
-    // Forgets everything. Returns the numbers of the dirty lines, which the caller writes to
-    // memory.
-    std::vector<std::uint64_t> flush();
-    // Forgets without writing back the lines of [begin, end) bytes: they are overwritten elsewhere.
-    void discard(std::uint64_t begin, std::uint64_t end);
+    // Forgets everything. Returns the dirty lines, which the caller writes to memory.
+    std::vector<LineWrite> flush();
 
-    bool all_complete() const { return first_incomplete_ == next_ticket_; }
+    // Bytes `overwritten` of a line change in memory behind the cache's back: the line is
+    // forgotten. Returns what of it has to be written first: nothing (no bytes) where it was clean
+    // or is overwritten from end to end.
+    LineWrite overwrite(std::uint64_t number, LineMask overwritten);
+    // The same for the lines of [begin, end) bytes of memory.
+    std::vector<LineWrite> invalidate(std::uint64_t begin, std::uint64_t end);
+
+    // Nothing is on its way to or from memory.
+    bool all_complete() const {
+        return first_incomplete_ == next_ticket_ && requests_.nothing_waits();
+    }
     const CacheStatistics& statistics() const { return statistics_; }
     std::uint32_t line_bytes() const { return config_.line_bytes; }
+    const work::LineGrain& grain() const { return grain_; }
+    std::uint32_t moved_bytes(LineMask bytes) const {
+        return grain_.moved_bytes(bytes, config_.transfer_bytes);
+    }
     Client client() const { return client_; }
 
 private:
+    bool has_port(std::uint64_t number);
+    bool can_fetch() const {
+        return outstanding_ < config_.outstanding_lines && requests_.can_post();
+    }
+    LineMask needed(const LineAccess& access) const;
+    LookupResult look_up_present(const LineAccess& access, work::TagArray::Line& line);
+    LookupResult look_up_absent(const LineAccess& access);
+    void fetch(std::uint64_t number, work::TagArray::Line& line);
+    void write(const LineAccess& access, work::TagArray::Line& line);
+    void count_hit();
+    void count_miss(work::MissKind kind);
+    LineWrite written_back(std::uint64_t number, LineMask dirty);
+
     const CacheConfig config_;
+    const work::LineGrain grain_;
     Client client_;
     RequestPort& requests_;
     work::TagArray tags_;
     work::MissClassifier classifier_;
     CacheStatistics statistics_;
+    std::vector<std::uint32_t> bank_lookups_; // in this cycle
 
     // Fills are numbered from 1; they may come back in any order and count in theirs (the reorder
     // buffer of the paper).

@@ -33,7 +33,10 @@ Activity MemoryArbiter::step() {
             waiting = true;
             continue;
         }
-        tlm::tlm_generic_payload& payload = pool_.acquire(requests.pop(), now());
+        const MemoryRequest& request = requests.front();
+        check(is_in_one_place(config_, request.address, request.bytes),
+              "a request across an interleave or a row");
+        tlm::tlm_generic_payload& payload = pool_.acquire(requests.pop());
         tlm::tlm_phase phase = tlm::BEGIN_REQ;
         sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
         pending_[channel] = &payload;
@@ -68,6 +71,7 @@ tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,
         taken_at_[channel] = now();
         return tlm::TLM_ACCEPTED;
     }
+    statistics_.on_done(request, now());
     if (!request.write)
         ports_.responses_out[static_cast<std::size_t>(request.client)]->push(request.ticket);
     in_flight_.leave();

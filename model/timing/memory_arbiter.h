@@ -1,13 +1,20 @@
 // MemoryArbiter: takes the clients' requests in turn (round robin) and sends them to the memory
-// controller through a TLM-2.0 socket, one a memory channel and cycle.
+// memory through a TLM-2.0 socket, one a memory channel and cycle. It counts what each client asked
+// for and how long it waited, whatever memory is bound to the socket.
+//
+// The protocol is the base protocol's, without END_RESP: the memory answers BEGIN_REQ with
+// TLM_UPDATED and END_REQ, or takes the request later by END_REQ on the backward path; when all is
+// done it calls BEGIN_RESP. Reads and writes are both answered, in any order.
 
 #pragma once
 
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
 #include "model/timing/in_flight.h"
+#include "model/timing/memory/address_mapping.h"
 #include "model/timing/memory_payload.h"
 #include "model/timing/memory_request.h"
+#include "model/timing/memory_statistics.h"
 #include "model/timing/unit.h"
 
 #include <array>
@@ -16,11 +23,6 @@
 #include <tlm_utils/simple_initiator_socket.h>
 
 namespace ffgpu::timing {
-
-// Which memory channel an address belongs to.
-inline std::uint32_t memory_channel(const MemoryConfig& config, std::uint64_t address) {
-    return static_cast<std::uint32_t>(address / config.interleave_bytes) & (config.channels - 1);
-}
 
 class MemoryArbiter final : public Unit {
 public:
@@ -37,6 +39,7 @@ public:
                   InFlight& in_flight);
 
     tlm_utils::simple_initiator_socket<MemoryArbiter> socket{"socket"};
+    const ClientStatistics& statistics() const { return statistics_; }
 
 private:
     Activity step() override;
@@ -48,6 +51,7 @@ private:
     const Ports ports_;
     InFlight& in_flight_;
     PayloadPool pool_;
+    ClientStatistics statistics_;
     std::size_t next_client_ = 0;
     // Per memory channel: the request that the controller has not taken yet, and when it took the
     // last.

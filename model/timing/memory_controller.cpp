@@ -1,150 +1,115 @@
 #include "model/timing/memory_controller.h"
 
-#include "model/timing/memory_arbiter.h"
+#include "model/timing/memory/address_mapping.h"
 
 #include <algorithm>
 
 namespace ffgpu::timing {
+
+DramRequest to_dram(const MemoryConfig& config, tlm::tlm_generic_payload& payload) {
+    const MemoryRequest& request = payload.get_extension<RequestTag>()->request;
+    const DramPlace place = place_of(config, request.address);
+    return {.bank = place.bank,
+            .row = place.row,
+            .bytes = request.bytes,
+            .write = request.write,
+            .client = static_cast<std::uint32_t>(request.client),
+            .payload = &payload};
+}
 
 MemoryController::MemoryController(sc_core::sc_module_name name,
                                    const Clock& clock,
                                    const MemoryConfig& config)
     : Unit(name, clock)
     , config_(config)
-    , channels_(config.channels) {
-    for (DramChannel& channel : channels_) {
-        channel.arrivals = std::make_unique<Channel<tlm::tlm_generic_payload*>>(
-            clock, config.queue, 1 + config.latency / 2);
-        channel.banks.resize(config.banks);
+    , statistics_(config_)
+    , lanes_(config.channels) {
+    const Cycle there = 1 + config.latency / 2;
+    for (std::uint32_t number = 0; number < config.channels; ++number) {
+        lanes_[number].arrivals = std::make_unique<Channel<tlm::tlm_generic_payload*>>(
+            clock, config.queue + there, there);
+        lanes_[number].dram = std::make_unique<DramChannel>(config_, number, statistics_);
     }
-    socket.register_nb_transport_fw(this, &MemoryController::on_forward);
+    socket_.register_nb_transport_fw(this, &MemoryController::on_forward);
 }
 
 void MemoryController::connect(Unit& arbiter) {
-    for (DramChannel& channel : channels_)
-        channel.arrivals->connect(arbiter, *this);
+    for (Lane& lane : lanes_)
+        lane.arrivals->connect(arbiter, *this);
 }
 
 tlm::tlm_sync_enum MemoryController::on_forward(tlm::tlm_generic_payload& payload,
                                                 tlm::tlm_phase& phase,
                                                 sc_core::sc_time&) {
     check(phase == tlm::BEGIN_REQ, "the arbiter only begins requests");
-    DramChannel& channel = channels_[memory_channel(config_, payload.get_address())];
+    Lane& lane = lanes_[memory_channel(config_, payload.get_address())];
     wake();
-    if (!channel.arrivals->can_push()) {
-        channel.refused = &payload;
+    if (!lane.arrivals->can_push()) {
+        lane.refused = &payload;
         return tlm::TLM_ACCEPTED;
     }
-    channel.arrivals->push(&payload);
+    lane.arrivals->push(&payload);
     phase = tlm::END_REQ;
     return tlm::TLM_UPDATED;
 }
 
-std::uint64_t MemoryController::row_of(std::uint64_t address) const {
-    return address / (std::uint64_t{config_.row_bytes} * config_.channels * config_.banks);
-}
-
-MemoryController::Bank& MemoryController::bank_of(DramChannel& channel,
-                                                  std::uint64_t address) const {
-    const std::uint64_t row_of_channels = std::uint64_t{config_.row_bytes} * config_.channels;
-    return channel.banks[(address / row_of_channels) & (config_.banks - 1)];
-}
-
-void MemoryController::accept_arrivals(DramChannel& channel) {
-    while (channel.arrivals->can_pop() && channel.queue.size() < config_.queue)
-        channel.queue.push_back(channel.arrivals->pop());
-    if (channel.refused && channel.arrivals->can_push()) {
-        tlm::tlm_generic_payload& payload = *channel.refused;
-        channel.refused = nullptr;
-        channel.arrivals->push(&payload);
+void MemoryController::accept_arrivals(Lane& lane, MemoryCycle at) {
+    while (lane.arrivals->can_pop() && lane.dram->has_room())
+        lane.dram->push(to_dram(config_, *lane.arrivals->pop()), at);
+    if (lane.refused && lane.arrivals->can_push()) {
+        tlm::tlm_generic_payload& payload = *lane.refused;
+        lane.refused = nullptr;
+        lane.arrivals->push(&payload);
         tlm::tlm_phase phase = tlm::END_REQ;
         sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
-        socket->nb_transport_bw(payload, phase, delay);
+        socket_->nb_transport_bw(payload, phase, delay);
     }
 }
 
-void MemoryController::deliver(DramChannel& channel) {
-    while (!channel.responses.empty() && channel.responses.front().at <= now()) {
-        tlm::tlm_generic_payload& payload = *channel.responses.front().payload;
-        channel.responses.pop_front();
+void MemoryController::deliver(Lane& lane) {
+    while (!lane.responses.empty() && lane.responses.front().at <= now()) {
+        tlm::tlm_generic_payload& payload = *lane.responses.front().payload;
+        lane.responses.pop_front();
         payload.set_response_status(tlm::TLM_OK_RESPONSE);
         tlm::tlm_phase phase = tlm::BEGIN_RESP;
         sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
-        socket->nb_transport_bw(payload, phase, delay);
+        socket_->nb_transport_bw(payload, phase, delay);
     }
 }
 
-// Starts at most one request: its data take the bus as early as bank and bus allow. Requests are
-// not started more than one ahead of the bus, so that later arrivals with open rows can pass.
-bool MemoryController::issue(DramChannel& channel) {
-    if (channel.queue.empty() || channel.bus_free_at > now() + config_.column_cycles) return false;
-    const auto row_is_open = [&](const tlm::tlm_generic_payload* payload) {
-        return bank_of(channel, payload->get_address()).open_row == row_of(payload->get_address());
-    };
-    auto chosen = std::find_if(channel.queue.begin(), channel.queue.end(), row_is_open);
-    if (chosen == channel.queue.end()) chosen = channel.queue.begin();
-    tlm::tlm_generic_payload& payload = **chosen;
-    const bool hit = row_is_open(&payload);
-    channel.queue.erase(chosen);
-
-    const RequestTag& tag = *payload.get_extension<RequestTag>();
-    const MemoryRequest& request = tag.request;
-    Bank& bank = bank_of(channel, request.address);
-    Cycle ready = std::max(now(), bank.ready_at);
-    ++(hit ? statistics_.row_hits : statistics_.row_misses);
-    if (!hit) {
-        if (bank.open_row != Bank::Closed) ready += config_.precharge_cycles;
-        ready += config_.row_to_column_cycles;
-    }
-    Cycle bus_free = channel.bus_free_at;
-    if (channel.last_was_write != request.write) {
-        bus_free += config_.turnaround_cycles;
-        ++statistics_.turnarounds;
-    }
-    const Cycle data_begin = std::max(ready + config_.column_cycles, bus_free);
-    const Cycle data_cycles =
-        (request.bytes + config_.bytes_per_cycle - 1) / config_.bytes_per_cycle;
-    const Cycle data_end = data_begin + data_cycles;
-    channel.bus_free_at = data_end;
-    channel.bursts.push_back({data_begin, data_end});
-    channel.last_was_write = request.write;
-    const bool closes = config_.page_policy == PagePolicy::Closed;
-    bank.open_row = closes ? Bank::Closed : row_of(request.address);
-    bank.ready_at = data_end + (closes ? config_.precharge_cycles : 0);
-
-    const auto client = static_cast<std::size_t>(request.client);
-    const Cycle response_at = data_end + config_.latency - config_.latency / 2;
-    statistics_.data_cycles += data_cycles;
-    ++*statistics_.requests[client];
-    *(request.write ? statistics_.written_bytes : statistics_.read_bytes)[client] += request.bytes;
-    if (!request.write) *statistics_.latency[client] += response_at - tag.issued;
-    channel.responses.push_back({response_at, &payload});
-    return true;
-}
-
-bool MemoryController::carries_data(DramChannel& channel) const {
-    while (!channel.bursts.empty() && channel.bursts.front().end <= now())
-        channel.bursts.pop_front();
-    return !channel.bursts.empty() && channel.bursts.front().begin <= now();
-}
-
-// Busy while a bus carries data; what is spent on rows, columns and turnarounds is a stall.
+// Busy while a bus carries data; all else that it does for a request is a stall.
 Activity MemoryController::step() {
+    const MemoryCycle begin = memory_time(now() - 1), end = memory_time(now());
+    const Cycle back = config_.latency - config_.latency / 2;
     bool moving = false, waiting = false;
-    for (DramChannel& channel : channels_) {
-        deliver(channel);
-        accept_arrivals(channel);
-        issue(channel);
-        moving |= carries_data(channel);
-        waiting |= !channel.queue.empty() || !channel.bursts.empty() || channel.arrivals->can_pop();
+    for (Lane& lane : lanes_) {
+        lane.dram->advance(begin); // What went by while asleep: refreshes.
+        accept_arrivals(lane, begin);
+        lane.dram->advance(end);
+        std::deque<ServedRequest>& served = lane.dram->served();
+        moving |= !served.empty() && served.front().data.begin < end;
+        for (; !served.empty() && served.front().data.end <= end; served.pop_front())
+            lane.responses.push_back(
+                {now() + back,
+                 static_cast<tlm::tlm_generic_payload*>(served.front().request.payload)});
+        waiting |= lane.dram->has_waiting() || !served.empty() || lane.arrivals->can_pop();
+        deliver(lane);
     }
     return moving ? Activity::Busy : waiting ? Activity::StalledMemory : Activity::Idle;
 }
 
+void MemoryController::settle() {
+    Unit::settle();
+    const MemoryCycle end = memory_time(now());
+    for (Lane& lane : lanes_)
+        lane.dram->settle(end);
+    statistics_.set_bus_cycles(end * config_.channels);
+}
+
 bool MemoryController::may_sleep() const {
-    return std::ranges::all_of(channels_, [](const DramChannel& channel) {
-        return channel.queue.empty() && channel.responses.empty() &&
-               channel.arrivals->holds_nothing() && !channel.refused;
+    return std::ranges::all_of(lanes_, [](const Lane& lane) {
+        return !lane.dram->has_waiting() && lane.dram->served().empty() && lane.responses.empty() &&
+               lane.arrivals->holds_nothing() && !lane.refused;
     });
 }
 

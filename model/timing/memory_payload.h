@@ -12,7 +12,6 @@ namespace ffgpu::timing {
 
 struct RequestTag : tlm::tlm_extension<RequestTag> {
     MemoryRequest request;
-    std::uint64_t issued = 0; // cycle
 
     tlm::tlm_extension_base* clone() const override { return new RequestTag(*this); }
     void copy_from(const tlm::tlm_extension_base& from) override {
@@ -32,7 +31,7 @@ public:
 
     // A payload with one reference, filled in for `request`. It carries no data: values come from
     // the functional GPU.
-    tlm::tlm_generic_payload& acquire(const MemoryRequest& request, std::uint64_t now) {
+    tlm::tlm_generic_payload& acquire(const MemoryRequest& request) {
         if (free_.empty()) {
             all_.push_back(new tlm::tlm_generic_payload(this));
             tags_.push_back(std::make_unique<RequestTag>());
@@ -50,9 +49,7 @@ public:
         payload.set_byte_enable_ptr(nullptr);
         payload.set_dmi_allowed(false);
         payload.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
-        RequestTag& tag = *payload.get_extension<RequestTag>();
-        tag.request = request;
-        tag.issued = now;
+        payload.get_extension<RequestTag>()->request = request;
         return payload;
     }
 

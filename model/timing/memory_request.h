@@ -19,6 +19,7 @@ struct MemoryRequest {
     bool write = false;
     Client client = Client::Command;
     std::uint64_t ticket = 0; // reads: the fill that it completes
+    std::uint64_t issued = 0; // cycle in which the client asked; its port sets it
 };
 
 } // namespace ffgpu::timing

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <span>
 #include <utility>
 
 namespace ffgpu::timing {
@@ -47,9 +46,13 @@ struct LineWalk {
     std::size_t next = 0;     // line to look up
     std::uint64_t ticket = 0; // of the last fill that the quad waits for
 
-    void look_up(LineCache& cache, std::span<const std::uint64_t> lines, bool write, bool fetch) {
-        bool missed = false;
-        ticket = std::max(ticket, cache.lookup(lines[next++], write, fetch, missed));
+    // False where the cache takes no look-up, or not this one, in this cycle.
+    bool look_up(LineCache& cache, const LineAccess& access) {
+        const LookupResult result = cache.look_up(access);
+        if (!result.accepted) return false;
+        ticket = std::max(ticket, result.ticket);
+        ++next;
+        return true;
     }
 
     // Begins with the next quad; returns the ticket of this one.

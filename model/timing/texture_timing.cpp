@@ -30,13 +30,14 @@ bool TextureTiming::compare_tags(Activity& reason) {
     }
     const auto lines = current_.scene->work.lines_of(current_.quad());
     for (std::uint32_t i = 0; i < config_.lookups_per_cycle && next_line_ < lines.size(); ++i) {
-        if (!ports_.cache.can_look_up()) {
+        const LookupResult result = ports_.cache.look_up({.number = lines[next_line_]});
+        if (!result.accepted) {
             blame(reason, Activity::StalledRequests);
             return i > 0;
         }
-        bool missed = false;
-        ticket_ = std::max(ticket_, ports_.cache.lookup(lines[next_line_++], false, true, missed));
-        current_.misses += missed;
+        ++next_line_;
+        ticket_ = std::max(ticket_, result.ticket);
+        current_.misses += result.missed;
     }
     if (next_line_ == lines.size()) {
         parked_.park(current_, ticket_);
@@ -71,8 +72,7 @@ bool TextureTiming::filter(Activity& reason) {
 }
 
 Activity TextureTiming::step() {
-    while (ports_.responses_in.can_pop())
-        ports_.cache.complete(ports_.responses_in.pop());
+    ports_.cache.begin_cycle(ports_.responses_in);
     Activity reason = Activity::Idle;
     const bool filtered = filter(reason);
     const bool compared = compare_tags(reason);

@@ -11,14 +11,20 @@ namespace ffgpu::timing {
 using work::PreparedDraw;
 using work::PreparedQuad;
 
+// Bytes of device memory that the host wrote.
+struct HostWrite {
+    std::uint64_t begin = 0, end = 0;
+};
+
 // A scene on its way through the machine.
 struct TimedScene {
     explicit TimedScene(work::PreparedScene&& prepared)
         : work(std::move(prepared)) {}
 
     work::PreparedScene work;
-    std::uint64_t finished_draws = 0; // by the unit that read a draw last
-    std::uint64_t retired_quads = 0;  // counted by the unit that ends a quad
+    std::vector<HostWrite> host_writes; // before its draws; the vertex fetch takes them
+    std::uint64_t finished_draws = 0;   // by the unit that read a draw last
+    std::uint64_t retired_quads = 0;    // counted by the unit that ends a quad
 
     // No token points in here any more.
     bool is_done() const {

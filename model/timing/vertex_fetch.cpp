@@ -21,10 +21,18 @@ bool VertexFetch::reuse(std::uint32_t vertex) {
     return false;
 }
 
+// What the host wrote before these draws is not what the cache holds. Vertices are never dirty.
+void VertexFetch::forget_rewritten(TimedScene& scene) {
+    for (const HostWrite& write : scene.host_writes)
+        check(ports_.cache.invalidate(write.begin, write.end).empty(), "the cache only reads");
+    scene.host_writes.clear();
+}
+
 bool VertexFetch::issue(Activity& reason) {
     if (!in_draw_) {
         if (!ports_.draws_in.can_pop()) return false;
         draw_ = ports_.draws_in.pop();
+        forget_rewritten(*draw_.scene);
         in_draw_ = true;
         position_ = 0;
         recent_.clear();
@@ -56,12 +64,12 @@ bool VertexFetch::issue(Activity& reason) {
         }
     }
     if (shade) {
-        if (!ports_.cache.can_look_up()) {
+        const LookupResult result = ports_.cache.look_up({.number = next_line_});
+        if (!result.accepted) {
             reason = Activity::StalledRequests;
             return false;
         }
-        bool missed = false;
-        ticket_ = std::max(ticket_, ports_.cache.lookup(next_line_, false, true, missed));
+        ticket_ = std::max(ticket_, result.ticket);
         if (++next_line_ != end_line_) return true;
     }
     waiting_.push_back({{draw_, position_, shade}, ticket_});
@@ -85,8 +93,7 @@ bool VertexFetch::forward(Activity& reason) {
 }
 
 Activity VertexFetch::step() {
-    while (ports_.responses_in.can_pop())
-        ports_.cache.complete(ports_.responses_in.pop());
+    ports_.cache.begin_cycle(ports_.responses_in);
     Activity reason = Activity::Idle;
     const bool forwarded = forward(reason);
     Activity issue_reason = reason;

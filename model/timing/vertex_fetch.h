@@ -47,6 +47,7 @@ private:
     bool issue(Activity& reason);
     bool forward(Activity& reason);
     bool reuse(std::uint32_t vertex);
+    void forget_rewritten(TimedScene& scene);
 
     const VertexConfig config_;
     const Ports ports_;

@@ -3,7 +3,7 @@
 namespace ffgpu::work {
 namespace {
 
-constexpr std::uint64_t LevelAlignment = 128; // bytes
+constexpr std::uint64_t LevelAlignment = 512; // bytes: the longest line
 
 } // namespace
 

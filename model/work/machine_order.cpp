@@ -10,14 +10,12 @@ bool overlap(std::uint64_t a, std::uint64_t a_bytes, std::uint64_t b, std::uint6
     return a < b + b_bytes && b < a + a_bytes;
 }
 
-// The lines that `pixels` of a surface take, from its beginning: which lines does not matter, how
-// many does.
-LineRange
-lines_of(const PlacedLevel& surface, std::uint64_t pixels, std::uint32_t line_bytes, bool write) {
-    const std::uint64_t bytes =
-        std::min(pixels * surface.layout.element_bytes, surface.layer_bytes);
-    const std::uint64_t first = surface.base / line_bytes;
-    return {first, first + (bytes + line_bytes - 1) / line_bytes, line_bytes, write};
+void add_lines(const std::vector<WrittenLine>& lines,
+               bool depth,
+               bool write,
+               PreparedTransfer& transfer) {
+    for (const WrittenLine& line : lines)
+        transfer.lines.push_back({depth, write, line});
 }
 
 } // namespace
@@ -89,18 +87,26 @@ void MachineOrder::end_frame(std::uint32_t frame) {
 void MachineOrder::clear(const WorkDraw& draw) {
     PreparedTransfer transfer{.kind = WorkKind::Clear, .number = draw.number};
     const Registers& state = *draw.state;
-    const std::uint64_t pixels = std::uint64_t{state.scissor.width} * state.scissor.height;
-    const auto clear = [&](const Surface& target, const CacheShape& cache, bool depth) {
+    const Scissor& scissor = state.scissor;
+    const Rectangle rectangle{
+        scissor.x, scissor.y, scissor.x + scissor.width, scissor.y + scissor.height};
+    const auto clear = [&](const Surface& target, bool depth, PixelBytes pixel) {
         if (target.format == Format::None) return;
+        const CacheShape& cache = depth ? config_.depth_cache : config_.color_cache;
         const PlacedLevel& place = addresses_.surface(target, cache);
-        transfer.discards.push_back({depth, place.base, place.base + place.layer_bytes});
-        transfer.lines.push_back(lines_of(place, pixels, cache.line_bytes, true));
+        add_lines(rectangle_lines(place, LineGrain(cache.line_bytes), rectangle, pixel),
+                  depth,
+                  true,
+                  transfer);
     };
     if (draw.clear.color)
         for (const Surface& target : state.targets.color)
-            clear(target, config_.color_cache, false);
+            clear(target, false, cleared_color_bytes(target.format, state.blend.write_mask));
+    const Surface& depth = state.targets.depth;
     if (draw.clear.depth || draw.clear.stencil)
-        clear(state.targets.depth, config_.depth_cache, true);
+        clear(depth,
+              true,
+              cleared_depth_bytes(depth.format, draw.clear, state.stencil.front.write_mask));
     out_.transfer(std::move(transfer));
 }
 
@@ -108,15 +114,17 @@ void MachineOrder::copy(const WorkDraw& draw) {
     PreparedTransfer transfer{
         .kind = WorkKind::Copy, .number = draw.number, .writes_back_caches = true};
     const CopyRectangleCommand& copy = draw.copy;
-    const std::uint64_t pixels = std::uint64_t{copy.width} * copy.height;
-    const CacheShape& cache =
-        format_info(copy.source.format).is_depth ? config_.depth_cache : config_.color_cache;
-    const auto add = [&](const Surface& surface, bool write) {
-        transfer.lines.push_back(
-            lines_of(addresses_.surface(surface, cache), pixels, cache.line_bytes, write));
+    const bool depth = format_info(copy.source.format).is_depth;
+    const CacheShape& cache = depth ? config_.depth_cache : config_.color_cache;
+    const auto lines = [&](const Surface& surface, int x, int y) {
+        return rectangle_lines(addresses_.surface(surface, cache),
+                               LineGrain(cache.line_bytes),
+                               {x, y, x + copy.width, y + copy.height},
+                               whole_pixel(surface.format));
     };
-    add(copy.source, false);
-    add(copy.destination, true);
+    add_lines(lines(copy.source, copy.source_x, copy.source_y), depth, false, transfer);
+    add_lines(
+        lines(copy.destination, copy.destination_x, copy.destination_y), depth, true, transfer);
     addresses_.memory_written(copy.destination.address, copy.destination.bytes());
     out_.transfer(std::move(transfer));
 }

@@ -12,23 +12,18 @@
 #pragma once
 
 #include "model/work/prepared_work.h"
+#include "model/work/surface_lines.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace ffgpu::work {
 
-// Whole lines, one after the other.
-struct LineRange {
-    std::uint64_t begin = 0, end = 0; // line numbers
-    std::uint32_t line_bytes = 64;
+// A line that is read, or of which bytes are written past its cache.
+struct TransferLine {
+    bool depth = false; // of the depth cache's lines; else of the colour cache's
     bool write = true;
-};
-
-// Lines of a cache that are not to be written back: their bytes are overwritten.
-struct Discard {
-    bool depth = false;               // of the depth cache; else of the colour cache
-    std::uint64_t begin = 0, end = 0; // bytes
+    WrittenLine line;
 };
 
 // A clear or a copy.
@@ -36,8 +31,7 @@ struct PreparedTransfer {
     WorkKind kind = WorkKind::Clear;
     std::uint32_t number = 0;
     bool writes_back_caches = false; // before it
-    std::vector<Discard> discards{};
-    std::vector<LineRange> lines{};
+    std::vector<TransferLine> lines{};
 };
 
 class MachineSink {

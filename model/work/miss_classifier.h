@@ -1,14 +1,19 @@
-// MissClassifier: Hill's three kinds of miss. Compulsory: the line was never touched before.
-// Capacity: a fully associative cache of the same size with LRU replacement would miss, too.
-// Conflict: the rest. (M. D. Hill, Aspects of Cache Memory and Instruction Buffer Performance,
-// 1987)
+// MissClassifier: Hill's three kinds of miss. Compulsory: the first look-up of the line since it
+// was last thrown out from outside (a flush, a discarded range), or ever. Capacity: a fully
+// associative cache of the same size with LRU replacement, the shadow, would miss, too. Conflict:
+// the rest. (M. D. Hill, Aspects of Cache Memory and Instruction Buffer Performance, 1987)
+//
+// The shadow goes through all that the cache goes through, flushes and discards included, so that
+// with LRU replacement and one set it holds the cache's very lines and no miss is a conflict. With
+// one set and another replacement a miss where the shadow hits is counted as capacity: there is no
+// placement that it could conflict with. With several sets it is a conflict whatever chose the
+// victim. Hits where the shadow misses are told, too: Hill's difference between the misses of the
+// cache and of the shadow is conflicts minus those, and may be negative.
 
 #pragma once
 
 #include <cstdint>
-#include <list>
-#include <unordered_map>
-#include <unordered_set>
+#include <vector>
 
 namespace ffgpu::work {
 
@@ -16,37 +21,47 @@ enum class MissKind : std::uint8_t { Compulsory, Capacity, Conflict };
 
 class MissClassifier {
 public:
-    explicit MissClassifier(std::size_t lines)
-        : capacity_(lines) {}
+    MissClassifier(std::uint32_t sets, std::uint32_t ways);
 
-    // Every access goes through here, hit or miss; the result says what it is if it was a miss.
-    MissKind access(std::uint64_t line) {
-        const bool fully_associative_hit = touch(line);
-        if (seen_.insert(line).second) return MissKind::Compulsory;
-        return fully_associative_hit ? MissKind::Conflict : MissKind::Capacity;
-    }
+    // Every look-up goes through here, hit or miss; the result says what it is if it was a miss.
+    MissKind access(std::uint64_t line);
+
+    // The shadow missed at the last access.
+    bool shadow_missed() const { return shadow_missed_; }
+
+    // The cache lost all its lines, or one, other than by replacement.
+    void flush();
+    void drop(std::uint64_t line);
 
 private:
-    bool touch(std::uint64_t line) {
-        if (!order_.empty() && order_.front() == line) return true;
-        const auto found = where_.find(line);
-        if (found != where_.end()) {
-            order_.splice(order_.begin(), order_, found->second);
-            return true;
-        }
-        if (order_.size() == capacity_) {
-            where_.erase(order_.back());
-            order_.pop_back();
-        }
-        order_.push_front(line);
-        where_.emplace(line, order_.begin());
-        return false;
-    }
+    static constexpr std::uint32_t Nowhere = ~0u;       // touched, but not in the shadow
+    static constexpr std::uint32_t Untouched = ~0u - 1; // dropped, as if never touched
+
+    struct Entry {
+        std::uint64_t line = ~std::uint64_t{0};
+        std::uint32_t node = Nowhere;
+    };
+    // Of the shadow's list, most recently used first; a ring through node 0, which holds no line.
+    struct Node {
+        std::uint64_t line = 0;
+        std::uint32_t before = 0, after = 0;
+    };
+
+    Entry& entry_of(std::uint64_t line);
+    std::size_t place_of(std::uint64_t line) const;
+    void grow();
+    void unlink(std::uint32_t node);
+    void link_first(std::uint32_t node);
+    std::uint32_t take_node();
 
     std::size_t capacity_;
-    std::list<std::uint64_t> order_; // Most recently used first.
-    std::unordered_map<std::uint64_t, std::list<std::uint64_t>::iterator> where_;
-    std::unordered_set<std::uint64_t> seen_;
+    bool fully_associative_;
+    bool shadow_missed_ = false;
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> free_nodes_;
+    // Open addressing; lines are added and never taken out but all at once.
+    std::vector<Entry> entries_;
+    std::size_t entry_count_ = 0;
 };
 
 } // namespace ffgpu::work

@@ -60,6 +60,7 @@ private:
             draw_.uses_depth = state.depth.test_enable || state.stencil.enable;
             draw_.writes_depth = state.depth.write_enable || state.stencil.enable;
             places_.depth = &addresses.surface(state.targets.depth, config_.depth_cache);
+            draw_.depth_place = *places_.depth;
         }
         for (const Surface& target : state.targets.color) {
             if (target.format == Format::None) continue;
@@ -68,6 +69,7 @@ private:
             draw_.reads_color = draw_.writes_color &&
                                 (blend.enable || blend.logic_op_enable || blend.write_mask != 0xf);
             places_.colors.push_back(&addresses.surface(target, config_.color_cache));
+            draw_.color_places.push_back(*places_.colors.back());
         }
     }
 
@@ -101,19 +103,24 @@ private:
                           .covered = from.covered,
                           .after_early_depth = from.after_early_depth,
                           .after_stencil = from.after_stencil,
-                          .after_depth = from.after_depth};
+                          .after_depth = from.after_depth,
+                          .samples_written = from.samples_written};
         quad.new_tile =
             starts_tile(config_.raster, out_.quads.empty() ? nullptr : &out_.quads.back(), quad);
-        add_target_lines(quad);
+        add_target_lines(from, quad);
         add_texel_lines(number, quad);
         out_.quads.push_back(quad);
     }
 
-    void add_target_lines(PreparedQuad& quad) {
+    // Depth is read for the fragments that come to its test, colour for those that pass it.
+    void add_target_lines(const WorkQuad& from, PreparedQuad& quad) {
         quad.target_lines_begin = static_cast<std::uint32_t>(out_.target_lines.size());
         if (places_.depth)
-            quad.depth_line_count = add_surface_lines(
-                *places_.depth, config_.depth_cache.line_bytes, quad, quad.covered);
+            quad.depth_line_count =
+                add_surface_lines(*places_.depth,
+                                  config_.depth_cache.line_bytes,
+                                  quad,
+                                  draw_.early_depth ? from.covered : from.after_alpha);
         for (const PlacedLevel* const color : places_.colors)
             quad.color_line_count = static_cast<std::uint8_t>(
                 quad.color_line_count +
@@ -121,7 +128,7 @@ private:
     }
 
     // The lines that hold the samples of `lanes`, each once, in the order of the lanes; returns
-    // their number. A quad with one sample a pixel takes one access.
+    // their number.
     std::uint8_t add_surface_lines(const PlacedLevel& place,
                                    std::uint32_t line_bytes,
                                    const PreparedQuad& quad,
@@ -132,10 +139,6 @@ private:
             if (std::find(first, out_.target_lines.end(), line) == out_.target_lines.end())
                 out_.target_lines.push_back(line);
         };
-        if (place.samples == 1) {
-            add(place.address(quad.x, quad.y, 0) / line_bytes);
-            return 1;
-        }
         for (unsigned lane = 0; lane < 4; ++lane) {
             if ((lanes >> lane & 1) == 0) continue;
             const std::uint64_t at = place.address(quad.x + (lane & 1u), quad.y + (lane >> 1), 0);

@@ -27,6 +27,7 @@ struct PreparedQuad {
     std::uint16_t texel_reads = 0;
     std::uint16_t texel_line_count = 0;
     std::uint32_t texel_lines_begin = 0; // into PreparedScene::texel_lines
+    std::uint16_t samples_written = 0;   // as WorkQuad has it
     std::uint8_t depth_line_count = 0;
     std::uint8_t color_line_count = 0;    // of all colour targets
     std::uint32_t target_lines_begin = 0; // into PreparedScene::target_lines: depth, then colour
@@ -38,7 +39,9 @@ struct PreparedDraw {
     bool early_depth = false;
     std::uint32_t first_quad = 0; // immediate machines: the draw's quads stand together
     std::uint32_t quad_count = 0;
-    std::uint8_t combiners = 0; // enabled texture environments
+    std::uint8_t combiners = 0;            // enabled texture environments
+    PlacedLevel depth_place;               // of its target, if it has one
+    std::vector<PlacedLevel> color_places; // of its colour targets
     bool uses_depth = false;
     bool writes_depth = false;
     bool reads_color = false; // blending, logic op or a partial mask
@@ -68,8 +71,8 @@ struct PreparedScene {
     std::span<const std::uint64_t> lines_of(const PreparedQuad& quad) const {
         return std::span(texel_lines).subspan(quad.texel_lines_begin, quad.texel_line_count);
     }
-    // Of the covered fragments, and of those that are written. With one sample a pixel a quad lies
-    // in one line; with several it may need a line or two for each row.
+    // Of the fragments whose depth is tested, and of those that are written: as many lines as the
+    // layout spreads them over.
     std::span<const std::uint64_t> depth_lines(const PreparedQuad& quad) const {
         return std::span(target_lines).subspan(quad.target_lines_begin, quad.depth_line_count);
     }

@@ -1,65 +1,105 @@
-// TagArray: a set-associative cache's tags with least-recently-used replacement. A pure data
-// structure: no time, no memory.
+// TagArray: a set-associative cache's tags. A pure data structure: no time, no memory. Which line
+// gives way, and which set a line belongs to, are the policy's.
 
 #pragma once
 
+#include "model/work/replacement.h"
+
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace ffgpu::work {
 
 class TagArray {
 public:
+    static constexpr std::uint64_t Empty = ~std::uint64_t{0};
+
+    // What the owner keeps with a line.
     struct Line {
-        static constexpr std::uint64_t Empty = ~std::uint64_t{0};
-        std::uint64_t number = Empty; // address / line bytes
-        std::uint64_t last_use = 0;
-        std::uint64_t fill = 0; // ticket of the fill that brings or brought it
-        bool dirty = false;
+        std::uint64_t fill = 0;  // ticket of the fill that brings or brought it
+        std::uint64_t valid = 0; // LineMask: bytes that are here or on their way
+        std::uint64_t dirty = 0; // LineMask: bytes that memory does not have yet
+    };
+    struct Evicted {
+        std::uint64_t number = Empty;
+        Line line;
     };
 
     // `sets` a power of two; sets = 1 is fully associative.
-    TagArray(std::uint32_t sets, std::uint32_t ways)
-        : set_mask_(sets - 1)
+    TagArray(std::uint32_t sets, std::uint32_t ways, const CachePolicy& policy = {})
+        : set_of_(sets, policy.index_hash)
+        , policy_(policy)
         , ways_(ways)
-        , lines_(std::size_t{sets} * ways) {}
+        , numbers_(std::size_t{sets} * ways, Empty)
+        , stamps_(numbers_.size(), 0)
+        , lines_(numbers_.size()) {}
 
-    // The line where it is present, which makes it the most recently used; else null.
+    // The line where it is present, else null. Does not count as a use.
     Line* find(std::uint64_t number) {
-        Line* const set = set_of(number);
-        for (std::uint32_t way = 0; way < ways_; ++way) {
-            if (set[way].number != number) continue;
-            set[way].last_use = ++uses_;
-            return &set[way];
+        if (numbers_[found_] == number) return &lines_[found_];
+        const std::size_t at = place_of(number);
+        if (at == numbers_.size()) return nullptr;
+        found_ = at;
+        return &lines_[at];
+    }
+
+    // A look-up used a line that find() gave.
+    void use(const Line& line, std::uint64_t next_use = NeverUsedAgain) {
+        policy_.used(stamps_[position(line)], {++now_, next_use});
+    }
+
+    // Gives `number`, which is absent, a place: an empty one of its set or the victim's, whose line
+    // goes to `evicted`.
+    Line& replace(std::uint64_t number, Evicted& evicted, std::uint64_t next_use = NeverUsedAgain) {
+        const std::size_t set = set_of_(number) * ways_;
+        std::size_t way = 0;
+        while (way < ways_ && numbers_[set + way] != Empty)
+            ++way;
+        if (way == ways_) way = policy_.victim(std::span(stamps_).subspan(set, ways_));
+        found_ = set + way;
+        evicted = {numbers_[found_], lines_[found_]};
+        numbers_[found_] = number;
+        lines_[found_] = {};
+        policy_.filled(stamps_[found_], {++now_, next_use});
+        return lines_[found_];
+    }
+
+    // Empties the place of a line that find() gave.
+    void drop(Line& line) {
+        numbers_[position(line)] = Empty;
+        line = {};
+    }
+
+    // Calls each(number, line) for every line present; the call may drop it.
+    template <class Each>
+    void for_each(Each&& each) {
+        for (std::size_t i = 0; i < numbers_.size(); ++i) {
+            if (numbers_[i] != Empty) each(numbers_[i], lines_[i]);
         }
-        return nullptr;
     }
 
-    // The place that `number` will take: an empty one, else the least recently used of its set.
-    Line& victim(std::uint64_t number) {
-        Line* const set = set_of(number);
-        Line* oldest = set;
-        for (std::uint32_t way = 1; way < ways_; ++way) {
-            if (set[way].last_use < oldest->last_use) oldest = &set[way];
-        }
-        return *oldest;
-    }
-
-    // Puts `number` in its victim's place, as the most recently used.
-    Line& replace(std::uint64_t number) {
-        Line& line = victim(number);
-        line = {.number = number, .last_use = ++uses_};
-        return line;
-    }
-
-    std::vector<Line>& lines() { return lines_; }
+    std::size_t size() const { return numbers_.size(); }
 
 private:
-    Line* set_of(std::uint64_t number) { return &lines_[(number & set_mask_) * ways_]; }
+    std::size_t position(const Line& line) const {
+        return static_cast<std::size_t>(&line - lines_.data());
+    }
+    std::size_t place_of(std::uint64_t number) const {
+        const std::size_t begin = set_of_(number) * ways_;
+        for (std::size_t at = begin; at < begin + ways_; ++at)
+            if (numbers_[at] == number) return at;
+        return numbers_.size();
+    }
 
-    std::uint64_t set_mask_;
-    std::uint32_t ways_;
-    std::uint64_t uses_ = 0;
+    SetIndex set_of_;
+    ReplacementPolicy policy_;
+    std::size_t ways_;
+    std::uint64_t now_ = 0;
+    std::size_t found_ = 0; // where the last look-up ended: the next is often the same
+    // Apart, so that the search reads nothing else.
+    std::vector<std::uint64_t> numbers_;
+    std::vector<std::uint64_t> stamps_;
     std::vector<Line> lines_;
 };
 

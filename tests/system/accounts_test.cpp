@@ -134,6 +134,11 @@ void check_accounts(const Json& statistics) {
         check_units(timing);
         for (const CacheNames& cache : Caches)
             check_cache(timing, cache, statistics["configuration"][cache.group]["line_bytes"]);
+        const Json& memory = statistics["configuration"]["memory"];
+        CHECK(timing["memory_bus_cycles"] ==
+              timing["total_cycles"] * memory["channels"].get<std::uint64_t>());
+        CHECK(timing["memory_data_cycles"] + timing.sum("memory_lost_", "_cycles") ==
+              timing["memory_bus_cycles"]);
         const TimedFrame functional(frame["functional"]);
         CHECK(functional["fragments_covered"] ==
               functional.sum("fragments_killed_", "") + functional["fragments_written"]);
@@ -229,6 +234,7 @@ const std::vector<std::string> Huge = {"vertex.cache_sets=1024",
                                        "fragment.queue=4096",
                                        "memory.channels=16",
                                        "memory.banks=64",
+                                       "memory.interleave_bytes=1024",
                                        "memory.queue=1024",
                                        "memory.bytes_per_cycle=256"};
 const std::vector<std::string> FullyAssociative = {"texel_cache.sets=1",

@@ -1,40 +1,15 @@
 // The machine in time on analytic scenes: cache figures of the literature, accounts that add up,
 // determinism.
 
-#include "model/timing/account.h"
-#include "model/timing/gpu_timing.h"
-#include "model/work/command_assembler.h"
 #include "tests/timing/analytic_scenes.h"
+#include "tests/timing/machine_figures.h"
 
-#include <map>
-#include <memory>
 #include <string>
 
 #include <catch2/catch.hpp>
 
 namespace ffgpu::timing {
 namespace {
-
-using Figures = std::map<std::string, std::uint64_t>;
-
-Figures run(const TimingConfig& config, const WorkBin& bin, std::uint32_t evaluation_order = 0) {
-    GpuTiming timing(config, evaluation_order);
-    work::CommandAssembler assembler(timing);
-    assembler.bin(std::make_shared<const WorkBin>(bin));
-    assembler.end_frame(0);
-    Figures figures;
-    for (const StatisticsGroup* group : timing.statistics()) {
-        for (const Counter& counter : group->counters())
-            figures[std::string(counter.name())] = counter.value();
-    }
-    for (const std::string& unit : timing.unit_names()) {
-        std::uint64_t sum = 0;
-        for (const std::string_view activity : ActivityNames)
-            sum += figures.at(unit + '_' + std::string(activity) + "_cycles");
-        figures[unit + "_sum"] = sum;
-    }
-    return figures;
-}
 
 Figures run(const TimingConfig& config, const Scene& scene, std::uint32_t evaluation_order = 0) {
     return run(config, make_bin(scene), evaluation_order);

@@ -79,11 +79,32 @@ void set_field(Field& field,
     }
 }
 
+// A group's `profile` sets others of its fields, so it comes before what the table says of them.
+template <class Group>
+void apply_profile(Group& group,
+                   std::string_view group_name,
+                   const toml::table& table,
+                   const std::string& source) {
+    if constexpr (requires { group.apply_profile(); }) {
+        const toml::node* const node = table.get("profile");
+        if (!node) return;
+        Group::visit(group, [&](std::string_view name, auto& field, const ParameterInfo& info) {
+            if (name != "profile") return;
+            set_field(field,
+                      *node,
+                      info,
+                      fmt::format("{}: {}.profile", place(source, *node), group_name));
+        });
+        group.apply_profile();
+    }
+}
+
 template <class Group>
 void set_group(Group& group,
                std::string_view group_name,
                const toml::table& table,
                const std::string& source) {
+    apply_profile(group, group_name, table, source);
     for (const auto& entry : table) {
         const toml::key& key = entry.first; // No bindings: clang 14's lambdas cannot name them.
         const toml::node& node = entry.second;

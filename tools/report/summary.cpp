@@ -54,6 +54,8 @@ std::string describe_units(const Figures& timing) {
     std::string text = "  unit                 busy    idle   stalled, mostly on\n";
     const std::uint64_t cycles = timing["total_cycles"];
     for (const std::string& unit : timing.units()) {
+        // Any bus of the memory makes it busy; its line below says how much they carry.
+        if (unit == "memory" && timing["memory_bus_cycles"] > 0) continue;
         std::uint64_t stalled = 0, most = 0;
         const char* reason = "";
         for (const auto& [name, meaning] : Reasons) {
@@ -93,6 +95,61 @@ std::string describe_caches(const Figures& timing) {
     return text;
 }
 
+// The buses of all channels, and what their cycles without data were lost to.
+std::string describe_buses(const Figures& timing) {
+    static constexpr std::array Causes{std::pair{"no_request", "no request"},
+                                       std::pair{"row", "rows"},
+                                       std::pair{"activates", "spacing of activates"},
+                                       std::pair{"turnaround", "turnarounds"},
+                                       std::pair{"refresh", "refresh"},
+                                       std::pair{"column", "spacing of columns"},
+                                       std::pair{"order", "order of requests"},
+                                       std::pair{"burst", "rest of bursts"}};
+    const std::uint64_t cycles = timing["memory_bus_cycles"];
+    if (cycles == 0) return ""; // A memory of the user's.
+    std::string text = fmt::format("  memory buses       {:5.1f} % carry data; lost:",
+                                   percent(timing["memory_data_cycles"], cycles));
+    const char* separator = " ";
+    for (const auto& [name, meaning] : Causes) {
+        const std::uint64_t lost = timing["memory_lost_" + std::string(name) + "_cycles"];
+        if (lost == 0) continue;
+        text += fmt::format("{}{} {:.1f} %", separator, meaning, percent(lost, cycles));
+        separator = ", ";
+    }
+    const std::uint64_t hits = timing["memory_row_hits"], misses = timing["memory_row_misses"],
+                        conflicts = timing["memory_row_conflicts"];
+    const std::uint64_t requests = hits + misses + conflicts;
+    return text + fmt::format("\n  memory rows        {:5.1f} % of {} requests hit, {:.1f} % found "
+                              "none open, {:.1f} % another\n",
+                              percent(hits, requests),
+                              requests,
+                              percent(misses, requests),
+                              percent(conflicts, requests));
+}
+
+std::string describe_latency(const Figures& timing) {
+    std::string text = "  read latency, cycles on average:";
+    const char* separator = " ";
+    for (const std::string client : {"command", "vertex", "texture", "depth", "color"}) {
+        std::uint64_t reads = 0;
+        for (const char* range : {"below_32",
+                                  "below_64",
+                                  "below_128",
+                                  "below_256",
+                                  "below_512",
+                                  "below_1024",
+                                  "1024_or_more"})
+            reads += timing["memory_" + client + "_read_latency_" + range];
+        if (reads == 0) continue;
+        text += fmt::format("{}{} {:.0f}",
+                            separator,
+                            client,
+                            ratio(timing["memory_" + client + "_read_latency_cycles"], reads));
+        separator = ", ";
+    }
+    return text + '\n';
+}
+
 std::string describe_memory(const Figures& timing, std::size_t frames) {
     std::string text = "  memory traffic a frame, KB read + written:";
     for (const std::string client : {"command", "vertex", "texture", "depth", "color"}) {
@@ -129,8 +186,8 @@ std::string summarize(const Json& totals, std::size_t frames) {
                         cycles,
                         ratio(cycles, frames),
                         ratio(cycles, fragments));
-    return text + describe_units(timing) + describe_caches(timing) +
-           describe_memory(timing, frames);
+    return text + describe_units(timing) + describe_caches(timing) + describe_buses(timing) +
+           describe_latency(timing) + describe_memory(timing, frames);
 }
 
 } // namespace ffgpu::tools

@@ -1,0 +1,31 @@
+// CachePort: a cache with its way to memory and back.
+
+#pragma once
+
+#include "model/timing/config.h"
+#include "model/timing/line_cache.h"
+#include "model/timing/request_port.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace ffgpu::timing {
+
+inline constexpr std::size_t ResponseQueue = 256; // and as many as a cache may have outstanding
+
+struct CachePort {
+    CachePort(std::string_view name,
+              const Clock& clock,
+              const CacheConfig& config,
+              Client client,
+              InFlight& in_flight)
+        : requests(clock, config.request_queue, in_flight, config.miss_queue)
+        , responses(clock, ResponseQueue + config.outstanding_lines)
+        , cache(name, config, client, requests) {}
+
+    RequestPort requests;
+    Channel<std::uint64_t> responses;
+    LineCache cache;
+};
+
+} // namespace ffgpu::timing

@@ -1,0 +1,42 @@
+// Where an address lies: its channel, and in it bank and row. Interleaving goes over channels by
+// interleave_bytes; the bytes of a channel fill a row of one bank, then a row of the next bank.
+
+#pragma once
+
+#include "model/timing/memory/config.h"
+
+#include <cstdint>
+
+namespace ffgpu::timing {
+
+inline std::uint32_t memory_channel(const MemoryConfig& config, std::uint64_t address) {
+    return static_cast<std::uint32_t>(address / config.interleave_bytes) & (config.channels - 1);
+}
+
+struct DramPlace {
+    std::uint32_t channel = 0;
+    std::uint32_t bank = 0;
+    std::uint64_t row = 0;
+};
+
+inline DramPlace place_of(const MemoryConfig& config, std::uint64_t address) {
+    const std::uint64_t block = address / config.interleave_bytes / config.channels;
+    const std::uint64_t in_channel =
+        block * config.interleave_bytes + address % config.interleave_bytes;
+    const std::uint64_t row_of_bank = in_channel / config.row_bytes;
+    return {.channel = memory_channel(config, address),
+            .bank = static_cast<std::uint32_t>(row_of_bank) & (config.banks - 1),
+            .row = row_of_bank / config.banks};
+}
+
+// Whether [address, address + bytes) is one row of one channel.
+inline bool
+is_in_one_place(const MemoryConfig& config, std::uint64_t address, std::uint32_t bytes) {
+    const std::uint64_t last = address + bytes - 1;
+    const DramPlace begin = place_of(config, address), end = place_of(config, last);
+    return (config.channels == 1 ||
+            address / config.interleave_bytes == last / config.interleave_bytes) &&
+           begin.row == end.row && begin.bank == end.bank;
+}
+
+} // namespace ffgpu::timing

@@ -1,0 +1,159 @@
+#include "model/timing/memory/dram_channel.h"
+
+#include "model/base/check.h"
+
+#include <algorithm>
+
+namespace ffgpu::timing {
+
+DramChannel::DramChannel(const MemoryConfig& config, std::uint32_t number, DramObserver& observer)
+    : config_(config)
+    , number_(number)
+    , observer_(observer)
+    , device_(config)
+    , scheduler_(config)
+    , policy_(config)
+    , refresh_due_(config.refresh_interval_cycles == 0 ? RowPolicy::Never
+                                                       : config.refresh_interval_cycles) {}
+
+void DramChannel::push(const DramRequest& request, MemoryCycle now) {
+    check(has_room(), "a request for a full DRAM channel");
+    waiting_.push_back({.request = request});
+    next_work_ = std::min(next_work_, now);
+}
+
+void DramChannel::advance(MemoryCycle end) {
+    while (next_work_ < end)
+        work(next_work_);
+}
+
+// One cycle's command, or how long there will be none.
+void DramChannel::work(MemoryCycle now) {
+    if (now >= refresh_due_) return work_on_refresh(now);
+    const DramCommand command = scheduler_.choose(waiting_, device_, now);
+    if (command.kind == DramCommand::Kind::None) {
+        causes_.note(now, command.cause);
+        if (close_idle_row(now)) return;
+        next_work_ = std::min({command.again_at, refresh_due_, next_row_to_close()});
+        return;
+    }
+    issue(command, now);
+    next_work_ = now + 1;
+}
+
+// Closes all rows, then refreshes.
+void DramChannel::work_on_refresh(MemoryCycle now) {
+    causes_.note(now, waiting_.empty() ? LostTo::NoRequest : LostTo::Refresh);
+    const bool must_close = device_.any_row_open();
+    const MemoryCycle ready = must_close ? device_.all_precharge_ready() : device_.refresh_ready();
+    if (ready > now) {
+        next_work_ = ready;
+        return;
+    }
+    if (must_close) {
+        device_.precharge_all(now);
+    } else {
+        device_.refresh(now);
+        observer_.on_refresh();
+        refresh_due_ += config_.refresh_interval_cycles;
+    }
+    next_work_ = now + 1;
+}
+
+void DramChannel::issue(const DramCommand& command, MemoryCycle now) {
+    WaitingRequest& waiting = waiting_[command.index];
+    const DramRequest& request = waiting.request;
+    switch (command.kind) {
+    case DramCommand::Kind::Column:
+        return serve(command.index, now);
+    case DramCommand::Kind::Activate:
+        causes_.note(now, command.cause);
+        device_.activate(request.bank, request.row, now);
+        waiting.result = std::max(waiting.result, RowResult::Miss);
+        return;
+    case DramCommand::Kind::Precharge:
+        causes_.note(now, command.cause);
+        device_.precharge(request.bank, now);
+        waiting.result = RowResult::Conflict;
+        return;
+    case DramCommand::Kind::None:
+        return;
+    }
+}
+
+void DramChannel::serve(std::size_t index, MemoryCycle now) {
+    const WaitingRequest waiting = waiting_[index];
+    const DramRequest& request = waiting.request;
+    DramScheduler::remove(waiting_, index);
+
+    const bool turns = request.write != device_.last_was_write();
+    if (turns && device_.has_carried_data()) observer_.on_turnaround();
+    const DataBurst data = device_.column(request, now);
+    charge_until(data, request.bytes, turns ? LostTo::Turnaround : LostTo::NoRequest);
+    causes_.restart(now, LostTo::Column);
+
+    policy_.learn(request.bank, request.row, waiting.result);
+    const auto wanted = [&] { return is_wanted(request.bank); };
+    if (policy_.closes_behind(request.bank, wanted)) device_.auto_precharge(request.bank);
+    observer_.on_access(number_, request, waiting.result);
+    served_.push_back({request, data});
+}
+
+// The bus up to the end of these data: first the gap before them, by the causes of the command
+// slots in which their column did not go out, then the bytes asked for, then the burst's rest.
+void DramChannel::charge_until(const DataBurst& data, std::uint32_t bytes, LostTo before) {
+    const auto lose = [&](LostTo cause, MemoryCycle cycles) { observer_.on_lost(cause, cycles); };
+    const MemoryCycle latency = device_.column_latency(device_.last_was_write());
+    causes_.charge(data.begin - latency, data.begin - charged_, before, lose);
+    const MemoryCycle asked = (bytes + config_.bytes_per_cycle - 1) / config_.bytes_per_cycle;
+    observer_.on_data(asked);
+    const std::uint32_t bursts = config_.bursts(bytes);
+    const MemoryCycle on_bus = MemoryCycle{bursts} * config_.burst_cycles;
+    if (on_bus > asked) lose(LostTo::Burst, on_bus - asked);
+    if (data.end - data.begin > on_bus) lose(LostTo::Column, data.end - data.begin - on_bus);
+    charged_ = data.end;
+}
+
+void DramChannel::settle(MemoryCycle end) {
+    advance(end);
+    if (end <= charged_) return;
+    const MemoryCycle latency = device_.column_latency(false);
+    causes_.charge(end > latency ? end - latency : 0,
+                   end - charged_,
+                   LostTo::NoRequest,
+                   [&](LostTo cause, MemoryCycle cycles) { observer_.on_lost(cause, cycles); });
+    charged_ = end;
+}
+
+bool DramChannel::is_wanted(std::uint32_t bank) const {
+    return std::ranges::any_of(waiting_, [&](const WaitingRequest& waiting) {
+        return waiting.request.bank == bank && waiting.request.row == device_.open_row(bank);
+    });
+}
+
+bool DramChannel::close_idle_row(MemoryCycle now) {
+    if (config_.page_policy != PagePolicy::Timeout) return false;
+    for (std::uint32_t bank = 0; bank < config_.banks; ++bank) {
+        if (device_.open_row(bank) == DramDevice::NoRow || is_wanted(bank)) continue;
+        if (policy_.closes_at(device_.last_column(bank)) > now) continue;
+        if (device_.precharge_ready(bank).at > now) continue;
+        device_.precharge(bank, now);
+        next_work_ = now + 1;
+        return true;
+    }
+    return false;
+}
+
+MemoryCycle DramChannel::next_row_to_close() const {
+    MemoryCycle next = RowPolicy::Never;
+    if (config_.page_policy != PagePolicy::Timeout) return next;
+    for (std::uint32_t bank = 0; bank < config_.banks; ++bank) {
+        if (device_.open_row(bank) == DramDevice::NoRow || is_wanted(bank)) continue;
+        next = std::min(next,
+                        std::max(policy_.closes_at(device_.last_column(bank)),
+                                 device_.precharge_ready(bank).at));
+    }
+    return next;
+}
+
+} // namespace ffgpu::timing

@@ -1,0 +1,63 @@
+// DramChannel: one channel of the memory, without a clock of its own. It jumps from one cycle in
+// which something can happen to the next: choose a command, do it, ask the row policy, tell the
+// observer.
+
+#pragma once
+
+#include "model/timing/memory/dram_device.h"
+#include "model/timing/memory/dram_scheduler.h"
+#include "model/timing/memory/row_policy.h"
+
+#include <deque>
+#include <vector>
+
+namespace ffgpu::timing {
+
+// Served: its data are on the bus in [data.begin, data.end).
+struct ServedRequest {
+    DramRequest request;
+    DataBurst data;
+};
+
+class DramChannel {
+public:
+    DramChannel(const MemoryConfig& config, std::uint32_t number, DramObserver& observer);
+
+    bool has_room() const { return waiting_.size() < config_.queue; }
+    // In the queue from cycle `now` on, which must not have passed yet.
+    void push(const DramRequest& request, MemoryCycle now);
+    // Works through all cycles before `end`.
+    void advance(MemoryCycle end);
+    // In the order of their data; the owner takes them out.
+    std::deque<ServedRequest>& served() { return served_; }
+    const std::deque<ServedRequest>& served() const { return served_; }
+
+    bool has_waiting() const { return !waiting_.empty(); }
+    // Charges the bus's cycles before `end` that nothing was charged with yet.
+    void settle(MemoryCycle end);
+
+private:
+    void work(MemoryCycle now);
+    void work_on_refresh(MemoryCycle now);
+    bool close_idle_row(MemoryCycle now);
+    void issue(const DramCommand& command, MemoryCycle now);
+    void serve(std::size_t index, MemoryCycle now);
+    void charge_until(const DataBurst& data, std::uint32_t bytes, LostTo before);
+    bool is_wanted(std::uint32_t bank) const;
+    MemoryCycle next_row_to_close() const;
+
+    const MemoryConfig& config_;
+    const std::uint32_t number_;
+    DramObserver& observer_;
+    DramDevice device_;
+    DramScheduler scheduler_;
+    RowPolicy policy_;
+    std::vector<WaitingRequest> waiting_;
+    std::deque<ServedRequest> served_;
+    SlotCauses causes_;
+    MemoryCycle charged_ = 0;   // data cycles up to here have their cause
+    MemoryCycle next_work_ = 0; // nothing happens before
+    MemoryCycle refresh_due_;
+};
+
+} // namespace ffgpu::timing

@@ -1,0 +1,76 @@
+#include "model/timing/memory/dram_device.h"
+
+#include <algorithm>
+
+namespace ffgpu::timing {
+
+DramDevice::DramDevice(const MemoryConfig& config)
+    : config_(config)
+    , banks_(config.banks)
+    , activates_{} {}
+
+bool DramDevice::any_row_open() const {
+    return std::ranges::any_of(banks_, [](const Bank& bank) { return bank.row != NoRow; });
+}
+
+MemoryCycle DramDevice::all_precharge_ready() const {
+    MemoryCycle at = 0;
+    for (const Bank& bank : banks_) {
+        if (bank.row != NoRow) at = std::max(at, bank.precharge_at);
+    }
+    return at;
+}
+
+MemoryCycle DramDevice::refresh_ready() const {
+    MemoryCycle at = refreshed_at_;
+    for (const Bank& bank : banks_)
+        at = std::max(at, bank.activate_at);
+    return at;
+}
+
+void DramDevice::activate(std::uint32_t bank, std::uint64_t row, MemoryCycle now) {
+    Bank& it = banks_[bank];
+    const Ready ready = activate_ready(bank);
+    it.opened_after = ready.at == now ? ready.cause : LostTo::Row;
+    it.row = row;
+    it.column_at = now + config_.row_to_column_cycles;
+    it.precharge_at = now + config_.row_active_cycles;
+    it.last_column = now;
+    next_activate_ = now + config_.activate_to_activate_cycles;
+    activates_[oldest_activate_] = now + config_.four_activates_cycles;
+    oldest_activate_ = (oldest_activate_ + 1) % activates_.size();
+}
+
+void DramDevice::precharge(std::uint32_t bank, MemoryCycle now) {
+    banks_[bank].row = NoRow;
+    banks_[bank].activate_at = now + config_.precharge_cycles;
+}
+
+void DramDevice::precharge_all(MemoryCycle now) {
+    for (std::uint32_t bank = 0; bank < banks_.size(); ++bank) {
+        if (banks_[bank].row != NoRow) precharge(bank, now);
+    }
+}
+
+void DramDevice::refresh(MemoryCycle now) {
+    refreshed_at_ = now + config_.refresh_cycles;
+}
+
+DataBurst DramDevice::column(const DramRequest& request, MemoryCycle now) {
+    const std::uint32_t spacing = std::max(config_.burst_cycles, config_.column_to_column_cycles);
+    const std::uint32_t bursts = config_.bursts(request.bytes);
+    const MemoryCycle last = now + MemoryCycle{bursts - 1} * spacing;
+    const MemoryCycle latency = column_latency(request.write);
+    const DataBurst data{now + latency, last + latency + config_.burst_cycles};
+    Bank& bank = banks_[request.bank];
+    bank.last_column = last;
+    bank.precharge_at = std::max(bank.precharge_at,
+                                 request.write ? data.end + config_.write_recovery_cycles
+                                               : last + config_.read_to_precharge_cycles);
+    next_column_ = last + spacing;
+    bus_free_ = data.end;
+    last_was_write_ = request.write;
+    return data;
+}
+
+} // namespace ffgpu::timing

@@ -1,0 +1,110 @@
+// DramDevice: the DRAM of one channel, as what it forbids. It knows when each command is allowed
+// and why not earlier; which command goes out is the scheduler's business.
+
+#pragma once
+
+#include "model/timing/memory/config.h"
+#include "model/timing/memory/dram_request.h"
+
+#include <array>
+#include <vector>
+
+namespace ffgpu::timing {
+
+// The first cycle in which a command may go out, and what its wait is charged to.
+struct Ready {
+    MemoryCycle at = 0;
+    LostTo cause = LostTo::NoRequest;
+
+    void not_before(MemoryCycle other, LostTo why) {
+        if (other > at) *this = {other, why};
+    }
+};
+
+struct DataBurst {
+    MemoryCycle begin = 0, end = 0;
+};
+
+class DramDevice {
+public:
+    static constexpr std::uint64_t NoRow = ~std::uint64_t{0};
+
+    explicit DramDevice(const MemoryConfig& config);
+
+    std::uint64_t open_row(std::uint32_t bank) const { return banks_[bank].row; }
+    bool any_row_open() const;
+
+    Ready activate_ready(std::uint32_t bank) const;
+    Ready precharge_ready(std::uint32_t bank) const;
+    Ready column_ready(const DramRequest& request) const;
+    // All banks may be precharged, all may be refreshed.
+    MemoryCycle all_precharge_ready() const;
+    MemoryCycle refresh_ready() const;
+
+    void activate(std::uint32_t bank, std::uint64_t row, MemoryCycle now);
+    void precharge(std::uint32_t bank, MemoryCycle now);
+    void precharge_all(MemoryCycle now);
+    void refresh(MemoryCycle now);
+    // All bursts of the request; their data lie side by side.
+    DataBurst column(const DramRequest& request, MemoryCycle now);
+    // The row closes by itself as soon as it may (the column command said so).
+    void auto_precharge(std::uint32_t bank) { precharge(bank, banks_[bank].precharge_at); }
+
+    MemoryCycle column_latency(bool write) const {
+        return write ? config_.write_column_cycles : config_.column_cycles;
+    }
+    bool has_carried_data() const { return bus_free_ > 0; }
+    bool last_was_write() const { return last_was_write_; }
+    MemoryCycle last_column(std::uint32_t bank) const { return banks_[bank].last_column; }
+
+private:
+    struct Bank {
+        std::uint64_t row = NoRow;
+        MemoryCycle activate_at = 0, column_at = 0, precharge_at = 0; // not before
+        MemoryCycle last_column = 0;
+        LostTo opened_after = LostTo::Row; // what the activate waited for, and tRCD with it
+    };
+
+    const MemoryConfig& config_;
+    std::vector<Bank> banks_;
+    MemoryCycle refreshed_at_ = 0;         // end of the last refresh
+    MemoryCycle next_activate_ = 0;        // tRRD
+    std::array<MemoryCycle, 4> activates_; // the last four, + tFAW
+    std::size_t oldest_activate_ = 0;
+    MemoryCycle next_column_ = 0; // tCCD
+    MemoryCycle bus_free_ = 0;
+    bool last_was_write_ = false;
+};
+
+// The scheduler asks these of each request in each cycle.
+
+inline Ready DramDevice::activate_ready(std::uint32_t bank) const {
+    Ready ready{banks_[bank].activate_at, LostTo::Row};
+    ready.not_before(next_activate_, LostTo::Activates);
+    ready.not_before(activates_[oldest_activate_], LostTo::Activates);
+    if (refreshed_at_ >= ready.at) ready = {refreshed_at_, LostTo::Refresh};
+    return ready;
+}
+
+inline Ready DramDevice::precharge_ready(std::uint32_t bank) const {
+    return {banks_[bank].precharge_at, LostTo::Row};
+}
+
+// Data follow the command by the column latency, so the bus is not held while they are on their
+// way.
+inline Ready DramDevice::column_ready(const DramRequest& request) const {
+    const Bank& bank = banks_[request.bank];
+    Ready ready{bank.column_at, bank.opened_after};
+    ready.not_before(next_column_, LostTo::Column);
+    const bool turns = request.write != last_was_write_;
+    const LostTo waiting = turns ? LostTo::Turnaround : LostTo::Column;
+    const MemoryCycle latency = column_latency(request.write);
+    const MemoryCycle idle = turns && request.write ? config_.read_to_write_cycles : 0;
+    if (bus_free_ > 0 && bus_free_ + idle > latency)
+        ready.not_before(bus_free_ + idle - latency, waiting);
+    if (turns && !request.write)
+        ready.not_before(bus_free_ + (bus_free_ > 0 ? config_.write_to_read_cycles : 0), waiting);
+    return ready;
+}
+
+} // namespace ffgpu::timing

@@ -1,0 +1,77 @@
+#include "model/timing/memory_statistics.h"
+
+namespace ffgpu::timing {
+namespace {
+
+constexpr std::array<const char*, LostCauses> LostMeanings{
+    "without data: no request was waiting",
+    "without data: the oldest request's bank closed or opened a row",
+    "without data: tRRD or tFAW held back an activate",
+    "without data: between read and write",
+    "without data: refresh",
+    "without data: tCCD is longer than a burst",
+    "without data: the order of requests had to be kept",
+    "with data of a burst that nobody asked for"};
+
+} // namespace
+
+ClientStatistics::ClientStatistics() {
+    for (std::size_t client = 0; client < Clients; ++client) {
+        const std::string prefix = "memory_" + std::string(ClientNames[client]) + '_';
+        OfClient& of = clients_[client];
+        of.read_bytes = &add(prefix + "read_bytes", "bytes", "read for this client");
+        of.written_bytes = &add(prefix + "written_bytes", "bytes", "written for this client");
+        of.requests = &add(prefix + "requests", "requests", "reads and writes of this client");
+        of.latency = &add(prefix + "read_latency_cycles",
+                          "cycles",
+                          "sum over its reads, from the client's request to its data");
+        for (unsigned i = 0; i < Buckets; ++i) {
+            const bool last = i + 1 == Buckets;
+            const unsigned limit = 1u << (FirstBucket + i - (last ? 1 : 0));
+            of.histogram[i] = &add(
+                prefix + "read_latency_" +
+                    (last ? std::to_string(limit) + "_or_more" : "below_" + std::to_string(limit)),
+                "reads",
+                "by latency in cycles, each read in one of the ranges");
+        }
+    }
+}
+
+void ClientStatistics::on_done(const MemoryRequest& request, std::uint64_t now) {
+    OfClient& of = clients_[static_cast<std::size_t>(request.client)];
+    ++*of.requests;
+    *(request.write ? of.written_bytes : of.read_bytes) += request.bytes;
+    if (request.write) return;
+    const std::uint64_t latency = now - request.issued;
+    *of.latency += latency;
+    ++*of.histogram[bucket(latency)];
+}
+
+DramStatistics::DramStatistics(const MemoryConfig& config) {
+    for (std::size_t i = 0; i < LostCauses; ++i)
+        lost_[i] = &add("memory_lost_" + std::string(LostToNames[i]) + "_cycles",
+                        "memory cycles",
+                        LostMeanings[i]);
+    total_ = rows("memory_");
+    for (std::size_t client = 0; client < Clients; ++client)
+        of_client_[client] = rows("memory_" + std::string(ClientNames[client]) + '_');
+    for (std::uint32_t channel = 0; channel < config.channels; ++channel)
+        of_channel_.push_back(rows("memory_channel" + std::to_string(channel) + '_'));
+}
+
+DramStatistics::Rows DramStatistics::rows(const std::string& prefix) {
+    return {&add(prefix + "row_hits", "requests", "that found their row open"),
+            &add(prefix + "row_misses", "requests", "that found no row open in their bank"),
+            &add(prefix + "row_conflicts", "requests", "that had to close another row")};
+}
+
+void DramStatistics::on_access(std::uint32_t channel,
+                               const DramRequest& request,
+                               RowResult result) {
+    const auto i = static_cast<std::size_t>(result);
+    ++*total_[i];
+    ++*of_client_[request.client][i];
+    ++*of_channel_[channel][i];
+}
+
+} // namespace ffgpu::timing

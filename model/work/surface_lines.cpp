@@ -1,0 +1,159 @@
+#include "model/work/surface_lines.h"
+
+#include <algorithm>
+
+namespace ffgpu::work {
+namespace {
+
+constexpr unsigned Red = 1, Alpha = 8, AllChannels = 15;
+
+constexpr PixelBytes all_bytes(std::uint32_t bytes) {
+    return {bytes, bytes};
+}
+
+// A format whose channels share bytes: written in part where the mask is.
+constexpr PixelBytes shared_bytes(std::uint32_t bytes, bool some, bool all) {
+    return {some ? bytes : 0, all ? bytes : 0};
+}
+
+// The lines of a surface, which collect what is written of them.
+class Collector {
+public:
+    Collector(const PlacedLevel& place, const LineGrain& grain)
+        : grain_(grain)
+        , first_(place.base / grain.line_bytes())
+        , lines_((place.base + place.layer_bytes - 1) / grain.line_bytes() - first_ + 1) {}
+
+    // Bytes [begin, end) of memory.
+    void add(std::uint64_t begin, std::uint64_t end, bool covered) {
+        const std::uint64_t bytes = grain_.line_bytes();
+        for (std::uint64_t line = begin / bytes; line * bytes < end; ++line) {
+            const auto from = static_cast<std::uint32_t>(std::max(begin, line * bytes) % bytes);
+            const auto to = static_cast<std::uint32_t>(std::min(end - line * bytes, bytes));
+            WrittenBytes& written = lines_[line - first_];
+            written.touched |= grain_.touched(from, to);
+            if (covered) written.covered |= grain_.covered(from, to);
+        }
+    }
+
+    // A run of pixels that lie together, of which only some bytes are written.
+    void add_pixels(std::uint64_t begin, std::uint64_t end, std::uint32_t pixel, PixelBytes bytes) {
+        for (std::uint64_t at = begin; at < end; at += pixel) {
+            for (std::uint32_t i = 0; i < pixel; ++i)
+                if (bytes.touched >> i & 1) add(at + i, at + i + 1, bytes.covered >> i & 1);
+        }
+    }
+
+    std::vector<WrittenLine> result() const {
+        std::vector<WrittenLine> result;
+        for (std::size_t i = 0; i < lines_.size(); ++i)
+            if (lines_[i].touched != 0) result.push_back({first_ + i, lines_[i]});
+        return result;
+    }
+
+private:
+    const LineGrain& grain_;
+    std::uint64_t first_;
+    std::vector<WrittenBytes> lines_;
+};
+
+} // namespace
+
+PixelBytes cleared_color_bytes(Format format, unsigned write_mask) {
+    switch (format) {
+    case Format::Rgba8:
+        return all_bytes(write_mask & AllChannels);
+    case Format::Rgbx8: // The fourth byte may hold anything: it goes with the other three.
+        return all_bytes((write_mask & 7) == 7 ? 15 : write_mask & 7);
+    case Format::Luminance8:
+    case Format::Intensity8:
+        return all_bytes(write_mask & Red ? 1 : 0);
+    case Format::Alpha8:
+        return all_bytes(write_mask & Alpha ? 1 : 0);
+    case Format::LuminanceAlpha8:
+        return all_bytes((write_mask & Red ? 1u : 0u) | (write_mask & Alpha ? 2u : 0u));
+    default:
+        break;
+    }
+    const unsigned channels = format == Format::Rgb565 ? 7 : AllChannels;
+    const unsigned written = write_mask & channels;
+    return shared_bytes(whole_pixel(format).covered, written != 0, written == channels);
+}
+
+PixelBytes cleared_depth_bytes(Format format, const ClearCommand& clear, unsigned stencil_mask) {
+    if (format != Format::Depth24Stencil8) return clear.depth ? whole_pixel(format) : PixelBytes{};
+    const PixelBytes depth = all_bytes(clear.depth ? 0xe : 0);
+    const unsigned bits = clear.stencil ? stencil_mask & 0xff : 0;
+    const PixelBytes stencil = shared_bytes(1, bits != 0, bits == 0xff);
+    return {depth.touched | stencil.touched, depth.covered | stencil.covered};
+}
+
+PixelBytes whole_pixel(Format format) {
+    return all_bytes((1u << format_info(format).block_bytes) - 1);
+}
+
+WrittenBytes quad_bytes(const PlacedLevel& place,
+                        const LineGrain& grain,
+                        const PreparedQuad& quad,
+                        std::uint64_t number) {
+    const std::uint64_t line_begin = number * grain.line_bytes();
+    const std::uint64_t line_end = line_begin + grain.line_bytes();
+    const std::uint32_t sample = place.layout.element_bytes / place.samples;
+    WrittenBytes written;
+    std::uint64_t begin = 0, end = 0; // a run of written samples that lie together
+    const auto close = [&] {
+        if (std::max(begin, line_begin) >= std::min(end, line_end)) return;
+        const auto from = static_cast<std::uint32_t>(std::max(begin, line_begin) - line_begin);
+        const auto to = static_cast<std::uint32_t>(std::min(end, line_end) - line_begin);
+        written.touched |= grain.touched(from, to);
+        written.covered |= grain.covered(from, to);
+    };
+    for (unsigned lane = 0; lane < 4; ++lane) {
+        if ((quad.after_depth >> lane & 1) == 0) continue;
+        const std::uint64_t at = place.address(quad.x + (lane & 1u), quad.y + (lane >> 1), 0);
+        for (unsigned i = 0; i < place.samples; ++i) {
+            if (place.samples > 1 && (quad.samples_written >> (4 * lane + i) & 1) == 0) continue;
+            if (at + i * sample != end) {
+                close();
+                begin = at + i * sample;
+            }
+            end = at + (i + 1) * sample;
+        }
+    }
+    close();
+    return written;
+}
+
+std::vector<WrittenLine> rectangle_lines(const PlacedLevel& place,
+                                         const LineGrain& grain,
+                                         Rectangle rectangle,
+                                         PixelBytes pixel) {
+    const Rectangle cut = intersect(
+        rectangle,
+        {0, 0, static_cast<int>(place.layout.width), static_cast<int>(place.layout.height)});
+    if (cut.empty() || pixel.touched == 0) return {};
+    const std::uint32_t element = place.layout.element_bytes;
+    const std::uint32_t sample = element / place.samples;
+    const bool whole = pixel.covered == (1u << sample) - 1;
+    Collector lines(place, grain);
+    const auto add = [&](std::uint64_t begin, std::uint64_t end) {
+        if (whole) return lines.add(begin, end, true);
+        lines.add_pixels(begin, end, sample, pixel);
+    };
+    for (auto y = static_cast<std::uint32_t>(cut.y0); y < static_cast<std::uint32_t>(cut.y1); ++y) {
+        std::uint64_t begin = 0, end = 0; // a run of pixels that lie together
+        for (auto x = static_cast<std::uint32_t>(cut.x0); x < static_cast<std::uint32_t>(cut.x1);
+             ++x) {
+            const std::uint64_t at = place.address(x, y, 0);
+            if (at != end) {
+                if (begin != end) add(begin, end);
+                begin = at;
+            }
+            end = at + element;
+        }
+        add(begin, end);
+    }
+    return lines.result();
+}
+
+} // namespace ffgpu::work

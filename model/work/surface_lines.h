@@ -1,0 +1,57 @@
+// Which bytes of which lines of a surface an operation writes: a quad's, or a rectangle's that is
+// cleared or copied. Computed from coordinates and the surface's layout alone.
+
+#pragma once
+
+#include "model/device/commands.h"
+#include "model/packets/rectangle.h"
+#include "model/work/address_map.h"
+#include "model/work/line_mask.h"
+#include "model/work/prepared_work.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace ffgpu::work {
+
+// Of a line: the bits of which a byte is written, and those of which all bytes are.
+struct WrittenBytes {
+    LineMask touched = 0;
+    LineMask covered = 0;
+
+    void operator|=(const WrittenBytes& other) {
+        touched |= other.touched;
+        covered |= other.covered;
+    }
+};
+
+struct WrittenLine {
+    std::uint64_t number = 0; // address / line bytes
+    WrittenBytes bytes;
+};
+
+// Of a pixel's bytes, bit i for byte i: those that are written at all, and those wholly.
+struct PixelBytes {
+    std::uint32_t touched = 0;
+    std::uint32_t covered = 0;
+};
+
+// What a clear writes of a pixel, under the write masks.
+PixelBytes cleared_color_bytes(Format format, unsigned write_mask);
+PixelBytes cleared_depth_bytes(Format format, const ClearCommand& clear, unsigned stencil_mask);
+PixelBytes whole_pixel(Format format);
+
+// What a quad writes of line `number`: the samples that passed all tests.
+WrittenBytes quad_bytes(const PlacedLevel& place,
+                        const LineGrain& grain,
+                        const PreparedQuad& quad,
+                        std::uint64_t number);
+
+// The lines of which the rectangle's pixels write something, in ascending order. The rectangle is
+// cut to the surface.
+std::vector<WrittenLine> rectangle_lines(const PlacedLevel& place,
+                                         const LineGrain& grain,
+                                         Rectangle rectangle,
+                                         PixelBytes pixel);
+
+} // namespace ffgpu::work
