@@ -72,6 +72,12 @@ TEST_CASE("displacement moves along the normal by the height under the coordinat
     CHECK(near(displaced({{1, 1, 1}, {0.75, 0.5}}, {0, 1, 0}, heights, 0.5), {1, 2.5, 1}));
 }
 
+TEST_CASE("a lone needle on a diagonal hides by its own distance") {
+    Field field(9, 9, 0);
+    field.at(7, 7) = 3; // seen from (4, 4) at 45 degrees, the distance of 3 and 3 texels
+    CHECK(ambient_occlusion(field, {4, 8}).at(4, 4) == Approx((3 + 1 / (1 + 9.0 / 18)) / 4));
+}
+
 TEST_CASE(
     "ambient occlusion: open ground sees all, a long wall hides (1 - x / sqrt(x^2 + h^2)) / 2") {
     const Field open = ambient_occlusion(Field(8, 8, 3), {});
