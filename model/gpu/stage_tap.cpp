@@ -53,7 +53,7 @@ void StageTap::coverage() {
 void StageTap::perspective(const PerspectivePlanes& planes) {
     for_each_lane(runs_, batch_, [&](const SetupRecord& record, unsigned lane, int x, int y) {
         perspective_.inverse_w[lane] =
-            record.perspective ? plane_value(record, record.inverse_w, x, y) : 1;
+            record.perspective ? plane_value(record, record.inverse_w(), x, y) : 1;
     });
     perspective_.w = planes.w;
     tap_.probe.perspective(tap_.batch, perspective_);

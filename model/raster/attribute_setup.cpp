@@ -80,4 +80,31 @@ BlockPlane set_up_block_plane(const std::array<double, 3>& values, const Attribu
     return plane;
 }
 
+std::array<double, 3> AttributeValues::at(unsigned i) const {
+    if (i == layout.count) return k;
+    const double factor = is_color(i) ? 255 : 1;
+    std::array<double, 3> values;
+    for (unsigned j = 0; j < 3; ++j)
+        values[j] = static_cast<double>(of[j][i]) * factor * k[j];
+    return values;
+}
+
+StoredPlane set_up_attribute(const std::array<double, 3>& values,
+                             const AttributeFrame& frame,
+                             int base_exponent) {
+    const BlockPlane plane = set_up_block_plane(values, frame);
+    const double scale = power_of_two(plane.exponent - base_exponent);
+    return StoredPlane({plane.c, plane.dx, plane.dy, static_cast<float>(scale)});
+}
+
+int set_up_attributes_scalar(const AttributeValues& values,
+                             const AttributeFrame& frame,
+                             StoredPlane* planes) {
+    const int base_exponent =
+        values.perspective ? set_up_block_plane(values.k, frame).exponent : ValueBits;
+    for (unsigned i = 0; i < values.count(); ++i)
+        planes[i] = set_up_attribute(values.at(i), frame, base_exponent);
+    return base_exponent;
+}
+
 } // namespace ffgpu

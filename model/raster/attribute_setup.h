@@ -4,7 +4,7 @@
 #pragma once
 
 #include "model/packets/interpolants.h"
-#include "model/raster/attribute_plane.h"
+#include "model/raster/stored_plane.h"
 
 #include <array>
 #include <cstdint>
@@ -46,22 +46,40 @@ struct BlockPlane {
 // The specification, for one attribute with these values at the vertices.
 BlockPlane set_up_block_plane(const std::array<double, 3>& values, const AttributeFrame& frame);
 
-// Values at the vertices, an array a vertex.
-struct VertexValues {
-    static constexpr unsigned Capacity = (MaxInterpolants + 8) & ~3u;
+// A primitive's attributes at its vertices, and what they are multiplied by.
+struct AttributeValues {
+    std::array<const float*, 3> of; // each vertex's, by the layout
+    InterpolantLayout layout;
+    bool perspective = false;
+    std::array<double, 3> k{1, 1, 1}; // With perspective: the greatest is in [1, 2).
 
-    alignas(64) std::array<std::array<double, Capacity>, 3> of;
+    // With perspective k is one more, behind the others.
+    unsigned count() const { return layout.count + perspective; }
+    // The exponent of k, unless it has to rise.
+    int base_exponent() const { return perspective ? 1 : ValueBits; }
+    bool is_color(unsigned i) const {
+        const auto within = [i](int first, int channels) {
+            return first >= 0 && static_cast<int>(i) >= first &&
+                   static_cast<int>(i) < first + channels;
+        };
+        return within(layout.color, 4) || within(layout.secondary, 3);
+    }
+    // a_j: colours times 255, all times k.
+    std::array<double, 3> at(unsigned i) const;
 };
 
-struct BlockPlanes {
-    alignas(64) std::array<std::int64_t, VertexValues::Capacity> c, dx, dy, exponent;
-};
+// Sets up count() planes. Returns the exponent that is taken off those of all: k's with
+// perspective, otherwise ValueBits.
+int set_up_attributes(const AttributeValues& values,
+                      const AttributeFrame& frame,
+                      StoredPlane* planes);
+int set_up_attributes_scalar(const AttributeValues& values,
+                             const AttributeFrame& frame,
+                             StoredPlane* planes);
 
-// The same for the first `count` of many; the values behind them, up to a multiple of 4, are read
-// as well.
-void set_up_block_planes(const VertexValues& values,
-                         unsigned count,
-                         const AttributeFrame& frame,
-                         BlockPlanes& planes);
+// One of them.
+StoredPlane set_up_attribute(const std::array<double, 3>& values,
+                             const AttributeFrame& frame,
+                             int base_exponent);
 
 } // namespace ffgpu

@@ -10,6 +10,10 @@
 #include "model/raster/attribute_setup.h"
 #include "model/raster/exact_quotient.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
+
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -18,10 +22,12 @@ namespace ffgpu {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Doubles = hn::CappedTag<double, 4>;
+using Doubles = hn::CappedTag<double, 8>;
 using Integers = hn::RebindToSigned<Doubles>;
+using Words = hn::RebindToUnsigned<Doubles>;
 using VD = hn::Vec<Doubles>;
 using VI = hn::Vec<Integers>;
+using VW = hn::Vec<Words>;
 
 // Adding and subtracting it rounds to the nearest integer, ties to even; below 2^51.
 constexpr double Rounder = 0x1.8p52;
@@ -34,9 +40,9 @@ HWY_INLINE VD rounded(VD x) {
     return hn::Sub(hn::Add(x, constant(Rounder)), constant(Rounder));
 }
 
-HWY_INLINE VI to_integers(VD whole) {
-    const VI bits = hn::BitCast(Integers(), hn::Add(whole, constant(Rounder)));
-    return hn::Sub(bits, hn::BitCast(Integers(), constant(Rounder)));
+HWY_INLINE VW to_integers(VD whole) {
+    const VW bits = hn::BitCast(Words(), hn::Add(whole, constant(Rounder)));
+    return hn::Sub(bits, hn::BitCast(Words(), constant(Rounder)));
 }
 
 // The constants of a primitive, spread.
@@ -73,18 +79,89 @@ HWY_INLINE VD largest_of(VD a, VD b, VD c) {
     return hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Abs(c));
 }
 
-HWY_INLINE void store(VI value, std::int64_t* to) {
-    hn::Store(value, Integers(), to);
+// As many values as a vector has and the layout carries, promoted; the others are 0.
+HWY_INLINE VD load_floats(const float* from, unsigned first, unsigned count) {
+    const hn::Rebind<float, Doubles> d;
+    const auto carried = hn::FirstN(d, count > first ? count - first : 0);
+    if (first + hn::Lanes(d) <= MaxInterpolants)
+        return hn::PromoteTo(Doubles(), hn::MaskedLoad(carried, d, from + first));
+    std::array<float, 8> rest{};
+    std::copy(from + first, from + std::max(count, first), rest.begin());
+    return hn::PromoteTo(Doubles(), hn::LoadU(d, rest.data()));
+}
+
+// What the attributes from `first` on are multiplied by: colours by 255.
+HWY_INLINE VD color_factors(const InterpolantLayout& layout, VI place) {
+    const Integers d;
+    const auto within = [&](int from, int channels) HWY_ATTR {
+        return hn::And(hn::Gt(place, hn::Set(d, from - 1)),
+                       hn::Gt(hn::Set(d, from < 0 ? -1 : from + channels), place));
+    };
+    const auto is_color = hn::Or(within(layout.color, 4), within(layout.secondary, 3));
+    return hn::IfThenElse(hn::RebindMask(Doubles(), is_color),
+                          constant(255),
+                          constant(1));
+}
+
+// The attributes from `first` on at the three vertices: AttributeValues::at().
+HWY_INLINE std::array<VD, 3> load_values(const AttributeValues& values, unsigned first) {
+    const VI place = hn::Iota(Integers(), static_cast<std::int64_t>(first));
+    const VD factor = color_factors(values.layout, place);
+    const unsigned count = values.layout.count;
+    const auto is_k = hn::RebindMask(
+        Doubles(), hn::Eq(place, hn::Set(Integers(), static_cast<std::int64_t>(count))));
+    const auto at = [&](unsigned j) HWY_ATTR {
+        const VD value = hn::Mul(load_floats(values.of[j], first, count), factor);
+        return hn::Mul(hn::IfThenElse(is_k, constant(1), value), constant(values.k[j]));
+    };
+    return {at(0), at(1), at(2)};
+}
+
+// Planes on their way into a record, as two blocks of 16 bytes each.
+struct PlaneBlocks {
+    static constexpr std::size_t Capacity = (MaxInterpolants + 8) & ~std::size_t{7};
+
+    alignas(64) std::array<std::uint32_t, 4 * Capacity> first, second;
+};
+
+// StoredPlane, of vectors; `scale` is the bits of a binary32.
+HWY_INLINE void store(VW c, VW dx, VW dy, VW scale, unsigned at, PlaneBlocks& blocks) {
+    constexpr int Low = StoredPlane::LowBits, High = Low + StoredPlane::MiddleBits;
+    const Words d;
+    const hn::Rebind<std::uint32_t, Words> narrow;
+    const VW half = hn::Set(d, AttributePlane::Half);
+    const VW low_mask = hn::Set(d, StoredPlane::LowMask);
+    const auto word = [&](VW x) HWY_ATTR { return hn::TruncateTo(narrow, x); };
+    const auto pair = [&](VW x, VW y, std::uint64_t mask) HWY_ATTR {
+        const VW bits = hn::Set(d, mask);
+        return word(hn::Or(hn::And(x, bits), hn::ShiftLeft<16>(hn::And(y, bits))));
+    };
+    const auto rounded_off = [&](VW x)
+                                 HWY_ATTR { return word(hn::ShiftRight<Low>(hn::Add(x, half))); };
+    const VW to_round = hn::Add(c, half);
+    hn::StoreInterleaved4(
+        word(hn::Or(hn::And(to_round, low_mask), scale)),
+        word(hn::ShiftRight<Low>(to_round)),
+        pair(dx, dy, StoredPlane::LowMask),
+        pair(hn::ShiftRight<Low>(dx), hn::ShiftRight<Low>(dy), StoredPlane::MiddleMask),
+        narrow,
+        blocks.first.data() + 4 * at);
+    hn::StoreInterleaved4(pair(hn::ShiftRight<High>(dx), hn::ShiftRight<High>(dy), 0xffff),
+                          rounded_off(dx),
+                          rounded_off(dy),
+                          rounded_off(hn::Add(dx, dy)),
+                          narrow,
+                          blocks.second.data() + 4 * at);
 }
 
 // Attributes `first` and on; returns a bit for each that the specification has to set up.
-HWY_INLINE std::uint64_t
-set_up_lanes(const VertexValues& values, unsigned first, const Frame& frame, BlockPlanes& planes) {
+HWY_INLINE std::uint64_t set_up_lanes(const AttributeValues& values,
+                                      unsigned first,
+                                      const Frame& frame,
+                                      PlaneBlocks& blocks) {
     const Doubles d;
     const Integers di;
-    const VD a0 = hn::Load(d, values.of[0].data() + first);
-    const VD a1 = hn::Load(d, values.of[1].data() + first);
-    const VD a2 = hn::Load(d, values.of[2].data() + first);
+    const auto [a0, a1, a2] = load_values(values, first);
     constexpr double Least = 1.0 / (std::uint64_t{1} << (1 - LeastExponent));
     const VD largest = hn::Max(largest_of(a0, a1, a2), constant(Least));
     const VI field = hn::ShiftRight<52>(hn::BitCast(di, largest));
@@ -104,10 +181,13 @@ set_up_lanes(const VertexValues& values, unsigned first, const Frame& frame, Blo
     const VD way = hn::Add(hn::Mul(x.value, frame.offset_x), hn::Mul(y.value, frame.offset_y));
     const VD to_reference = rounded(hn::Add(hn::Mul(way, constant(0x1p-8)), constant(0x1p-10)));
     const VD c = hn::Add(hn::Mul(q0, constant(1 << AttributePlane::GuardBits)), to_reference);
-    store(to_integers(c), planes.c.data() + first);
-    store(to_integers(x.value), planes.dx.data() + first);
-    store(to_integers(y.value), planes.dy.data() + first);
-    store(hn::Sub(field, hn::Set(di, 1022)), planes.exponent.data() + first);
+    const VI exponent = hn::Sub(field, hn::Set(di, 1022 - 127 + values.base_exponent()));
+    store(to_integers(c),
+          to_integers(x.value),
+          to_integers(y.value),
+          hn::BitCast(Words(), hn::ShiftLeft<23>(exponent)),
+          first,
+          blocks);
 
     const VD steps = hn::Add(hn::Abs(x.estimate), hn::Abs(y.estimate));
     const VD reached = hn::Add(largest_of(q0, q1, q2), hn::Mul(steps, frame.reach));
@@ -118,15 +198,21 @@ set_up_lanes(const VertexValues& values, unsigned first, const Frame& frame, Blo
     return bits[0];
 }
 
-std::uint64_t SetUpPlanes(const VertexValues& values,
-                          unsigned count,
-                          const AttributeFrame& frame,
-                          BlockPlanes& planes) {
+std::uint64_t
+SetUpPlanes(const AttributeValues& values, const AttributeFrame& frame, StoredPlane* planes) {
     const Frame spread_frame = spread(frame);
+    const unsigned count = values.count();
+    PlaneBlocks blocks;
     std::uint64_t left = 0;
     for (unsigned i = 0; i < count; i += static_cast<unsigned>(hn::Lanes(Doubles())))
-        left |= set_up_lanes(values, i, spread_frame, planes) << i;
-    return left;
+        left |= set_up_lanes(values, i, spread_frame, blocks) << i;
+    const hn::FixedTag<std::uint32_t, 4> block;
+    for (unsigned i = 0; i < count; ++i) {
+        auto* const to = reinterpret_cast<std::uint32_t*>(planes + i);
+        hn::Store(hn::Load(block, blocks.first.data() + 4 * i), block, to);
+        hn::Store(hn::Load(block, blocks.second.data() + 4 * i), block, to + 4);
+    }
+    return left & ((std::uint64_t{1} << count) - 1);
 }
 
 } // namespace HWY_NAMESPACE
@@ -138,20 +224,18 @@ namespace ffgpu {
 
 HWY_EXPORT(SetUpPlanes);
 
-void set_up_block_planes(const VertexValues& values,
-                         unsigned count,
-                         const AttributeFrame& frame,
-                         BlockPlanes& planes) {
-    const std::uint64_t left = HWY_DYNAMIC_DISPATCH(SetUpPlanes)(values, count, frame, planes);
-    for (unsigned i = 0; i < count; ++i) {
-        if (((left >> i) & 1) == 0) continue;
-        const BlockPlane plane =
-            set_up_block_plane({values.of[0][i], values.of[1][i], values.of[2][i]}, frame);
-        planes.c[i] = plane.c;
-        planes.dx[i] = plane.dx;
-        planes.dy[i] = plane.dy;
-        planes.exponent[i] = plane.exponent;
+int set_up_attributes(const AttributeValues& values,
+                      const AttributeFrame& frame,
+                      StoredPlane* planes) {
+    const std::uint64_t left = HWY_DYNAMIC_DISPATCH(SetUpPlanes)(values, frame, planes);
+    if (left == 0) return values.base_exponent();
+    if (values.perspective && left >> values.layout.count != 0)
+        return set_up_attributes_scalar(values, frame, planes);
+    for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
+        const auto i = static_cast<unsigned>(std::countr_zero(rest));
+        planes[i] = set_up_attribute(values.at(i), frame, values.base_exponent());
     }
+    return values.base_exponent();
 }
 
 } // namespace ffgpu

@@ -103,7 +103,7 @@ float divided_scale(float coordinate_scale, float q_scale) {
 std::array<float, 3> direction_scales(const SetupRecord& record, const TexCoordSource& source) {
     std::array<int, 3> exponents{-127, -127, -127};
     for (unsigned i = 0; i < source.coordinates(); ++i)
-        exponents[i] = exponent_of(record.plane_scale()[source.first + i]);
+        exponents[i] = exponent_of(record.planes()[source.first + i].scale());
     const int greatest = *std::max_element(exponents.begin(), exponents.end());
     std::array<float, 3> scales{};
     for (unsigned i = 0; i < 3; ++i)
@@ -118,7 +118,7 @@ void interpolate_perspective_scalar(std::span<const BatchRun> runs,
         const SetupRecord& record = at.record;
         perspective.w[at.lane] =
             record.perspective ? reciprocal(static_cast<float>(
-                                     std::max(at.at(record.inverse_w), record.inverse_w_floor)))
+                                     std::max(at.at(record.inverse_w()), record.inverse_w_floor)))
                                : 1.0f;
     });
 }

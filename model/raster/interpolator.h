@@ -28,7 +28,8 @@ struct PerspectivePlanes {
     static constexpr unsigned Padded = BatchQuads + 16; // Vectors of quads may run over the end.
 
     alignas(64) std::array<float, BatchFragments> w;
-    alignas(64) std::array<std::int32_t, Padded> x, y; // of quads, from the tile's corner
+    // Of quads' corners: x in the lower half, y in the upper.
+    alignas(64) std::array<std::uint32_t, Padded> places;
 };
 
 void interpolate_depth(std::span<const BatchRun> runs, FragmentBatch& batch);

@@ -1,6 +1,6 @@
-// The fast form of the interpolator: the corners of a run's quads, a lane a quad, then 4 to 16
-// fragments at once. Corners are computed modulo 2^32 in two parts of the plane, above and below
-// its guard bits, which is exact as the true value fits.
+// The fast form of the interpolator: the corners of 4 to 16 quads of a run, a lane a quad, then as
+// many fragments at once. Corners are computed modulo 2^32 in the parts of StoredPlane, which is
+// exact as the true value fits.
 //
 // Runs go in ascending order and a vector may run over the end of its run: those lanes belong to
 // the next run, which writes them afterwards, or to nobody.
@@ -14,6 +14,9 @@
 #include "model/raster/interpolator.h"
 #include "model/raster/sample_positions.h"
 
+#include <algorithm>
+#include <array>
+
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -23,117 +26,146 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, 16>;
-using QuadFloats = hn::FixedTag<float, 4>;
+using Ints = hn::RebindToSigned<Floats>;
+using Halves = hn::Repartition<std::int16_t, Floats>;
+using VF = hn::Vec<Floats>;
+using VI = hn::Vec<Ints>;
 
-// The lanes of one primitive, and the tile's corner relative to its reference pixel.
+// The lanes of one primitive.
 struct LaneRun {
     const SetupRecord& record;
     std::size_t first, end;
-    int x, y;
 };
 
 // Calls body(run) for each run of the batch.
 template <class Body>
 HWY_INLINE void for_runs(std::span<const BatchRun> runs, const FragmentBatch& batch, Body&& body) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const SetupRecord& record = *runs[i].record;
         const unsigned end = i + 1 < runs.size() ? runs[i + 1].first_quad : batch.quad_count;
-        body(LaneRun{record,
-                     std::size_t{4} * runs[i].first_quad,
-                     std::size_t{4} * end,
-                     batch.tile_x - record.x_reference,
-                     batch.tile_y - record.y_reference});
+        body(LaneRun{
+            *runs[i].record, std::size_t{4} * runs[i].first_quad, std::size_t{4} * end});
     }
 }
 
-// Calls body(d, lane) for vectors that cover the run and do not leave the batch.
-template <class Body>
-HWY_INLINE void for_lanes(const LaneRun& run, Body&& body) {
+// A vector of a batch's lanes from `lane` on. One that would leave the batch is cut off at its end.
+HWY_INLINE VF load_lanes(const float* plane, std::size_t lane) {
     const Floats d;
-    std::size_t lane = run.first;
-    for (; lane < run.end && lane + hn::Lanes(d) <= BatchFragments; lane += hn::Lanes(d))
-        body(d, lane);
-    for (; lane < run.end; lane += 4)
-        body(QuadFloats(), lane);
+    if (lane + hn::Lanes(d) <= BatchFragments) [[likely]]
+        return hn::LoadU(d, plane + lane);
+    alignas(64) std::array<float, 16> rest{};
+    std::copy(plane + lane, plane + BatchFragments, rest.begin());
+    return hn::Load(d, rest.data());
 }
-
-constexpr std::array<std::uint8_t, 64> make_spread() {
-    std::array<std::uint8_t, 64> bytes{};
-    for (unsigned i = 0; i < bytes.size(); ++i)
-        bytes[i] = static_cast<std::uint8_t>(4 * (i / 16) + i % 4);
-    return bytes;
-}
-// Each quad's number to its four lanes.
-alignas(64) constexpr std::array<std::uint8_t, 64> Spread = make_spread();
-
-// A plane over one run.
-class RunPlane {
-public:
-    HWY_INLINE
-    RunPlane(const AttributePlane& plane, const LaneRun& run, const PerspectivePlanes& at)
-        : scale(plane.scale) {
-        store_offsets(plane.lane_offsets());
-        constexpr int Bits = AttributePlane::GuardBits;
-        constexpr std::int64_t Low = (std::int64_t{1} << Bits) - 1;
-        const hn::CappedTag<std::int32_t, 8> d;
-        const auto high = [&](std::int64_t x)
-                              HWY_ATTR { return hn::Set(d, static_cast<std::int32_t>(x >> Bits)); };
-        const auto low = [&](std::int64_t x)
-                             HWY_ATTR { return hn::Set(d, static_cast<std::int32_t>(x & Low)); };
-        const std::int64_t c = plane.c + plane.dx * run.x + plane.dy * run.y + AttributePlane::Half;
-        const auto c_high = high(c), dx_high = high(plane.dx), dy_high = high(plane.dy);
-        const auto c_low = low(c), dx_low = low(plane.dx), dy_low = low(plane.dy);
-        for (std::size_t quad = run.first / 4; quad < run.end / 4; quad += hn::Lanes(d)) {
-            const auto x = hn::LoadU(d, at.x.data() + quad), y = hn::LoadU(d, at.y.data() + quad);
-            const auto carried = hn::ShiftRight<Bits>(
-                hn::Add(hn::Add(hn::Mul(dx_low, x), hn::Mul(dy_low, y)), c_low));
-            const auto whole = hn::Add(hn::Mul(dx_high, x), hn::Mul(dy_high, y));
-            hn::StoreU(hn::Add(hn::Add(whole, c_high), carried), d, corners_.data() + quad);
-        }
-    }
-
-    // The integers of the lanes from `lane` on.
-    template <class D>
-    HWY_INLINE hn::Vec<hn::RebindToSigned<D>> integers(D, std::size_t lane) const {
-        const hn::RebindToSigned<D> d;
-        const hn::Repartition<std::uint8_t, D> bytes;
-        const auto corners = hn::LoadDup128(d, corners_.data() + lane / 4);
-        const auto spread = hn::TableLookupBytes(corners, hn::Load(bytes, Spread.data()));
-        return hn::Add(hn::BitCast(d, spread), hn::LoadDup128(d, offsets_.data()));
-    }
-
-    // times w and `by`, a power of two
-    template <class D>
-    HWY_INLINE hn::Vec<D> values(D d, std::size_t lane, hn::Vec<D> w, float by) const {
-        const auto value = hn::ConvertTo(d, integers(d, lane));
-        return hn::Mul(hn::Mul(value, w), hn::Set(d, by));
-    }
-
-    const float scale;
-
-private:
-    // By one vector store: what four narrow ones leave, a vector load has to wait for.
-    HWY_INLINE void store_offsets(const std::array<std::int32_t, 4>& offsets) {
-        const hn::FixedTag<std::int32_t, 4> d;
-        alignas(16) static constexpr std::int32_t Lanes[3][4] = {
-            {0, -1, 0, 0}, {0, 0, -1, 0}, {0, 0, 0, -1}};
-        const auto lane = [&](unsigned i) HWY_ATTR {
-            return hn::And(hn::Set(d, offsets[i]), hn::Load(d, Lanes[i - 1]));
-        };
-        hn::Store(hn::Or(hn::Or(lane(1), lane(2)), lane(3)), d, offsets_.data());
-    }
-
-    alignas(16) std::array<std::int32_t, 4> offsets_;
-    alignas(64) std::array<std::int32_t, PerspectivePlanes::Padded> corners_;
-};
 
 template <class D>
-HWY_INLINE void store_color(D d, hn::Vec<D> value, std::uint16_t* at) {
+HWY_INLINE void store_lanes(D d, hn::Vec<D> value, hn::TFromD<D>* plane, std::size_t lane) {
+    if (lane + hn::Lanes(d) <= BatchFragments) [[likely]] {
+        hn::StoreU(value, d, plane + lane);
+        return;
+    }
+    alignas(64) std::array<hn::TFromD<D>, 16> rest;
+    hn::Store(value, d, rest.data());
+    std::copy_n(rest.begin(), BatchFragments - lane, plane + lane);
+}
+
+// The lanes of a vector's quads, a vector a quarter of them: the number of each lane's quad.
+constexpr std::array<std::int32_t, 64> make_quad_of_lane() {
+    std::array<std::int32_t, 64> numbers{};
+    for (unsigned i = 0; i < numbers.size(); ++i)
+        numbers[i] = static_cast<std::int32_t>(i / 4);
+    return numbers;
+}
+alignas(64) constexpr std::array<std::int32_t, 64> QuadOfLane = make_quad_of_lane();
+
+// A plane, spread over lanes.
+class RunPlane {
+public:
+    explicit HWY_INLINE RunPlane(const SetupRecord& record, unsigned i)
+        : RunPlane(record, record.planes()[i]) {}
+
+    // The corners of the quads at `places`, as PerspectivePlanes has them.
+    HWY_INLINE VI corners(const std::uint32_t* places) const {
+        constexpr int Low = StoredPlane::LowBits, Middle = StoredPlane::MiddleBits;
+        const auto at = hn::Sub(
+            hn::BitCast(Halves(), hn::LoadU(hn::RebindToUnsigned<Floats>(), places)), reference_);
+        const VI carried = hn::ShiftRight<Low>(hn::Add(products(low_, at), fraction_));
+        const VI upper = hn::ShiftLeft<Middle>(products(high_, at));
+        return hn::Add(hn::Add(hn::Add(products(middle_, at), upper), whole_), carried);
+    }
+    // The integers of a quarter of their lanes.
+    HWY_INLINE VI lanes(VI corners, std::size_t quarter) const {
+        const auto quads =
+            hn::SetTableIndices(Ints(), QuadOfLane.data() + quarter * hn::Lanes(Ints()));
+        return hn::Add(hn::TableLookupLanes(corners, quads), offsets_);
+    }
+
+private:
+    HWY_INLINE RunPlane(const SetupRecord& record, const StoredPlane& plane)
+        : low_(pairs(plane.low))
+        , middle_(pairs(plane.middle))
+        , high_(pairs(plane.high))
+        , reference_(pairs(static_cast<std::uint32_t>(record.x_reference & 0xffff) |
+                           static_cast<std::uint32_t>(record.y_reference) << 16))
+        , fraction_(hn::Set(
+              Ints(), static_cast<std::int32_t>(plane.fraction_and_scale & StoredPlane::LowMask)))
+        , whole_(hn::Set(Ints(), plane.whole)) {
+        alignas(16) static constexpr std::int32_t AllButFirst[4] = {0, -1, -1, -1};
+        const Ints d;
+        const auto* const last = reinterpret_cast<const std::int32_t*>(&plane.high);
+        offsets_ = hn::And(hn::LoadDup128(d, last), hn::LoadDup128(d, AllButFirst));
+    }
+
+    static HWY_INLINE hn::Vec<Halves> pairs(std::uint32_t pair) {
+        return hn::BitCast(Halves(), hn::Set(hn::RebindToUnsigned<Floats>(), pair));
+    }
+    // Of each pair with another, summed.
+    static HWY_INLINE VI products(hn::Vec<Halves> a, hn::Vec<Halves> b) {
+        VI other = hn::Zero(Ints());
+        const VI sum = hn::ReorderWidenMulAccumulate(Ints(), a, b, hn::Zero(Ints()), other);
+        return hn::RearrangeToOddPlusEven(sum, other);
+    }
+
+    hn::Vec<Halves> low_, middle_, high_, reference_;
+    VI fraction_, whole_, offsets_;
+};
+
+// Calls body(integers, lane) for vectors that cover the run: a plane's integers from `lane` on.
+template <class Body>
+HWY_INLINE void
+for_integers(const LaneRun& run, unsigned i, const PerspectivePlanes& planes, Body&& body) {
+    const RunPlane plane(run.record, i);
+    constexpr std::size_t N = hn::MaxLanes(Floats());
+    for (std::size_t first = run.first; first < run.end; first += 4 * N) {
+        const VI corners = plane.corners(planes.places.data() + first / 4);
+        for (std::size_t quarter = 0; quarter < 4; ++quarter) {
+            const std::size_t lane = first + quarter * N;
+            if (lane >= run.end) break;
+            body(plane.lanes(corners, quarter), lane);
+        }
+    }
+}
+
+// The same times `w`, an array of all lanes, and `scale`.
+template <class Body>
+HWY_INLINE void for_values(const LaneRun& run,
+                           unsigned i,
+                           const PerspectivePlanes& planes,
+                           const float* w,
+                           float scale,
+                           Body&& body) {
+    const VF by = hn::Set(Floats(), scale);
+    for_integers(run, i, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
+        const VF value = hn::ConvertTo(Floats(), integers);
+        body(hn::Mul(hn::Mul(value, load_lanes(w, lane)), by), lane);
+    });
+}
+
+HWY_INLINE void store_color(VF value, std::uint16_t* plane, std::size_t lane) {
+    const Floats d;
     const auto clamped = hn::Min(hn::Max(value, hn::Zero(d)), hn::Set(d, 255.0f));
-    const hn::RebindToSigned<D> integers;
-    const hn::Rebind<std::uint16_t, D> halves;
-    const auto rounded = hn::ConvertTo(integers, hn::Add(clamped, hn::Set(d, 0.5f)));
-    hn::StoreU(hn::DemoteTo(halves, rounded), halves, at);
+    const hn::Rebind<std::uint16_t, Floats> halves;
+    const auto rounded = hn::ConvertTo(Ints(), hn::Add(clamped, hn::Set(d, 0.5f)));
+    store_lanes(halves, hn::DemoteTo(halves, rounded), plane, lane);
 }
 
 void fill(std::uint16_t* plane, std::size_t first, std::size_t end, std::uint16_t value) {
@@ -141,7 +173,7 @@ void fill(std::uint16_t* plane, std::size_t first, std::size_t end, std::uint16_
         plane[lane] = value;
 }
 
-// Planes `first` and on of the run's record, one for each of `out`, times w.
+// Planes `first` and on of the run's record, times w.
 template <class Store>
 HWY_INLINE void for_planes(const LaneRun& run,
                            unsigned first,
@@ -149,11 +181,13 @@ HWY_INLINE void for_planes(const LaneRun& run,
                            const PerspectivePlanes& planes,
                            Store&& store) {
     for (unsigned i = 0; i < count; ++i) {
-        const RunPlane plane(run.record.plane(first + i), run, planes);
-        for_lanes(run, [&](auto d, std::size_t lane) HWY_ATTR {
-            const auto w = hn::LoadU(d, planes.w.data() + lane);
-            store(d, plane.values(d, lane, w, plane.scale), i, lane);
-        });
+        const float scale = run.record.planes()[first + i].scale();
+        for_values(run,
+                   first + i,
+                   planes,
+                   planes.w.data(),
+                   scale,
+                   [&](VF value, std::size_t lane) HWY_ATTR { store(value, i, lane); });
     }
 }
 
@@ -172,8 +206,8 @@ void color_run(const LaneRun& run,
                static_cast<unsigned>(first),
                static_cast<unsigned>(out.size()),
                planes,
-               [&](auto d, auto value, unsigned i, std::size_t lane)
-                   HWY_ATTR { store_color(d, value, out[i] + lane); });
+               [&](VF value, unsigned i, std::size_t lane)
+                   HWY_ATTR { store_color(value, out[i], lane); });
 }
 
 // At the point that lies `position` (1/256 pixel) beside each centre.
@@ -222,36 +256,31 @@ void InterpolateSampleDepths(std::span<const BatchRun> runs,
 }
 
 void place_quads(const FragmentBatch& batch, PerspectivePlanes& planes) {
-    for (std::size_t q = 0; q < BatchQuads; ++q) {
-        planes.x[q] = batch.x[q] - batch.tile_x;
-        planes.y[q] = batch.y[q] - batch.tile_y;
-    }
+    for (std::size_t q = 0; q < BatchQuads; ++q)
+        planes.places[q] = batch.x[q] | static_cast<std::uint32_t>(batch.y[q]) << 16;
 }
 
 void InterpolatePerspective(std::span<const BatchRun> runs,
                             const FragmentBatch& batch,
                             PerspectivePlanes& planes) {
+    const Floats d;
     place_quads(batch, planes);
     for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
         const SetupRecord& record = run.record;
         if (!record.perspective) {
-            for_lanes(run, [&](auto d, std::size_t lane) HWY_ATTR {
-                hn::StoreU(hn::Set(d, 1.0f), d, planes.w.data() + lane);
-            });
+            std::fill(planes.w.begin() + run.first, planes.w.begin() + run.end, 1.0f);
             return;
         }
-        const RunPlane plane(record.inverse_w, run, planes);
-        for_lanes(run, [&](auto d, std::size_t lane) HWY_ATTR {
-            const hn::RebindToSigned<decltype(d)> integers;
-            const auto floor = hn::Set(integers, record.inverse_w_floor);
-            const auto inverse = hn::ConvertTo(d, hn::Max(plane.integers(d, lane), floor));
-            hn::StoreU(hn::Div(hn::Set(d, 1.0f), inverse), d, planes.w.data() + lane);
+        const VI floor = hn::Set(Ints(), record.inverse_w_floor);
+        for_integers(run, record.plane_count, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
+            const VF inverse = hn::ConvertTo(d, hn::Max(integers, floor));
+            store_lanes(d, hn::Div(hn::Set(d, 1.0f), inverse), planes.w.data(), lane);
         });
     });
 }
 
-template <class D>
-HWY_INLINE hn::Vec<D> in_fog_range_lanes(D d, hn::Vec<D> value) {
+HWY_INLINE VF in_fog_range_lanes(VF value) {
+    const Floats d;
     const auto large = hn::Min(hn::Max(value, hn::Set(d, -LargestFog)), hn::Set(d, LargestFog));
     return hn::IfThenElseZero(hn::Ge(hn::Abs(value), hn::Set(d, LeastFog)), large);
 }
@@ -284,9 +313,11 @@ void InterpolateColors(const InterpolantLayout& layout,
                        static_cast<unsigned>(layout.fog),
                        1,
                        planes,
-                       [&](auto d, auto value, unsigned, std::size_t lane) HWY_ATTR {
-                           hn::StoreU(
-                               in_fog_range_lanes(d, value), d, batch.fog_coordinate.data() + lane);
+                       [&](VF value, unsigned, std::size_t lane) HWY_ATTR {
+                           store_lanes(Floats(),
+                                       in_fog_range_lanes(value),
+                                       batch.fog_coordinate.data(),
+                                       lane);
                        });
     });
 }
@@ -306,22 +337,25 @@ void divided_run(const LaneRun& run,
                  const TexCoordSource& source,
                  const PerspectivePlanes& planes,
                  const std::array<float*, 3>& out) {
+    const Floats d;
     alignas(64) std::array<float, BatchFragments> over_q;
-    const RunPlane q(run.record.plane(source.first + 3), run, planes);
-    for_lanes(run, [&](auto d, std::size_t lane) HWY_ATTR {
-        const auto integers = q.integers(d, lane);
-        const hn::RebindToSigned<decltype(d)> di;
-        const auto least = hn::IfThenElse(hn::Eq(integers, hn::Zero(di)), hn::Set(di, 1), integers);
-        const auto divisor = hn::ConvertTo(d, least);
-        hn::StoreU(hn::Div(hn::Set(d, 1.0f), divisor), d, over_q.data() + lane);
+    const unsigned q = source.first + 3;
+    for_integers(run, q, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
+        const auto is_zero = hn::Eq(integers, hn::Zero(Ints()));
+        const VF divisor =
+            hn::ConvertTo(d, hn::IfThenElse(is_zero, hn::Set(Ints(), 1), integers));
+        store_lanes(d, hn::Div(hn::Set(d, 1.0f), divisor), over_q.data(), lane);
     });
+    const StoredPlane* const stored = run.record.planes();
     for (unsigned i = 0; i < source.coordinates(); ++i) {
-        const RunPlane plane(run.record.plane(source.first + i), run, planes);
-        const float scale = divided_scale(plane.scale, q.scale);
-        for_lanes(run, [&](auto d, std::size_t lane) HWY_ATTR {
-            const auto by = hn::LoadU(d, over_q.data() + lane);
-            hn::StoreU(plane.values(d, lane, by, scale), d, out[i] + lane);
-        });
+        const unsigned plane = source.first + i;
+        for_values(run,
+                   plane,
+                   planes,
+                   over_q.data(),
+                   divided_scale(stored[plane].scale(), stored[q].scale()),
+                   [&](VF value, std::size_t lane)
+                       HWY_ATTR { store_lanes(d, value, out[i], lane); });
     }
 }
 
@@ -338,8 +372,8 @@ void InterpolateTexCoords(const TexCoordSource& source,
                    source.first,
                    source.coordinates(),
                    planes,
-                   [&](auto d, auto value, unsigned i, std::size_t lane)
-                       HWY_ATTR { hn::StoreU(value, d, all[i] + lane); });
+                   [&](VF value, unsigned i, std::size_t lane)
+                       HWY_ATTR { store_lanes(Floats(), value, all[i], lane); });
     });
 }
 
@@ -348,16 +382,18 @@ void InterpolateDirections(const TexCoordSource& source,
                            const PerspectivePlanes& planes,
                            const FragmentBatch& batch,
                            TexCoordPlanes& out) {
+    const Floats d;
     const std::array<float*, 3> all = begin_coordinates(source, batch.lanes(), out);
     if (source.carried == 0) return;
     for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
         const std::array<float, 3> scales = direction_scales(run.record, source);
         for (unsigned i = 0; i < source.coordinates(); ++i) {
-            const RunPlane plane(run.record.plane(source.first + i), run, planes);
-            for_lanes(run, [&](auto d, std::size_t lane) HWY_ATTR {
-                const auto value = hn::ConvertTo(d, plane.integers(d, lane));
-                hn::StoreU(hn::Mul(value, hn::Set(d, scales[i])), d, all[i] + lane);
-            });
+            const VF scale = hn::Set(d, scales[i]);
+            for_integers(
+                run, source.first + i, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
+                    const VF value = hn::Mul(hn::ConvertTo(d, integers), scale);
+                    store_lanes(d, value, all[i], lane);
+                });
         }
     });
 }

@@ -70,9 +70,8 @@ void set_up_depth(const SetupContext& context,
     plane.origin =
         z[0] +
         ((plane.dx * offset.x + plane.dy * offset.y + (1 << (SubPixelBits - 1))) >> SubPixelBits);
-    const auto [lowest, highest] = std::minmax({z[0], z[1], z[2]});
-    record.depth_min = round_depth(context, lowest);
-    record.depth_max = round_depth(context, highest);
+    record.depth_min = round_depth(context, std::min(std::min(z[0], z[1]), z[2]));
+    record.depth_max = round_depth(context, std::max(std::max(z[0], z[1]), z[2]));
 }
 
 // The power of two that brings `value`, positive and finite, into [1, 2).
@@ -81,87 +80,43 @@ double scale_to_one(float value) {
     return std::bit_cast<double>((1023 + 127 - exponent) << 52);
 }
 
-float power_of_two(std::int64_t exponent) {
-    return std::bit_cast<float>(static_cast<std::uint32_t>(exponent + 127) << 23);
-}
-
-// Values at the vertices: colours 255 times the attribute, all times k where k varies; behind the
-// attributes k itself.
-void gather_values(const PlaneVertices& v,
-                   const InterpolantLayout& layout,
-                   const std::array<double, 3>& k,
-                   VertexValues& values) {
-    const auto place = [](int first) { return first < 0 ? ~0u : static_cast<unsigned>(first); };
-    const unsigned color = place(layout.color), secondary = place(layout.secondary);
-    const unsigned count = layout.count;
-    for (unsigned j = 0; j < 3; ++j) {
-        double* const to = values.of[j].data();
-        const float* const from = v[j]->attributes.data();
-        // A k of 1 is exact: one loop serves planes with and without perspective.
-        for (unsigned i = 0; i < count; ++i) {
-            const bool is_color =
-                (i >= color && i - color < 4) || (i >= secondary && i - secondary < 3);
-            to[i] = static_cast<double>(from[i]) * (is_color ? 255.0 : 1.0) * k[j];
-        }
-        for (unsigned i = count; i < count + 4; ++i)
-            to[i] = k[j];
-    }
-}
-
-void store_planes(const BlockPlanes& planes, std::int64_t base_exponent, SetupRecord& record) {
-    const unsigned count = record.plane_count;
-    std::copy_n(planes.c.data(), count, record.plane_c());
-    std::copy_n(planes.dx.data(), count, record.plane_c() + count);
-    std::copy_n(planes.dy.data(), count, record.plane_c() + 2 * count);
-    float* const scale = record.plane_scale();
-    for (unsigned i = 0; i < count; ++i)
-        scale[i] = power_of_two(planes.exponent[i] - base_exponent);
-}
-
 // All planes, and that of k, which stands behind them.
-void set_up_attributes(const SetupContext& context,
-                       const PlaneGeometry& geometry,
-                       const AttributeFrame& frame,
-                       SetupRecord& record) {
+void set_up_attribute_planes(const SetupContext& context,
+                             const PlaneGeometry& geometry,
+                             const AttributeFrame& frame,
+                             SetupRecord& record) {
     const PlaneVertices& v = geometry.vertices;
-    record.perspective = v[0]->inverse_w != v[1]->inverse_w || v[0]->inverse_w != v[2]->inverse_w;
-    const auto [lowest, highest] = std::minmax({v[0]->inverse_w, v[1]->inverse_w, v[2]->inverse_w});
-    const double to_one = scale_to_one(highest);
-    std::array<double, 3> k{1, 1, 1};
-    for (unsigned j = 0; j < 3 && record.perspective; ++j)
-        k[j] = static_cast<double>(v[j]->inverse_w) * to_one;
-
-    const unsigned count = context.layout.count;
-    VertexValues values;
-    BlockPlanes planes;
-    gather_values(v, context.layout, k, values);
-    set_up_block_planes(values, count + record.perspective, frame, planes);
-    std::int64_t base_exponent = ValueBits;
-    if (record.perspective) {
-        base_exponent = planes.exponent[count];
-        record.inverse_w = {planes.c[count], planes.dx[count], planes.dy[count], 1};
-        const double half =
-            static_cast<double>(lowest) * to_one *
-            std::bit_cast<double>((1023 + ValueBits - 1 - static_cast<std::uint64_t>(base_exponent))
-                                  << 52);
-        record.inverse_w_floor = std::max(1, static_cast<std::int32_t>(half));
+    AttributeValues values{
+        .of = {v[0]->attributes.data(), v[1]->attributes.data(), v[2]->attributes.data()},
+        .layout = context.layout,
+        .perspective =
+            v[0]->inverse_w != v[1]->inverse_w || v[0]->inverse_w != v[2]->inverse_w};
+    record.perspective = values.perspective;
+    record.plane_count = context.layout.count;
+    if (!record.perspective) {
+        set_up_attributes(values, frame, record.planes());
+        return;
     }
-    record.plane_count = static_cast<std::uint8_t>(count);
-    store_planes(planes, base_exponent, record);
+    const float lowest = std::min(std::min(v[0]->inverse_w, v[1]->inverse_w), v[2]->inverse_w);
+    const float highest = std::max(std::max(v[0]->inverse_w, v[1]->inverse_w), v[2]->inverse_w);
+    const double to_one = scale_to_one(highest);
+    for (unsigned j = 0; j < 3; ++j)
+        values.k[j] = static_cast<double>(v[j]->inverse_w) * to_one;
+    const int base_exponent = set_up_attributes(values, frame, record.planes());
+    const double half = static_cast<double>(lowest) * to_one * (1 << (ValueBits - 1 - base_exponent));
+    record.inverse_w_floor = std::max(1, static_cast<std::int32_t>(half));
 }
 
 // Where all vertices carry the same colour, `color` becomes it.
-bool set_up_constant(const PlaneVertices& v,
-                     int first,
-                     std::size_t count,
-                     std::array<std::uint8_t, 4>& color) {
+template <std::size_t Channels>
+bool set_up_constant(const PlaneVertices& v, int first, std::array<std::uint8_t, 4>& color) {
     if (first < 0) return false;
     const float* const value = v[0]->attributes.data() + first;
-    const std::size_t bytes = count * sizeof(float);
-    if (std::memcmp(value, v[1]->attributes.data() + first, bytes) != 0 ||
-        std::memcmp(value, v[2]->attributes.data() + first, bytes) != 0)
+    constexpr std::size_t Bytes = Channels * sizeof(float);
+    if (std::memcmp(value, v[1]->attributes.data() + first, Bytes) != 0 ||
+        std::memcmp(value, v[2]->attributes.data() + first, Bytes) != 0)
         return false;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < Channels; ++i)
         color[i] = color_byte(value[i]);
     return true;
 }
@@ -237,9 +192,10 @@ void set_up_planes(const SetupContext& context,
     record.y_reference = v[0]->y >> SubPixelBits;
     const ReferenceOffset offset = reference_offset(*v[0], record);
     set_up_depth(context, geometry, offset, record);
-    set_up_attributes(context, geometry, {geometry.attributes, offset, geometry.reach}, record);
-    record.constant_color = set_up_constant(v, context.layout.color, 4, record.color);
-    record.constant_secondary = set_up_constant(v, context.layout.secondary, 3, record.secondary);
+    set_up_attribute_planes(
+        context, geometry, {geometry.attributes, offset, geometry.reach}, record);
+    record.constant_color = set_up_constant<4>(v, context.layout.color, record.color);
+    record.constant_secondary = set_up_constant<3>(v, context.layout.secondary, record.secondary);
     record.divided_units = divided_units(v, context.layout);
 }
 

@@ -140,7 +140,7 @@ void set_up_sprite(const SetupContext& context,
         if (first < 0 || !((context.primitive.point_sprite_replace >> unit) & 1)) continue;
         record.divided_units &= static_cast<std::uint8_t>(~(1u << unit));
         for (unsigned i = 0; i < context.layout.tex_components[unit]; ++i)
-            record.set_plane(static_cast<unsigned>(first) + i, planes[i]);
+            record.planes()[static_cast<unsigned>(first) + i] = StoredPlane(planes[i]);
     }
 }
 

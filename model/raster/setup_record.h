@@ -7,8 +7,8 @@
 
 #include "model/packets/interpolants.h"
 #include "model/packets/rectangle.h"
-#include "model/raster/attribute_plane.h"
 #include "model/raster/edge.h"
+#include "model/raster/stored_plane.h"
 
 #include <array>
 #include <cstddef>
@@ -50,14 +50,14 @@ enum class CoverageKind : std::uint8_t {
 
 enum class StippleKind : std::uint8_t { None, Polygon, LineX, LineY };
 
-struct SetupRecord {
+struct alignas(StoredPlane) SetupRecord {
     Rectangle box; // Never empty; inside scissor and targets.
     std::array<Edge, MaxEdges> edges;
     std::uint8_t edge_count = 0;
     CoverageKind coverage = CoverageKind::Centre;
     StippleKind stipple = StippleKind::None;
     bool front_facing = true;
-    bool perspective = false;        // Attribute planes hold a / w, and inverse_w is valid.
+    bool perspective = false;        // Attribute planes hold a / w; that of 1 / w is behind them.
     bool constant_color = false;     // All vertices alike: `color` is the value itself.
     bool constant_secondary = false; // The same.
     std::uint8_t plane_count = 0;
@@ -72,7 +72,6 @@ struct SetupRecord {
     std::array<std::uint8_t, MaxEdges> edge_fractions; // Samples: ExactEdge::fraction
     DepthPlane depth;
     std::uint32_t depth_min = 0, depth_max = 0; // Of the vertices: no fragment lies outside.
-    AttributePlane inverse_w;         // Its scale is folded into those of the other planes.
     std::int32_t inverse_w_floor = 1; // Half the smallest vertex: below it 1/w is not believed.
 
     // Line stipple: the counter's value at pixel stipple_start of the major axis, and whether it
@@ -91,33 +90,19 @@ struct SetupRecord {
     }
     ExactEdge exact_edge(unsigned i) const { return {edges[i], edge_fractions[i]}; }
 
-    // Planes by InterpolantLayout, each component of all planes together: c, dx, dy, scale.
-    const std::int64_t* plane_c() const { return reinterpret_cast<const std::int64_t*>(this + 1); }
-    const float* plane_scale() const {
-        return reinterpret_cast<const float*>(plane_c() + 3 * plane_count);
-    }
-    std::int64_t* plane_c() { return reinterpret_cast<std::int64_t*>(this + 1); }
-    float* plane_scale() { return reinterpret_cast<float*>(plane_c() + 3 * plane_count); }
+    // Planes by InterpolantLayout, and with perspective that of 1 / w, to whose exponent those of
+    // the others relate.
+    const StoredPlane* planes() const { return reinterpret_cast<const StoredPlane*>(this + 1); }
+    StoredPlane* planes() { return reinterpret_cast<StoredPlane*>(this + 1); }
+    AttributePlane plane(unsigned i) const { return planes()[i].plane(); }
+    AttributePlane inverse_w() const { return plane(plane_count); }
 
-    AttributePlane plane(unsigned i) const {
-        const std::int64_t* const c = plane_c() + i;
-        return {c[0], c[plane_count], c[2 * plane_count], plane_scale()[i]};
-    }
-    void set_plane(unsigned i, const AttributePlane& plane) {
-        std::int64_t* const c = plane_c() + i;
-        c[0] = plane.c;
-        c[plane_count] = plane.dx;
-        c[2 * plane_count] = plane.dy;
-        plane_scale()[i] = plane.scale;
-    }
-
-    static constexpr std::size_t PlaneBytes = 3 * sizeof(std::int64_t) + sizeof(float);
-    std::size_t bytes() const { return bytes_for(plane_count); }
+    std::size_t bytes() const { return bytes_for(plane_count + std::size_t{perspective}); }
     static constexpr std::size_t bytes_for(std::size_t planes) {
-        return (sizeof(SetupRecord) + planes * PlaneBytes + 15) & ~std::size_t{15};
+        return sizeof(SetupRecord) + planes * sizeof(StoredPlane);
     }
 };
 
-constexpr std::size_t MaxSetupRecordBytes = SetupRecord::bytes_for(MaxInterpolants);
+constexpr std::size_t MaxSetupRecordBytes = SetupRecord::bytes_for(MaxInterpolants + 1);
 
 } // namespace ffgpu

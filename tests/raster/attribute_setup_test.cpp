@@ -7,7 +7,7 @@
 #include "tests/raster/raster_helpers.h"
 
 #include <cmath>
-#include <memory>
+#include <cstring>
 
 #include <catch2/catch.hpp>
 #include <hwy/targets.h>
@@ -64,28 +64,51 @@ std::array<double, 3> random_values(Random& random) {
     }
 }
 
+InterpolantLayout random_layout(Random& random) {
+    InterpolantLayout layout;
+    layout.count = static_cast<std::uint8_t>(random.between(1, MaxInterpolants));
+    if (layout.count >= 4 && random.below(2)) layout.color = 0;
+    if (layout.count >= 7 && random.below(2)) layout.secondary = 4;
+    return layout;
+}
+
+std::array<WindowVertex, 3> random_attributes(Random& random) {
+    std::array<WindowVertex, 3> v;
+    for (unsigned i = 0; i < MaxInterpolants; ++i) {
+        const std::array<double, 3> at = random_values(random);
+        for (unsigned j = 0; j < 3; ++j)
+            v[j].attributes[i] = static_cast<float>(at[j]);
+    }
+    return v;
+}
+
+bool same_plane(const StoredPlane& a, const StoredPlane& b) {
+    return std::memcmp(&a, &b, sizeof(StoredPlane)) == 0;
+}
+
 void compare_forms(unsigned seed, unsigned frames) {
     Random random(seed);
-    auto values = std::make_unique<VertexValues>();
-    auto planes = std::make_unique<BlockPlanes>();
+    unsigned raised = 0;
     for (unsigned n = 0; n < frames; ++n) {
         const AttributeFrame frame = random_frame(random);
-        constexpr unsigned Count = MaxInterpolants + 1;
-        for (unsigned i = 0; i < VertexValues::Capacity; ++i) {
-            const std::array<double, 3> at = random_values(random);
-            for (unsigned j = 0; j < 3; ++j)
-                values->of[j][i] = at[j];
-        }
-        set_up_block_planes(*values, Count, frame, *planes);
-        for (unsigned i = 0; i < Count; ++i) {
-            const BlockPlane plane =
-                set_up_block_plane({values->of[0][i], values->of[1][i], values->of[2][i]}, frame);
-            REQUIRE(planes->c[i] == plane.c);
-            REQUIRE(planes->dx[i] == plane.dx);
-            REQUIRE(planes->dy[i] == plane.dy);
-            REQUIRE(planes->exponent[i] == plane.exponent);
-        }
+        const std::array<WindowVertex, 3> v = random_attributes(random);
+        AttributeValues values{
+            .of = {v[0].attributes.data(), v[1].attributes.data(), v[2].attributes.data()},
+            .layout = random_layout(random),
+            .perspective = random.below(2) == 0};
+        if (values.perspective)
+            values.k = {1 + static_cast<double>(random.unit()),
+                        static_cast<double>(random.unit()),
+                        std::ldexp(1, -random.below(40))};
+        std::array<StoredPlane, MaxInterpolants + 2> scalar, vector;
+        const int exponent = set_up_attributes_scalar(values, frame, scalar.data());
+        REQUIRE(set_up_attributes(values, frame, vector.data()) == exponent);
+        raised += values.perspective && exponent > 1;
+        for (unsigned i = 0; i < values.count(); ++i)
+            REQUIRE(same_plane(scalar[i], vector[i]));
+        REQUIRE(same_plane(vector[values.count()], StoredPlane())); // Nothing behind the last.
     }
+    CHECK(raised > 10);
 }
 
 } // namespace
@@ -155,4 +178,23 @@ TEST_CASE("every lane that a triangle can touch fits 32 bits") {
                 }
     }
     CHECK(slivers > 1000);
+}
+
+TEST_CASE("a stored plane is the plane itself") {
+    Random random(25);
+    for (int i = 0; i < 100000; ++i) {
+        const auto within = [&](int bits) {
+            return random_bits(random, random.between(1, bits)) * (random.below(2) ? 1 : -1);
+        };
+        const AttributePlane plane{
+            within(44), within(43), within(43), std::ldexp(1.0f, random.between(-59, 78))};
+        const StoredPlane stored(plane);
+        REQUIRE(stored.plane().c == plane.c);
+        REQUIRE(stored.plane().dx == plane.dx);
+        REQUIRE(stored.plane().dy == plane.dy);
+        REQUIRE(stored.plane().scale == plane.scale);
+        REQUIRE(stored.right == plane.lane_offsets()[1]);
+        REQUIRE(stored.up == plane.lane_offsets()[2]);
+        REQUIRE(stored.diagonal == plane.lane_offsets()[3]);
+    }
 }
