@@ -119,7 +119,8 @@ void check_cache(const TimedFrame& frame, const CacheNames& names, std::uint64_t
     CHECK(of("hits") + of("misses") == of("accesses"));
     CHECK(of("compulsory_misses") + of("capacity_misses") + of("conflict_misses") == of("misses"));
     CHECK(of("misses_without_fetch") <= of("misses"));
-    CHECK(of("read_bytes") == line_bytes * (of("misses") - of("misses_without_fetch")));
+    CHECK(of("read_bytes") ==
+          line_bytes * (of("misses") - of("misses_without_fetch") + of("partial_fetches")));
     const std::string client = "memory_" + names.client;
     CHECK(frame[client + "_read_bytes"] == of("read_bytes"));
     CHECK(frame[client + "_written_bytes"] == of("written_bytes"));
