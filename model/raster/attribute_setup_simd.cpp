@@ -70,7 +70,8 @@ struct Gradient {
 HWY_INLINE Gradient gradient(VD numerator, VD factor) {
     const VD estimate = hn::Mul(numerator, factor);
     const VD value = rounded(estimate);
-    const VD error = hn::Mul(hn::Abs(estimate), constant(0x1p-51));
+    // Two roundings are 2^-52 of it, and little more.
+    const VD error = hn::Mul(hn::Abs(estimate), constant(0x1.4p-52));
     const VD margin = hn::Sub(hn::Sub(constant(0.5), hn::Abs(hn::Sub(estimate, value))), error);
     return {estimate, value, margin};
 }
