@@ -82,7 +82,7 @@ BlockPlane set_up_block_plane(const std::array<double, 3>& values, const Attribu
 
 std::array<double, 3> AttributeValues::at(unsigned i) const {
     if (i == layout.count) return k;
-    const double factor = is_color(i) ? 255 : 1;
+    const double factor = (color_bits() >> i & 1) != 0 ? 255 : 1;
     std::array<double, 3> values;
     for (unsigned j = 0; j < 3; ++j)
         values[j] = static_cast<double>(of[j][i]) * factor * k[j];

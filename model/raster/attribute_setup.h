@@ -57,12 +57,12 @@ struct AttributeValues {
     unsigned count() const { return layout.count + perspective; }
     // The exponent of k, unless it has to rise.
     int base_exponent() const { return perspective ? 1 : ValueBits; }
-    bool is_color(unsigned i) const {
-        const auto within = [i](int first, int channels) {
-            return first >= 0 && static_cast<int>(i) >= first &&
-                   static_cast<int>(i) < first + channels;
+    // A bit for each attribute that is a colour's.
+    std::uint64_t color_bits() const {
+        const auto bits = [](int first, std::uint64_t channels) {
+            return first < 0 ? 0 : channels << first;
         };
-        return within(layout.color, 4) || within(layout.secondary, 3);
+        return bits(layout.color, 0xf) | bits(layout.secondary, 7);
     }
     // a_j: colours times 255, all times k.
     std::array<double, 3> at(unsigned i) const;

@@ -70,7 +70,8 @@ struct Gradient {
 HWY_INLINE Gradient gradient(VD numerator, VD factor) {
     const VD estimate = hn::Mul(numerator, factor);
     const VD value = rounded(estimate);
-    const VD error = hn::Mul(hn::Abs(estimate), constant(0x1p-51));
+    // Two roundings are 2^-52 of it, and little more.
+    const VD error = hn::Mul(hn::Abs(estimate), constant(0x1.4p-52));
     const VD margin = hn::Sub(hn::Sub(constant(0.5), hn::Abs(hn::Sub(estimate, value))), error);
     return {estimate, value, margin};
 }
@@ -90,26 +91,18 @@ HWY_INLINE VD load_floats(const float* from, unsigned first, unsigned count) {
     return hn::PromoteTo(Doubles(), hn::LoadU(d, rest.data()));
 }
 
-// What the attributes from `first` on are multiplied by: colours by 255.
-HWY_INLINE VD color_factors(const InterpolantLayout& layout, VI place) {
-    const Integers d;
-    const auto within = [&](int from, int channels) HWY_ATTR {
-        return hn::And(hn::Gt(place, hn::Set(d, from - 1)),
-                       hn::Gt(hn::Set(d, from < 0 ? -1 : from + channels), place));
-    };
-    const auto is_color = hn::Or(within(layout.color, 4), within(layout.secondary, 3));
-    return hn::IfThenElse(hn::RebindMask(Doubles(), is_color),
-                          constant(255),
-                          constant(1));
+// Lanes whose bit from `first` on is set.
+HWY_INLINE hn::Mask<Doubles> lanes_of(std::uint64_t bits, unsigned first) {
+    const auto bytes = std::bit_cast<std::array<std::uint8_t, 8>>(bits >> first);
+    return hn::LoadMaskBits(Doubles(), bytes.data());
 }
 
 // The attributes from `first` on at the three vertices: AttributeValues::at().
 HWY_INLINE std::array<VD, 3> load_values(const AttributeValues& values, unsigned first) {
-    const VI place = hn::Iota(Integers(), static_cast<std::int64_t>(first));
-    const VD factor = color_factors(values.layout, place);
     const unsigned count = values.layout.count;
-    const auto is_k = hn::RebindMask(
-        Doubles(), hn::Eq(place, hn::Set(Integers(), static_cast<std::int64_t>(count))));
+    const VD factor =
+        hn::IfThenElse(lanes_of(values.color_bits(), first), constant(255), constant(1));
+    const auto is_k = lanes_of(std::uint64_t{1} << count, first);
     const auto at = [&](unsigned j) HWY_ATTR {
         const VD value = hn::Mul(load_floats(values.of[j], first, count), factor);
         return hn::Mul(hn::IfThenElse(is_k, constant(1), value), constant(values.k[j]));

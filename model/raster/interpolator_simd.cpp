@@ -27,6 +27,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, 16>;
 using Ints = hn::RebindToSigned<Floats>;
+using Words = hn::RebindToUnsigned<Floats>;
 using Halves = hn::Repartition<std::int16_t, Floats>;
 using VF = hn::Vec<Floats>;
 using VI = hn::Vec<Ints>;
@@ -80,44 +81,37 @@ alignas(64) constexpr std::array<std::int32_t, 64> QuadOfLane = make_quad_of_lan
 // A plane, spread over lanes.
 class RunPlane {
 public:
-    explicit HWY_INLINE RunPlane(const SetupRecord& record, unsigned i)
-        : RunPlane(record, record.planes()[i]) {}
-
-    // The corners of the quads at `places`, as PerspectivePlanes has them.
-    HWY_INLINE VI corners(const std::uint32_t* places) const {
-        constexpr int Low = StoredPlane::LowBits, Middle = StoredPlane::MiddleBits;
-        const auto at = hn::Sub(
-            hn::BitCast(Halves(), hn::LoadU(hn::RebindToUnsigned<Floats>(), places)), reference_);
-        const VI carried = hn::ShiftRight<Low>(hn::Add(products(low_, at), fraction_));
-        const VI upper = hn::ShiftLeft<Middle>(products(high_, at));
-        return hn::Add(hn::Add(hn::Add(products(middle_, at), upper), whole_), carried);
-    }
-    // The integers of a quarter of their lanes.
-    HWY_INLINE VI lanes(VI corners, std::size_t quarter) const {
-        const auto quads =
-            hn::SetTableIndices(Ints(), QuadOfLane.data() + quarter * hn::Lanes(Ints()));
-        return hn::Add(hn::TableLookupLanes(corners, quads), offsets_);
-    }
-
-private:
-    HWY_INLINE RunPlane(const SetupRecord& record, const StoredPlane& plane)
-        : low_(pairs(plane.low))
-        , middle_(pairs(plane.middle))
-        , high_(pairs(plane.high))
-        , reference_(pairs(static_cast<std::uint32_t>(record.x_reference & 0xffff) |
-                           static_cast<std::uint32_t>(record.y_reference) << 16))
-        , fraction_(hn::Set(
-              Ints(), static_cast<std::int32_t>(plane.fraction_and_scale & StoredPlane::LowMask)))
-        , whole_(hn::Set(Ints(), plane.whole)) {
+    HWY_INLINE void spread(const StoredPlane& plane) {
         alignas(16) static constexpr std::int32_t AllButFirst[4] = {0, -1, -1, -1};
         const Ints d;
+        low_ = pairs(plane.low);
+        middle_ = pairs(plane.middle);
+        high_ = pairs(plane.high);
+        const auto fraction = hn::Set(Words(), plane.fraction_and_scale);
+        fraction_ = hn::BitCast(d, hn::And(fraction, hn::Set(Words(), StoredPlane::LowMask)));
+        whole_ = hn::Set(d, plane.whole);
         const auto* const last = reinterpret_cast<const std::int32_t*>(&plane.high);
         offsets_ = hn::And(hn::LoadDup128(d, last), hn::LoadDup128(d, AllButFirst));
     }
 
-    static HWY_INLINE hn::Vec<Halves> pairs(std::uint32_t pair) {
-        return hn::BitCast(Halves(), hn::Set(hn::RebindToUnsigned<Floats>(), pair));
+    // The corners of the quads at these pairs, relative to the reference pixel.
+    HWY_INLINE VI corners(hn::Vec<Halves> at) const {
+        constexpr int Low = StoredPlane::LowBits, Middle = StoredPlane::MiddleBits;
+        const VI carried = hn::ShiftRight<Low>(hn::Add(products(low_, at), fraction_));
+        const VI upper = hn::ShiftLeft<Middle>(products(high_, at));
+        return hn::Add(hn::Add(products(middle_, at), upper), hn::Add(whole_, carried));
     }
+    // The integers of those of their lanes whose quads have these numbers.
+    template <class Numbers>
+    HWY_INLINE VI lanes(VI corners, Numbers quads) const {
+        return hn::Add(hn::TableLookupLanes(corners, quads), offsets_);
+    }
+
+    static HWY_INLINE hn::Vec<Halves> pairs(std::uint32_t pair) {
+        return hn::BitCast(Halves(), hn::Set(Words(), pair));
+    }
+
+private:
     // Of each pair with another, summed.
     static HWY_INLINE VI products(hn::Vec<Halves> a, hn::Vec<Halves> b) {
         VI other = hn::Zero(Ints());
@@ -125,39 +119,84 @@ private:
         return hn::RearrangeToOddPlusEven(sum, other);
     }
 
-    hn::Vec<Halves> low_, middle_, high_, reference_;
+    hn::Vec<Halves> low_, middle_, high_;
     VI fraction_, whole_, offsets_;
 };
 
-// Calls body(integers, lane) for vectors that cover the run: a plane's integers from `lane` on.
-template <class Body>
-HWY_INLINE void
-for_integers(const LaneRun& run, unsigned i, const PerspectivePlanes& planes, Body&& body) {
-    const RunPlane plane(run.record, i);
+// For vectors that cover the run: calls begin(lane), then body(what that gave, i, integers, lane)
+// with the integers of planes first + i from `lane` on.
+template <unsigned Count, class Begin, class Body>
+HWY_INLINE void for_integers(const LaneRun& run,
+                             unsigned first_plane,
+                             const PerspectivePlanes& planes,
+                             Begin&& begin,
+                             Body&& body) {
     constexpr std::size_t N = hn::MaxLanes(Floats());
+    const SetupRecord& record = run.record;
+    const auto reference =
+        RunPlane::pairs(static_cast<std::uint32_t>(record.x_reference & 0xffff) |
+                        static_cast<std::uint32_t>(record.y_reference) << 16);
+    RunPlane plane[Count];
+    for (unsigned i = 0; i < Count; ++i)
+        plane[i].spread(record.planes()[first_plane + i]);
     for (std::size_t first = run.first; first < run.end; first += 4 * N) {
-        const VI corners = plane.corners(planes.places.data() + first / 4);
+        const auto places = hn::LoadU(Words(), planes.places.data() + first / 4);
+        const auto at = hn::Sub(hn::BitCast(Halves(), places), reference);
+        VI corners[Count];
+        for (unsigned i = 0; i < Count; ++i)
+            corners[i] = plane[i].corners(at);
         for (std::size_t quarter = 0; quarter < 4; ++quarter) {
             const std::size_t lane = first + quarter * N;
             if (lane >= run.end) break;
-            body(plane.lanes(corners, quarter), lane);
+            const auto quads = hn::SetTableIndices(Ints(), QuadOfLane.data() + quarter * N);
+            const auto shared = begin(lane);
+            for (unsigned i = 0; i < Count; ++i)
+                body(shared, i, plane[i].lanes(corners[i], quads), lane);
         }
     }
 }
 
-// The same times `w`, an array of all lanes, and `scale`.
-template <class Body>
+// Planes `first` and on times `w`, an array of all lanes, and each its scale: body(i, value, lane).
+template <unsigned Count, class Body>
 HWY_INLINE void for_values(const LaneRun& run,
-                           unsigned i,
+                           unsigned first,
                            const PerspectivePlanes& planes,
                            const float* w,
-                           float scale,
+                           const std::array<float, Count>& scales,
                            Body&& body) {
-    const VF by = hn::Set(Floats(), scale);
-    for_integers(run, i, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
-        const VF value = hn::ConvertTo(Floats(), integers);
-        body(hn::Mul(hn::Mul(value, load_lanes(w, lane)), by), lane);
-    });
+    for_integers<Count>(
+        run,
+        first,
+        planes,
+        [&](std::size_t lane) HWY_ATTR { return load_lanes(w, lane); },
+        [&](VF by, unsigned i, VI integers, std::size_t lane) HWY_ATTR {
+            const VF value = hn::Mul(hn::ConvertTo(Floats(), integers), by);
+            body(i, hn::Mul(value, hn::Set(Floats(), scales[i])), lane);
+        });
+}
+
+// The same times 1 / w.
+template <unsigned Count, class Body>
+HWY_INLINE void
+for_planes(const LaneRun& run, unsigned first, const PerspectivePlanes& planes, Body&& body) {
+    std::array<float, Count> scales;
+    for (unsigned i = 0; i < Count; ++i)
+        scales[i] = run.record.planes()[first + i].scale();
+    for_values<Count>(run, first, planes, planes.w.data(), scales, body);
+}
+
+// The integers of one plane: body(integers, lane).
+template <class Body>
+HWY_INLINE void for_integers_of(const LaneRun& run,
+                                unsigned plane,
+                                const PerspectivePlanes& planes,
+                                Body&& body) {
+    for_integers<1>(
+        run,
+        plane,
+        planes,
+        [](std::size_t) { return 0; },
+        [&](int, unsigned, VI integers, std::size_t lane) HWY_ATTR { body(integers, lane); });
 }
 
 HWY_INLINE void store_color(VF value, std::uint16_t* plane, std::size_t lane) {
@@ -173,41 +212,23 @@ void fill(std::uint16_t* plane, std::size_t first, std::size_t end, std::uint16_
         plane[lane] = value;
 }
 
-// Planes `first` and on of the run's record, times w.
-template <class Store>
-HWY_INLINE void for_planes(const LaneRun& run,
-                           unsigned first,
-                           unsigned count,
-                           const PerspectivePlanes& planes,
-                           Store&& store) {
-    for (unsigned i = 0; i < count; ++i) {
-        const float scale = run.record.planes()[first + i].scale();
-        for_values(run,
-                   first + i,
-                   planes,
-                   planes.w.data(),
-                   scale,
-                   [&](VF value, std::size_t lane) HWY_ATTR { store(value, i, lane); });
-    }
-}
-
 // A colour whose planes stand at `first` in the layout.
+template <unsigned Channels>
 void color_run(const LaneRun& run,
                int first,
                const std::uint8_t* constant,
                const PerspectivePlanes& planes,
-               std::span<std::uint16_t* const> out) {
+               const std::array<std::uint16_t*, Channels>& out) {
     if (constant) {
-        for (std::size_t i = 0; i < out.size(); ++i)
+        for (std::size_t i = 0; i < Channels; ++i)
             fill(out[i], run.first, run.end, constant[i]);
         return;
     }
-    for_planes(run,
-               static_cast<unsigned>(first),
-               static_cast<unsigned>(out.size()),
-               planes,
-               [&](VF value, unsigned i, std::size_t lane)
-                   HWY_ATTR { store_color(value, out[i], lane); });
+    for_planes<Channels>(run,
+                         static_cast<unsigned>(first),
+                         planes,
+                         [&](unsigned i, VF value, std::size_t lane)
+                             HWY_ATTR { store_color(value, out[i], lane); });
 }
 
 // At the point that lies `position` (1/256 pixel) beside each centre.
@@ -272,7 +293,7 @@ void InterpolatePerspective(std::span<const BatchRun> runs,
             return;
         }
         const VI floor = hn::Set(Ints(), record.inverse_w_floor);
-        for_integers(run, record.plane_count, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
+        for_integers_of(run, record.plane_count, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
             const VF inverse = hn::ConvertTo(d, hn::Max(integers, floor));
             store_lanes(d, hn::Div(hn::Set(d, 1.0f), inverse), planes.w.data(), lane);
         });
@@ -291,8 +312,9 @@ void InterpolateColors(const InterpolantLayout& layout,
                        FragmentBatch& batch) {
     ColorPlanes& one = batch.primary;
     ColorPlanes& two = batch.secondary;
-    std::uint16_t* const primary[] = {one.r.data(), one.g.data(), one.b.data(), one.a.data()};
-    std::uint16_t* const secondary[] = {two.r.data(), two.g.data(), two.b.data()};
+    const std::array<std::uint16_t*, 4> primary{
+        one.r.data(), one.g.data(), one.b.data(), one.a.data()};
+    const std::array<std::uint16_t*, 3> secondary{two.r.data(), two.g.data(), two.b.data()};
     if (layout.secondary >= 0) fill(two.a.data(), 0, batch.lanes(), 0);
     for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
         const SetupRecord& record = run.record;
@@ -300,25 +322,24 @@ void InterpolateColors(const InterpolantLayout& layout,
             return is ? color.data() : nullptr;
         };
         if (layout.color >= 0)
-            color_run(
+            color_run<4>(
                 run, layout.color, constant(record.constant_color, record.color), planes, primary);
         if (layout.secondary >= 0)
-            color_run(run,
-                      layout.secondary,
-                      constant(record.constant_secondary, record.secondary),
-                      planes,
-                      secondary);
+            color_run<3>(run,
+                         layout.secondary,
+                         constant(record.constant_secondary, record.secondary),
+                         planes,
+                         secondary);
         if (layout.fog >= 0)
-            for_planes(run,
-                       static_cast<unsigned>(layout.fog),
-                       1,
-                       planes,
-                       [&](VF value, unsigned, std::size_t lane) HWY_ATTR {
-                           store_lanes(Floats(),
-                                       in_fog_range_lanes(value),
-                                       batch.fog_coordinate.data(),
-                                       lane);
-                       });
+            for_planes<1>(run,
+                          static_cast<unsigned>(layout.fog),
+                          planes,
+                          [&](unsigned, VF value, std::size_t lane) HWY_ATTR {
+                              store_lanes(Floats(),
+                                          in_fog_range_lanes(value),
+                                          batch.fog_coordinate.data(),
+                                          lane);
+                          });
     });
 }
 
@@ -340,7 +361,7 @@ void divided_run(const LaneRun& run,
     const Floats d;
     alignas(64) std::array<float, BatchFragments> over_q;
     const unsigned q = source.first + 3;
-    for_integers(run, q, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
+    for_integers_of(run, q, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
         const auto is_zero = hn::Eq(integers, hn::Zero(Ints()));
         const VF divisor =
             hn::ConvertTo(d, hn::IfThenElse(is_zero, hn::Set(Ints(), 1), integers));
@@ -349,14 +370,30 @@ void divided_run(const LaneRun& run,
     const StoredPlane* const stored = run.record.planes();
     for (unsigned i = 0; i < source.coordinates(); ++i) {
         const unsigned plane = source.first + i;
-        for_values(run,
-                   plane,
-                   planes,
-                   over_q.data(),
-                   divided_scale(stored[plane].scale(), stored[q].scale()),
-                   [&](VF value, std::size_t lane)
-                       HWY_ATTR { store_lanes(d, value, out[i], lane); });
+        for_values<1>(run,
+                      plane,
+                      planes,
+                      over_q.data(),
+                      {divided_scale(stored[plane].scale(), stored[q].scale())},
+                      [&](unsigned, VF value, std::size_t lane)
+                          HWY_ATTR { store_lanes(d, value, out[i], lane); });
     }
+}
+
+template <unsigned Count>
+void coordinate_runs(const TexCoordSource& source,
+                     std::span<const BatchRun> runs,
+                     const PerspectivePlanes& planes,
+                     const FragmentBatch& batch,
+                     const std::array<float*, 3>& out) {
+    for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
+        if (source.divides(run.record)) return divided_run(run, source, planes, out);
+        for_planes<Count>(run,
+                          source.first,
+                          planes,
+                          [&](unsigned i, VF value, std::size_t lane)
+                              HWY_ATTR { store_lanes(Floats(), value, out[i], lane); });
+    });
 }
 
 void InterpolateTexCoords(const TexCoordSource& source,
@@ -365,16 +402,16 @@ void InterpolateTexCoords(const TexCoordSource& source,
                           const FragmentBatch& batch,
                           TexCoordPlanes& out) {
     const std::array<float*, 3> all = begin_coordinates(source, batch.lanes(), out);
-    if (source.carried == 0) return;
-    for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
-        if (source.divides(run.record)) return divided_run(run, source, planes, all);
-        for_planes(run,
-                   source.first,
-                   source.coordinates(),
-                   planes,
-                   [&](VF value, unsigned i, std::size_t lane)
-                       HWY_ATTR { store_lanes(Floats(), value, all[i], lane); });
-    });
+    switch (source.coordinates()) {
+    case 1:
+        return coordinate_runs<1>(source, runs, planes, batch, all);
+    case 2:
+        return coordinate_runs<2>(source, runs, planes, batch, all);
+    case 3:
+        return coordinate_runs<3>(source, runs, planes, batch, all);
+    default:
+        return;
+    }
 }
 
 void InterpolateDirections(const TexCoordSource& source,
@@ -389,7 +426,7 @@ void InterpolateDirections(const TexCoordSource& source,
         const std::array<float, 3> scales = direction_scales(run.record, source);
         for (unsigned i = 0; i < source.coordinates(); ++i) {
             const VF scale = hn::Set(d, scales[i]);
-            for_integers(
+            for_integers_of(
                 run, source.first + i, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
                     const VF value = hn::Mul(hn::ConvertTo(d, integers), scale);
                     store_lanes(d, value, all[i], lane);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 
@@ -16,8 +17,8 @@ constexpr double MaxDepthStep = static_cast<double>(std::int64_t{1} << 52);
 
 // To nearest, halves away from zero; NaN is 0.
 std::int64_t round_clamped(double value, double limit) {
-    if (!(value > -limit)) return value <= -limit ? static_cast<std::int64_t>(-limit) : 0;
-    return static_cast<std::int64_t>(std::min(value, limit) + (value < 0 ? -0.5 : 0.5));
+    if (value != value) return 0;
+    return static_cast<std::int64_t>(std::clamp(value, -limit, limit) + std::copysign(0.5, value));
 }
 
 // Window depth in [0, 1] to the plane's units. The product is exact before it is rounded.
@@ -52,16 +53,16 @@ std::array<std::int64_t, 3> vertex_depths(const SetupContext& context, const Pla
             plane_depth(context, v[2]->depth)};
 }
 
-ReferenceOffset reference_offset(const WindowVertex& vertex, const SetupRecord& record) {
-    constexpr int Half = 1 << (SubPixelBits - 1);
-    return {(record.x_reference << SubPixelBits) + Half - vertex.x,
-            (record.y_reference << SubPixelBits) + Half - vertex.y};
+// The reference pixel is the one that holds the vertex.
+ReferenceOffset reference_offset(const WindowVertex& vertex) {
+    constexpr int One = 1 << SubPixelBits, Half = One / 2;
+    return {Half - (vertex.x & (One - 1)), Half - (vertex.y & (One - 1))};
 }
 
 void set_up_depth(const SetupContext& context,
                   const PlaneGeometry& geometry,
-                  ReferenceOffset offset,
                   SetupRecord& record) {
+    const ReferenceOffset& offset = geometry.attributes.offset;
     const std::array<std::int64_t, 3> z = vertex_depths(context, geometry.vertices);
     const DepthSteps steps = depth_steps(z, geometry.depth);
     DepthPlane& plane = record.depth;
@@ -83,8 +84,8 @@ double scale_to_one(float value) {
 // All planes, and that of k, which stands behind them.
 void set_up_attribute_planes(const SetupContext& context,
                              const PlaneGeometry& geometry,
-                             const AttributeFrame& frame,
                              SetupRecord& record) {
+    const AttributeFrame& frame = geometry.attributes;
     const PlaneVertices& v = geometry.vertices;
     AttributeValues values{
         .of = {v[0]->attributes.data(), v[1]->attributes.data(), v[2]->attributes.data()},
@@ -137,6 +138,12 @@ std::int32_t longest_axis(const WindowVertex& a, const WindowVertex& b) {
     return std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
 }
 
+// Of the longest edge.
+std::int32_t longest_axis(const PlaneVertices& v) {
+    return std::max(std::max(longest_axis(*v[0], *v[1]), longest_axis(*v[1], *v[2])),
+                    longest_axis(*v[2], *v[0]));
+}
+
 // The cyclic order that puts the longest edge first.
 PlaneVertices longest_edge_first(const PlaneVertices& v) {
     const std::int32_t a = longest_axis(*v[0], *v[1]), b = longest_axis(*v[1], *v[2]),
@@ -170,18 +177,24 @@ PlaneBasis line_basis(const WindowVertex& from, const WindowVertex& to) {
 
 PlaneGeometry triangle_geometry(const PlaneVertices& vertices) {
     const PlaneBasis basis = triangle_basis(vertices);
+    if (basis.divisor >= longest_axis(vertices)) [[likely]]
+        return {vertices, basis, {basis, reference_offset(*vertices[0])}};
     const PlaneVertices longest = longest_edge_first(vertices);
-    if (basis.divisor >= longest_axis(*longest[0], *longest[1])) return {vertices, basis, basis};
-    return {longest, triangle_basis(longest), line_basis(*longest[0], *longest[1])};
+    const WindowVertex& from = *longest[0];
+    return {longest,
+            triangle_basis(longest),
+            {line_basis(from, *longest[1]), reference_offset(from)}};
 }
 
 PlaneGeometry line_geometry(const WindowVertex& from, const WindowVertex& to, float width) {
     const PlaneBasis basis = line_basis(from, to);
-    return {{&from, &to, &from}, basis, basis, static_cast<int>(width * 0.5f) + 3};
+    return {{&from, &to, &from},
+            basis,
+            {basis, reference_offset(from), static_cast<int>(width * 0.5f) + 3}};
 }
 
 PlaneGeometry point_geometry(const WindowVertex& vertex) {
-    return {{&vertex, &vertex, &vertex}, {}, {}};
+    return {{&vertex, &vertex, &vertex}, {}, {{}, reference_offset(vertex)}};
 }
 
 void set_up_planes(const SetupContext& context,
@@ -190,10 +203,8 @@ void set_up_planes(const SetupContext& context,
     const PlaneVertices& v = geometry.vertices;
     record.x_reference = v[0]->x >> SubPixelBits;
     record.y_reference = v[0]->y >> SubPixelBits;
-    const ReferenceOffset offset = reference_offset(*v[0], record);
-    set_up_depth(context, geometry, offset, record);
-    set_up_attribute_planes(
-        context, geometry, {geometry.attributes, offset, geometry.reach}, record);
+    set_up_depth(context, geometry, record);
+    set_up_attribute_planes(context, geometry, record);
     record.constant_color = set_up_constant<4>(v, context.layout.color, record.color);
     record.constant_secondary = set_up_constant<3>(v, context.layout.secondary, record.secondary);
     record.divided_units = divided_units(v, context.layout);

@@ -17,8 +17,8 @@ PlaneBasis line_basis(const WindowVertex& from, const WindowVertex& to);
 // From which vertices, and how, the planes of a primitive follow.
 struct PlaneGeometry {
     PlaneVertices vertices;
-    PlaneBasis depth, attributes;
-    int reach = 2; // AttributeFrame
+    PlaneBasis depth;
+    AttributeFrame attributes;
 };
 
 // Triangles less than 1/256 pixel high have their attributes from their longest edge alone.

@@ -66,8 +66,9 @@ bool set_up_triangle(const SetupContext& context, const Primitive& primitive, Se
     const std::int64_t area = double_area(corner[0], corner[1], corner[2]);
     if (area == 0) return false;
     if (area < 0) std::swap(corner[1], corner[2]);
-    for (unsigned i = 0; i < 3; ++i)
-        record.set_edge(i, make_exact_edge(corner[i], corner[(i + 1) % 3]));
+    record.set_edge(0, make_exact_edge(corner[0], corner[1]));
+    record.set_edge(1, make_exact_edge(corner[1], corner[2]));
+    record.set_edge(2, make_exact_edge(corner[2], corner[0]));
     record.edge_count = 3;
     if (context.multisample) record.coverage = CoverageKind::Samples;
     if (context.primitive.polygon_smooth) {

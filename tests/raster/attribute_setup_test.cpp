@@ -41,9 +41,7 @@ AttributeFrame random_frame(Random& random) {
     const PlaneGeometry geometry = random.below(4) == 0
                                        ? line_geometry(v[0], v[1], 1.0f + 64 * random.unit())
                                        : triangle_geometry({&v[0], &v[1], &v[2]});
-    return {geometry.attributes,
-            {random.between(-127, 128), random.between(-127, 128)},
-            geometry.reach};
+    return geometry.attributes;
 }
 
 double random_value(Random& random) {
@@ -158,12 +156,10 @@ TEST_CASE("every lane that a triangle can touch fits 32 bits") {
         }
         if (double_area({v[0].x, v[0].y}, {v[1].x, v[1].y}, {v[2].x, v[2].y}) == 0) continue;
         const PlaneGeometry geometry = triangle_geometry({&v[0], &v[1], &v[2]});
-        slivers += geometry.attributes.x2 == 0 && geometry.attributes.y2 == 0;
+        slivers += geometry.attributes.basis.x2 == 0 && geometry.attributes.basis.y2 == 0;
         const WindowVertex& first = *geometry.vertices[0];
-        const ReferenceOffset offset{(first.x & -256) + 128 - first.x,
-                                     (first.y & -256) + 128 - first.y};
         const BlockPlane plane =
-            set_up_block_plane(random_values(random), {geometry.attributes, offset, 2});
+            set_up_block_plane(random_values(random), geometry.attributes);
         REQUIRE(plane.exponent <= 61 + 13);
         for (const WindowVertex& at : v)
             for (const int dx : {-2, 2})
