@@ -53,7 +53,7 @@ bool ColorTiming::retire(Activity& reason) {
     }
     const QuadToken token = parked_.pop();
     on_retire_(token, now());
-    ++token.scene->retired_quads;
+    token.scene->retire_quad(token.index, now());
     in_flight_.leave();
     return true;
 }

@@ -71,7 +71,7 @@ bool DepthTiming::send(Path path, Activity& reason) {
     }
     const QuadToken token = parked.pop();
     if (dies) {
-        ++token.scene->retired_quads;
+        token.scene->end_dead_quad(token.index, now());
         in_flight_.leave();
     } else {
         out.push(token);
