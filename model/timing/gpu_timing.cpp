@@ -119,7 +119,7 @@ public:
                 in_flight)
         , texture("texture",
                   clock,
-                  config.texel_cache,
+                  config,
                   {.quads_in = depth_to_texture,
                    .quads_out = texture_to_fragment,
                    .responses_in = texel_port.responses,
