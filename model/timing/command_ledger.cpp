@@ -10,7 +10,7 @@ std::size_t CommandLedger::open(CommandKind kind, std::uint32_t number, std::uin
     return entries_.size() - 1;
 }
 
-void CommandLedger::charge(Entry& entry, Cycle now) {
+void CommandLedger::charge(Entry& entry, std::uint64_t now) {
     entry.listed.cycles += now - charged_until_;
     charged_until_ = now;
 }
@@ -22,17 +22,17 @@ void CommandLedger::count(Entry& entry) {
         ++oldest_;
 }
 
-void CommandLedger::retire(std::size_t entry, Cycle now) {
+void CommandLedger::retire(std::size_t entry, std::uint64_t now) {
     charge(entries_[entry], now);
     count(entries_[entry]);
 }
 
-void CommandLedger::end_part(std::size_t entry, Cycle now) {
+void CommandLedger::end_part(std::size_t entry, std::uint64_t now) {
     if (entry == oldest_) charge(entries_[entry], now);
     count(entries_[entry]);
 }
 
-std::vector<CommandCycles> CommandLedger::end_frame(Cycle now) {
+std::vector<CommandCycles> CommandLedger::end_frame(std::uint64_t now) {
     check(oldest_ == entries_.size(), "a frame ends with its commands");
     Entry& end = entries_.emplace_back(Entry{{CommandKind::FrameEnd, 0, 0}, 0});
     charge(end, now);

@@ -8,8 +8,6 @@
 
 #pragma once
 
-#include "model/timing/clock.h"
-
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -32,11 +30,11 @@ public:
     // A command that ends with the last of `parts`; returns its entry.
     std::size_t open(CommandKind kind, std::uint32_t number, std::uint64_t parts);
 
-    void retire(std::size_t entry, Cycle now);   // A part that is charged for the time.
-    void end_part(std::size_t entry, Cycle now); // Any other part.
+    void retire(std::size_t entry, std::uint64_t now);   // A part that is charged for the time.
+    void end_part(std::size_t entry, std::uint64_t now); // Any other part.
 
     // All commands have ended: their cycles, whose sum is that of the cycles since the last call.
-    std::vector<CommandCycles> end_frame(Cycle now);
+    std::vector<CommandCycles> end_frame(std::uint64_t now);
 
 private:
     struct Entry {
@@ -44,12 +42,12 @@ private:
         std::uint64_t parts_left = 0;
     };
 
-    void charge(Entry& entry, Cycle now);
+    void charge(Entry& entry, std::uint64_t now);
     void count(Entry& entry);
 
     std::vector<Entry> entries_; // of the frame, in the order of the commands
     std::size_t oldest_ = 0;     // that is under way
-    Cycle charged_until_ = 0;
+    std::uint64_t charged_until_ = 0;
 };
 
 } // namespace ffgpu::timing

@@ -28,16 +28,16 @@ struct TimedScene {
     std::vector<HostWrite> host_writes; // before its draws; the vertex fetch takes them
 
     // By the unit that reads a draw last.
-    void end_draw(std::uint32_t draw, Cycle now) {
+    void end_draw(std::uint32_t draw, std::uint64_t now) {
         ++ended_draws_;
         ledger_.end_part(first_entry_ + draw, now);
     }
     // By the unit that ends a quad: the last of the pipe, or one in which no fragment was left.
-    void retire_quad(std::uint32_t quad, Cycle now) {
+    void retire_quad(std::uint32_t quad, std::uint64_t now) {
         ++ended_quads_;
         ledger_.retire(first_entry_ + work.quads[quad].draw, now);
     }
-    void end_dead_quad(std::uint32_t quad, Cycle now) {
+    void end_dead_quad(std::uint32_t quad, std::uint64_t now) {
         ++ended_quads_;
         ledger_.end_part(first_entry_ + work.quads[quad].draw, now);
     }

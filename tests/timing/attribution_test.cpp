@@ -84,7 +84,7 @@ std::uint64_t sum(const FrameTiming& frame) {
         frame.commands.begin(),
         frame.commands.end(),
         std::uint64_t{0},
-        [](std::uint64_t sum, const CommandCycles& c) { return sum + c.cycles; });
+        [](std::uint64_t before, const CommandCycles& command) { return before + command.cycles; });
 }
 
 TEST_CASE("Draws without a retired quad, clears and copies are listed, and all cycles are theirs") {
