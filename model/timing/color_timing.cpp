@@ -15,7 +15,7 @@ ColorTiming::ColorTiming(sc_core::sc_module_name name,
     , ports_(ports)
     , in_flight_(in_flight)
     , on_retire_(std::move(on_retire))
-    , parked_(config.color_cache.fragment_fifo) {}
+    , parked_(config.color_cache.fragment_fifo * config.raster.quads_per_cycle) {}
 
 bool ColorTiming::look_up(Activity& reason) {
     if (!ports_.quads_in.can_pop()) return false;
@@ -53,7 +53,7 @@ bool ColorTiming::retire(Activity& reason) {
     }
     const QuadToken token = parked_.pop();
     on_retire_(token, now());
-    ++token.scene->retired_quads;
+    token.scene->retire_quad(token.index, now());
     in_flight_.leave();
     return true;
 }
@@ -64,7 +64,9 @@ Activity ColorTiming::step() {
     bool worked = false;
     for (std::uint32_t i = 0; i < config_.raster.quads_per_cycle && retire(reason); ++i)
         worked = true;
-    for (std::uint32_t i = 0; i < config_.color_cache.lookups_per_cycle && look_up(reason); ++i)
+    const std::uint32_t lookups =
+        config_.color_cache.lookups_per_cycle * config_.raster.quads_per_cycle;
+    for (std::uint32_t i = 0; i < lookups && look_up(reason); ++i)
         worked = true;
     return worked ? Activity::Busy : reason;
 }

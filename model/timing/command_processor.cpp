@@ -22,7 +22,10 @@ void CommandProcessor::enqueue(TimedScene& scene) {
 }
 
 void CommandProcessor::enqueue(work::PreparedTransfer&& transfer) {
-    commands_.push_back(std::move(transfer));
+    const CommandKind kind =
+        transfer.kind == WorkKind::Clear ? CommandKind::Clear : CommandKind::Copy;
+    const std::size_t entry = ports_.ledger.open(kind, transfer.number, 1);
+    commands_.push_back(Transfer{std::move(transfer), entry});
 }
 
 void CommandProcessor::enqueue_frame_end() {
@@ -37,8 +40,7 @@ Activity CommandProcessor::step() {
     const Command& command = commands_.front();
     if (const auto* const token = std::get_if<DrawToken>(&command)) return draw(*token);
     if (!in_flight_.was_empty()) return Activity::StalledOutput;
-    if (const auto* const transfer = std::get_if<work::PreparedTransfer>(&command))
-        return begin(*transfer);
+    if (const auto* const transfer = std::get_if<Transfer>(&command)) return begin(transfer->work);
     return end_frame();
 }
 
@@ -68,8 +70,14 @@ Activity CommandProcessor::begin(const work::PreparedTransfer& transfer) {
         LineCache& cache = part.depth ? ports_.depth_cache : ports_.color_cache;
         part.write ? overwrite(cache, part.line) : read(cache, part.line.number);
     }
-    commands_.pop_front();
+    if (requests_.empty()) end_transfer();
     return Activity::Busy;
+}
+
+// Its last line has left, or it has none.
+void CommandProcessor::end_transfer() {
+    ports_.ledger.end_part(std::get<Transfer>(commands_.front()).entry, now());
+    commands_.pop_front();
 }
 
 Activity CommandProcessor::end_frame() {
@@ -120,6 +128,7 @@ Activity CommandProcessor::move_line() {
     if (!ports_.requests_out.can_push()) return Activity::StalledRequests;
     ports_.requests_out.push(requests_.front());
     requests_.pop_front();
+    if (requests_.empty() && std::holds_alternative<Transfer>(commands_.front())) end_transfer();
     return Activity::Busy;
 }
 

@@ -24,6 +24,7 @@ public:
         Channel<std::uint64_t>& responses_in;
         LineCache& depth_cache;
         LineCache& color_cache;
+        CommandLedger& ledger;
     };
 
     CommandProcessor(sc_core::sc_module_name name,
@@ -41,8 +42,12 @@ public:
     bool starves() const { return commands_.empty() && requests_.empty(); }
 
 private:
+    struct Transfer {
+        work::PreparedTransfer work;
+        std::size_t entry = 0; // of the ledger
+    };
     struct FrameEnd {};
-    using Command = std::variant<DrawToken, work::PreparedTransfer, FrameEnd>;
+    using Command = std::variant<DrawToken, Transfer, FrameEnd>;
 
     Activity step() override;
     bool may_sleep() const override {
@@ -51,6 +56,7 @@ private:
     Activity draw(const DrawToken& draw);
     // The pipe is empty.
     Activity begin(const work::PreparedTransfer& transfer);
+    void end_transfer();
     Activity end_frame();
     Activity move_line();
     void read(const LineCache& cache, std::uint64_t line);

@@ -134,7 +134,8 @@ struct RasterConfig : work::RasterOrder {
               {.unit = "quads/cycle",
                .minimum = 1,
                .maximum = 16,
-               .meaning = "width of rasterizer, early depth and fragment pipe"});
+               .meaning = "of the rasterizer, and the number of fragment pipes: each with its own "
+                          "look-ups, filters and environments"});
         field("tile_cycles",
               self.tile_cycles,
               {.unit = "cycles",
@@ -163,13 +164,13 @@ struct CachePace : work::CachePolicy, CacheTrafficConfig {
               {.unit = "lines/cycle",
                .minimum = 1,
                .maximum = 64,
-               .meaning = "tags compared a cycle"});
+               .meaning = "tags compared a cycle, for each fragment pipe"});
         field("fragment_fifo",
               self.fragment_fifo,
               {.unit = "quads",
                .minimum = 1,
                .maximum = 65536,
-               .meaning = "quads between tag check and data: hides misses"});
+               .meaning = "quads between tag check and data, of each fragment pipe: hides misses"});
         field("outstanding_lines",
               self.outstanding_lines,
               {.unit = "lines",
@@ -211,7 +212,9 @@ struct TexelCacheConfig : work::TexelCacheShape, CachePace {
               {.unit = "quads/cycle",
                .minimum = 1,
                .maximum = 16,
-               .meaning = "filtered by the units together; trilinear takes twice as long"});
+               .meaning =
+                   "filtered by the units of a fragment pipe together; trilinear takes twice "
+                   "as long"});
     }
 };
 
@@ -223,14 +226,38 @@ struct ColorCacheConfig : CacheConfig {
     static constexpr std::string_view Name = "color_cache";
 };
 
+enum class Distribution : std::uint8_t { Tiles, Scanlines };
+inline constexpr std::array<std::string_view, 2> DistributionNames{"tiles", "scanlines"};
+
 struct FragmentConfig {
     static constexpr std::string_view Name = "fragment";
+    Distribution distribution = Distribution::Tiles;
+    std::uint32_t distribution_width = 8;
+    std::uint32_t pipe_queue = 32;
     std::uint32_t combiner_cycles = 1;
     std::uint32_t latency = 12;
     std::uint32_t queue = 64;
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
+        field("distribution",
+              self.distribution,
+              {.meaning = "of quads to the raster.quads_per_cycle fragment pipes: squares on the "
+                          "diagonal share a pipe, or bands of scan lines",
+               .choices = DistributionNames});
+        field("distribution_width",
+              self.distribution_width,
+              {.unit = "pixels",
+               .minimum = 2,
+               .maximum = 512,
+               .power_of_two = true,
+               .meaning = "of such a square or band"});
+        field("pipe_queue",
+              self.pipe_queue,
+              {.unit = "quads",
+               .minimum = 1,
+               .maximum = 4096,
+               .meaning = "before each pipe's texture unit and its environments"});
         field("combiner_cycles",
               self.combiner_cycles,
               {.unit = "cycles",

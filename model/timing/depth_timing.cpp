@@ -13,8 +13,8 @@ DepthTiming::DepthTiming(sc_core::sc_module_name name,
     , config_(config)
     , ports_(ports)
     , in_flight_(in_flight)
-    , early_(config.depth_cache.fragment_fifo)
-    , late_(config.depth_cache.fragment_fifo) {}
+    , early_(config.depth_cache.fragment_fifo * config.raster.quads_per_cycle)
+    , late_(config.depth_cache.fragment_fifo * config.raster.quads_per_cycle) {}
 
 // Takes one quad in and looks its line up if it is tested on this path.
 bool DepthTiming::look_up(Path path, std::uint32_t& lookups_left, Activity& reason) {
@@ -71,7 +71,7 @@ bool DepthTiming::send(Path path, Activity& reason) {
     }
     const QuadToken token = parked.pop();
     if (dies) {
-        ++token.scene->retired_quads;
+        token.scene->end_dead_quad(token.index, now());
         in_flight_.leave();
     } else {
         out.push(token);
@@ -83,7 +83,8 @@ Activity DepthTiming::step() {
     ports_.cache.begin_cycle(ports_.responses_in);
     Activity reason = Activity::Idle;
     bool worked = false;
-    std::uint32_t lookups_left = config_.depth_cache.lookups_per_cycle;
+    std::uint32_t lookups_left =
+        config_.depth_cache.lookups_per_cycle * config_.raster.quads_per_cycle;
     for (const Path path : {Path::Late, Path::Early}) {
         for (std::uint32_t i = 0; i < config_.raster.quads_per_cycle && send(path, reason); ++i)
             worked = true;

@@ -1,25 +1,53 @@
 #include "model/timing/fragment_timing.h"
 
+#include "model/timing/fragment_pipes.h"
+
 #include <algorithm>
 
 namespace ffgpu::timing {
 
-Activity FragmentTiming::step() {
-    if (cycles_left_ > 0) {
-        --cycles_left_;
+// In the order in which they came: a quad whose pipe's queue is full holds up those behind it.
+void FragmentTiming::distribute() {
+    for (std::size_t i = 0; i < pipes_.size() && ports_.quads_in.can_pop(); ++i) {
+        Pipe& pipe = pipes_[fragment_pipe(config_, ports_.quads_in.front().quad())];
+        if (pipe.waiting.size() == config_.fragment.pipe_queue) return;
+        pipe.waiting.push_back(ports_.quads_in.pop());
+    }
+}
+
+Activity FragmentTiming::step(Pipe& pipe) {
+    if (pipe.cycles_left > 0) {
+        --pipe.cycles_left;
         return Activity::Busy;
     }
-    Activity activity = Activity::Idle;
-    for (std::uint32_t i = 0; i < config_.raster.quads_per_cycle && ports_.quads_in.can_pop();
-         ++i) {
-        if (!ports_.quads_out.can_push()) return i > 0 ? Activity::Busy : Activity::StalledOutput;
-        const QuadToken token = ports_.quads_in.pop();
-        const std::uint32_t cycles = token.draw().combiners * config_.fragment.combiner_cycles;
-        cycles_left_ = std::max(cycles_left_, std::max(cycles, 1u) - 1);
-        ports_.quads_out.push(token);
-        activity = Activity::Busy;
+    if (pipe.waiting.empty()) return Activity::Idle;
+    if (!ports_.quads_out.can_push()) return Activity::StalledOutput;
+    const std::uint32_t cycles =
+        pipe.waiting.front().draw().combiners * config_.fragment.combiner_cycles;
+    pipe.cycles_left = std::max(cycles, 1u) - 1;
+    ports_.quads_out.push(pipe.waiting.front());
+    pipe.waiting.pop_front();
+    return Activity::Busy;
+}
+
+// The pipes share the way out: a different one is first in each cycle.
+Activity FragmentTiming::step() {
+    distribute();
+    bool worked = false, stalled = false;
+    for (std::size_t i = 0; i < pipes_.size(); ++i) {
+        const Activity activity = step(pipes_[(now() + i) % pipes_.size()]);
+        worked |= activity == Activity::Busy;
+        stalled |= activity == Activity::StalledOutput;
     }
-    return activity;
+    if (worked) return Activity::Busy;
+    return stalled ? Activity::StalledOutput : Activity::Idle;
+}
+
+bool FragmentTiming::may_sleep() const {
+    return ports_.quads_in.holds_nothing() &&
+           std::all_of(pipes_.begin(), pipes_.end(), [](const Pipe& pipe) {
+               return pipe.cycles_left == 0 && pipe.waiting.empty();
+           });
 }
 
 } // namespace ffgpu::timing

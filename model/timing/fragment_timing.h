@@ -1,6 +1,6 @@
-// FragmentTiming: texture environments, colour sum, fog and alpha test in time. A quad takes
-// combiner_cycles for each enabled environment, at least one; quads_per_cycle pipes work side by
-// side.
+// FragmentTiming: texture environments, colour sum, fog and alpha test in time, of all fragment
+// pipes. A quad takes its pipe for combiner_cycles for each enabled environment, at least one
+// cycle.
 
 #pragma once
 
@@ -8,6 +8,9 @@
 #include "model/timing/config.h"
 #include "model/timing/tokens.h"
 #include "model/timing/unit.h"
+
+#include <deque>
+#include <vector>
 
 namespace ffgpu::timing {
 
@@ -24,15 +27,23 @@ public:
                    const Ports& ports)
         : Unit(name, clock)
         , config_(config)
-        , ports_(ports) {}
+        , ports_(ports)
+        , pipes_(config.raster.quads_per_cycle) {}
 
 private:
+    struct Pipe {
+        std::deque<QuadToken> waiting;
+        std::uint32_t cycles_left = 0; // before it takes a quad again
+    };
+
     Activity step() override;
-    bool may_sleep() const override { return cycles_left_ == 0 && ports_.quads_in.holds_nothing(); }
+    bool may_sleep() const override;
+    void distribute();
+    Activity step(Pipe& pipe);
 
     const TimingConfig& config_;
     const Ports ports_;
-    std::uint32_t cycles_left_ = 0; // before the pipes take quads again
+    std::vector<Pipe> pipes_;
 };
 
 } // namespace ffgpu::timing

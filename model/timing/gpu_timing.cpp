@@ -86,7 +86,8 @@ public:
                              .requests_out = command_requests,
                              .responses_in = command_responses,
                              .depth_cache = depth_port.cache,
-                             .color_cache = color_port.cache},
+                             .color_cache = color_port.cache,
+                             .ledger = ledger},
                             in_flight,
                             memory_in_flight)
         , vertex_fetch("vertex_fetch",
@@ -118,7 +119,7 @@ public:
                 in_flight)
         , texture("texture",
                   clock,
-                  config.texel_cache,
+                  config,
                   {.quads_in = depth_to_texture,
                    .quads_out = texture_to_fragment,
                    .responses_in = texel_port.responses,
@@ -173,7 +174,7 @@ public:
     // MachineSink
     void scene(work::PreparedScene&& scene) override {
         waiting_quads += scene.quads.size() + scene.draws.size();
-        scenes.emplace_back(std::move(scene));
+        scenes.emplace_back(std::move(scene), ledger);
         scenes.back().host_writes = std::exchange(host_writes, {});
         command_processor.enqueue(scenes.back());
         if (waiting_quads > MostWaiting) run();
@@ -211,8 +212,8 @@ public:
         frame.frame = number;
         frame.cycles = clock.now() - frame_begin;
         frame_begin = clock.now();
+        frame.commands = ledger.end_frame(clock.now());
         if (on_frame) on_frame(frame);
-        frame.draws.clear();
     }
 
     std::vector<Unit*> units() {
@@ -235,6 +236,7 @@ public:
     work::MachineOrder order;
     Clock clock;
     InFlight in_flight, memory_in_flight;
+    CommandLedger ledger;
     std::deque<TimedScene> scenes;
     std::size_t waiting_quads = 0; // and draws and transfers, since run()
 
@@ -307,10 +309,6 @@ private:
     void retire(const QuadToken& token, Cycle now) {
         const Cycle cycles = now - std::max(last_retired, frame_begin);
         last_retired = now;
-        const std::uint32_t number = token.draw().number;
-        if (frame.draws.empty() || frame.draws.back().draw != number)
-            frame.draws.push_back({number, 0});
-        frame.draws.back().cycles += cycles;
         if (!on_retire) return;
         const PreparedQuad& quad = token.quad();
         on_retire({.x = quad.x,

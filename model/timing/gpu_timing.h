@@ -8,6 +8,7 @@
 #pragma once
 
 #include "model/base/statistics.h"
+#include "model/timing/command_ledger.h"
 #include "model/timing/config.h"
 #include "model/timing/memory_module.h"
 #include "model/work/whole_command.h"
@@ -28,16 +29,11 @@ struct QuadRetired {
     std::uint64_t cycles = 0; // since the quad before it retired
 };
 
-struct DrawCycles {
-    std::uint32_t draw = 0;   // WorkDraw::number
-    std::uint64_t cycles = 0; // until its last quad retired, since the draw before
-};
-
 // What one frame took; counters are since the start (the reader subtracts).
 struct FrameTiming {
     std::uint32_t frame = 0;
     std::uint64_t cycles = 0;
-    std::vector<DrawCycles> draws; // that wrote at least one quad
+    std::vector<CommandCycles> commands; // all of them; the sum of theirs is `cycles`
 };
 
 class SimulationContext;

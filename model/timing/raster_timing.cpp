@@ -14,7 +14,7 @@ void RasterTiming::take(const SetupToken& token) {
     in_flight_.enter(end_ - next_);
     if (token.last) { // The draw itself is through: its quads are counted now.
         in_flight_.leave();
-        ++scene_->finished_draws;
+        scene_->end_draw(token.draw.draw, now());
     }
 }
 

@@ -1,23 +1,16 @@
-// TextureTiming: the texture units in time. Tags are compared when a quad comes in; the quad then
-// waits in the fragment FIFO while its misses travel, and is filtered when it leaves: a bilinear
-// sample of a quad takes a cycle, a trilinear one two.
+// TextureTiming: the texture units in time, of all fragment pipes, and the texel cache that they
+// share. Tags are compared when a quad comes in; the quad then waits in its pipe's fragment FIFO
+// while its misses travel, and is filtered when it leaves: a bilinear sample of a quad takes a
+// cycle, a trilinear one two.
 
 #pragma once
 
-#include "model/timing/channel.h"
-#include "model/timing/parked_quads.h"
+#include "model/timing/texture_pipe.h"
 #include "model/timing/unit.h"
 
-namespace ffgpu::timing {
+#include <vector>
 
-class TextureStatistics : public StatisticsGroup {
-public:
-    Counter& quads = count("texture_quads", "quads", "with at least one sample");
-    Counter& texel_reads = count(
-        "texture_texel_reads", "texels", "read by the filters, before reads of a line are merged");
-    Counter& samples =
-        count("texture_bilinear_samples", "quads", "bilinear or simpler samples filtered");
-};
+namespace ffgpu::timing {
 
 class TextureTiming final : public Unit {
 public:
@@ -30,7 +23,7 @@ public:
 
     TextureTiming(sc_core::sc_module_name name,
                   const Clock& clock,
-                  const TexelCacheConfig& config,
+                  const TimingConfig& config,
                   const Ports& ports);
 
     const TextureStatistics& statistics() const { return statistics_; }
@@ -38,20 +31,12 @@ public:
 private:
     Activity step() override;
     bool may_sleep() const override;
-    bool compare_tags(Activity& reason);
-    bool filter(Activity& reason);
+    void distribute();
 
-    const TexelCacheConfig config_;
+    const TimingConfig& config_;
     const Ports ports_;
     TextureStatistics statistics_;
-
-    bool comparing_ = false; // current_ is between its first and its last tag
-    QuadToken current_;
-    std::uint32_t next_line_ = 0;
-    std::uint64_t ticket_ = 0;
-    ParkedQuads parked_;
-    std::uint32_t filter_cycles_left_ = 0;
-    bool filtering_ = false;
+    std::vector<TexturePipe> pipes_;
 };
 
 } // namespace ffgpu::timing

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "model/timing/command_ledger.h"
 #include "model/work/prepared_work.h"
 
 #include <utility>
@@ -18,18 +19,50 @@ struct HostWrite {
 
 // A scene on its way through the machine.
 struct TimedScene {
-    explicit TimedScene(work::PreparedScene&& prepared)
-        : work(std::move(prepared)) {}
+    TimedScene(work::PreparedScene&& prepared, CommandLedger& ledger)
+        : work(std::move(prepared))
+        , ledger_(ledger)
+        , first_entry_(open_draws()) {}
 
     work::PreparedScene work;
     std::vector<HostWrite> host_writes; // before its draws; the vertex fetch takes them
-    std::uint64_t finished_draws = 0;   // by the unit that read a draw last
-    std::uint64_t retired_quads = 0;    // counted by the unit that ends a quad
 
+    // By the unit that reads a draw last.
+    void end_draw(std::uint32_t draw, std::uint64_t now) {
+        ++ended_draws_;
+        ledger_.end_part(first_entry_ + draw, now);
+    }
+    // By the unit that ends a quad: the last of the pipe, or one in which no fragment was left.
+    void retire_quad(std::uint32_t quad, std::uint64_t now) {
+        ++ended_quads_;
+        ledger_.retire(first_entry_ + work.quads[quad].draw, now);
+    }
+    void end_dead_quad(std::uint32_t quad, std::uint64_t now) {
+        ++ended_quads_;
+        ledger_.end_part(first_entry_ + work.quads[quad].draw, now);
+    }
     // No token points in here any more.
     bool is_done() const {
-        return finished_draws == work.draws.size() && retired_quads == work.quads.size();
+        return ended_draws_ == work.draws.size() && ended_quads_ == work.quads.size();
     }
+
+private:
+    // A draw is through set-up once and ends with each of its quads.
+    std::size_t open_draws() {
+        std::size_t first = 0;
+        for (const PreparedDraw& draw : work.draws) {
+            const CommandKind kind =
+                draw.kind == WorkKind::Image ? CommandKind::Image : CommandKind::Draw;
+            const std::size_t entry =
+                ledger_.open(kind, draw.number, std::uint64_t{draw.quad_count} + 1);
+            if (&draw == work.draws.data()) first = entry;
+        }
+        return first;
+    }
+
+    CommandLedger& ledger_;
+    std::size_t first_entry_;
+    std::uint64_t ended_draws_ = 0, ended_quads_ = 0;
 };
 
 struct DrawToken {

@@ -28,6 +28,7 @@ public:
         , config_(config)
         , out_(out)
         , draw_(out.draws.emplace_back()) {
+        draw_.kind = command.draw.kind;
         draw_.number = command.draw.number;
         draw_.geometry = command.draw.geometry;
         draw_.early_depth = command.draw.early_depth;

@@ -34,7 +34,8 @@ struct PreparedQuad {
 };
 
 struct PreparedDraw {
-    std::uint32_t number = 0; // PrimitiveKey::draw
+    WorkKind kind = WorkKind::Draw; // or an image
+    std::uint32_t number = 0;       // PrimitiveKey::draw
     GeometryWork geometry;
     bool early_depth = false;
     std::uint32_t first_quad = 0; // immediate machines: the draw's quads stand together

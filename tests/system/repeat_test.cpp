@@ -148,9 +148,9 @@ TEST_CASE("Nor does it with the timing model and heat maps listening") {
 
 TEST_CASE("The statistics of many frames wait in a file, and are whole") {
     StatisticsReport report({}, true);
-    timing::FrameTiming cycles{.cycles = 5000, .draws = {}};
+    timing::FrameTiming cycles{.cycles = 5000, .commands = {}};
     for (std::uint32_t draw = 0; draw < 5000; ++draw)
-        cycles.draws.push_back({draw, 1});
+        cycles.commands.push_back({timing::CommandKind::Draw, draw, 1});
     const auto add = [&](std::uint64_t number) {
         report.add({.number = number, .api_calls = 1, .functional = {}},
                    {.counters = {}, .frame = cycles});
@@ -166,7 +166,7 @@ TEST_CASE("The statistics of many frames wait in a file, and are whole") {
     CHECK(json.dump(1) + "\n" == text.str());
     REQUIRE(json["frames"].size() == 50);
     CHECK(json["frame_count"] == 50);
-    CHECK(json["frames"][49]["draws"].size() == 5000);
+    CHECK(json["frames"][49]["commands"].size() == 5000);
     CHECK(json["totals"]["timing"]["total_cycles"] == 50 * 5000);
 }
 

@@ -148,8 +148,8 @@ Run run_trace(const std::string& path, const RunOptions& options) {
         timing = std::make_unique<timing::GpuTiming>(*options.timing);
         timing->set_on_frame([&run](const timing::FrameTiming& frame) {
             run.cycles.push_back(frame.cycles);
-            for (const timing::DrawCycles& draw : frame.draws)
-                run.draw_cycles.emplace_back(draw.draw, draw.cycles);
+            for (const timing::CommandCycles& command : frame.commands)
+                run.draw_cycles.emplace_back(command.number, command.cycles);
         });
         sinks.add(assembler.emplace(*timing));
     }

@@ -108,10 +108,13 @@ void StatisticsReport::add(const work::FrameFigures& frame, const TimedFigures& 
     json["overdraw"] = per(counted["functional"].value("fragments_written", std::uint64_t{0}),
                            counted["pixels"].get<std::uint64_t>());
     if (content_->with_timing && timed.frame) {
-        Json draws = Json::array();
-        for (const timing::DrawCycles& draw : timed.frame->draws)
-            draws.push_back({{"draw", draw.draw}, {"cycles", draw.cycles}});
-        json["draws"] = std::move(draws);
+        Json commands = Json::array();
+        for (const timing::CommandCycles& command : timed.frame->commands)
+            commands.push_back(
+                {{"kind", timing::CommandKindNames[static_cast<std::size_t>(command.kind)]},
+                 {"draw", command.number},
+                 {"cycles", command.cycles}});
+        json["commands"] = std::move(commands);
     }
     content_->frames.append((content_->frame_count++ == 0 ? "\n" : ",\n") + indented(json));
 }

@@ -1,0 +1,53 @@
+// CommandLedger: whose cycles they were. Every command of a frame is listed, and every cycle of the
+// frame belongs to one of them: the cycles since the last entry go to
+//   - the draw of a quad, where the quad retires;
+//   - a draw whose last piece of work ends in another way (a quad that dies, a primitive that
+//     leaves no quad), if no command before it is still under way;
+//   - a clear, a copy or a host transfer, where its last line leaves the command processor;
+//   - the end of the frame: what is left, which is the write-back of the caches.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace ffgpu::timing {
+
+enum class CommandKind : std::uint8_t { Draw, Image, Clear, Copy, HostWrite, HostRead, FrameEnd };
+inline constexpr std::array<std::string_view, 7> CommandKindNames{
+    "draw", "image", "clear", "copy", "host_write", "host_read", "frame_end"};
+
+struct CommandCycles {
+    CommandKind kind = CommandKind::Draw;
+    std::uint32_t number = 0; // WorkDraw::number; of a host transfer: of the draw that it precedes
+    std::uint64_t cycles = 0;
+};
+
+class CommandLedger {
+public:
+    // A command that ends with the last of `parts`; returns its entry.
+    std::size_t open(CommandKind kind, std::uint32_t number, std::uint64_t parts);
+
+    void retire(std::size_t entry, std::uint64_t now);   // A part that is charged for the time.
+    void end_part(std::size_t entry, std::uint64_t now); // Any other part.
+
+    // All commands have ended: their cycles, whose sum is that of the cycles since the last call.
+    std::vector<CommandCycles> end_frame(std::uint64_t now);
+
+private:
+    struct Entry {
+        CommandCycles listed;
+        std::uint64_t parts_left = 0;
+    };
+
+    void charge(Entry& entry, std::uint64_t now);
+    void count(Entry& entry);
+
+    std::vector<Entry> entries_; // of the frame, in the order of the commands
+    std::size_t oldest_ = 0;     // that is under way
+    std::uint64_t charged_until_ = 0;
+};
+
+} // namespace ffgpu::timing

@@ -1,0 +1,131 @@
+// Every command of a frame is listed with its own cycles, and the listed cycles are the frame's.
+
+#include "tests/timing/machine_figures.h"
+
+#include <numeric>
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::timing {
+namespace {
+
+constexpr DeviceAddress TargetAt = 1 << 26;
+constexpr unsigned Size = 64;
+
+std::shared_ptr<Registers> target_state() {
+    auto state = std::make_shared<Registers>();
+    state->targets.color[0] = {.address = TargetAt,
+                               .format = Format::Rgba8,
+                               .width = Size,
+                               .height = Size,
+                               .stride = 4 * Size};
+    state->scissor = {0, 0, Size, Size};
+    return state;
+}
+
+class Frame {
+public:
+    // Quads of the lowest rows, as many as wanted; `dead`: no fragment of theirs passes.
+    void draw(unsigned quads, bool dead = false) {
+        add(WorkKind::Draw).geometry = {
+            .vertex_bytes = 16, .vertices = {0, 1, 2}, .keys = 1, .primitives_in = 1};
+        if (quads == 0) return;
+        if (bin.tiles.empty()) bin.tiles.emplace_back();
+        WorkBatch& batch = bin.tiles[0].batches.emplace_back();
+        batch.draw = bin.draws.back().number;
+        const std::uint8_t passed = dead ? 0 : 15;
+        for (unsigned i = 0; i < quads; ++i)
+            batch.quads.push_back({.primitive = 0,
+                                   .x = static_cast<std::uint16_t>(2 * i % Size),
+                                   .y = static_cast<std::uint16_t>(2 * i / Size * 2),
+                                   .covered = 15,
+                                   .after_early_depth = 15,
+                                   .after_coverage = 15,
+                                   .after_alpha = passed,
+                                   .after_stencil = passed,
+                                   .after_depth = passed});
+    }
+    void clear() { add(WorkKind::Clear).clear.color = true; }
+    void copy() {
+        CopyRectangleCommand& copy = add(WorkKind::Copy).copy;
+        copy.source = state_->targets.color[0];
+        copy.destination = copy.source;
+        copy.destination.address = TargetAt << 1;
+        copy.width = copy.height = Size;
+    }
+
+    FrameTiming run(const TimingConfig& config = {}) const {
+        FrameTiming result;
+        GpuTiming timing(config);
+        timing.set_on_frame([&](const FrameTiming& frame) { result = frame; });
+        work::CommandAssembler assembler(timing);
+        assembler.bin(std::make_shared<const WorkBin>(bin));
+        assembler.end_frame(0);
+        return result;
+    }
+
+    WorkBin bin;
+
+private:
+    WorkDraw& add(WorkKind kind) {
+        const auto number = static_cast<std::uint32_t>(bin.draws.size());
+        WorkDraw& draw = bin.draws.emplace_back();
+        draw.kind = kind;
+        draw.number = number;
+        draw.state = state_;
+        return draw;
+    }
+
+    std::shared_ptr<Registers> state_ = target_state();
+};
+
+std::uint64_t sum(const FrameTiming& frame) {
+    return std::accumulate(
+        frame.commands.begin(),
+        frame.commands.end(),
+        std::uint64_t{0},
+        [](std::uint64_t before, const CommandCycles& command) { return before + command.cycles; });
+}
+
+TEST_CASE("Draws without a retired quad, clears and copies are listed, and all cycles are theirs") {
+    const Architecture architecture = GENERATE(Architecture::Immediate, Architecture::TileBased);
+    Frame frame;
+    frame.draw(0);
+    frame.clear();
+    frame.draw(100);
+    frame.draw(0);
+    frame.draw(50, true);
+    frame.copy();
+    frame.draw(10);
+    TimingConfig config;
+    config.raster.architecture = architecture;
+    const FrameTiming timed = frame.run(config);
+    constexpr CommandKind Draw = CommandKind::Draw;
+    const std::vector<CommandKind> expected{
+        Draw, CommandKind::Clear, Draw, Draw, Draw, CommandKind::Copy, Draw, CommandKind::FrameEnd};
+    REQUIRE(timed.commands.size() == expected.size());
+    for (std::uint32_t i = 0; i < expected.size(); ++i) {
+        CHECK(timed.commands[i].kind == expected[i]);
+        if (expected[i] != CommandKind::FrameEnd) CHECK(timed.commands[i].number == i);
+    }
+    CHECK(sum(timed) == timed.cycles);
+}
+
+TEST_CASE("A clear's cycles are its own: a line a cycle, and the draw after it is not charged") {
+    Frame with_clear, without;
+    with_clear.clear();
+    for (Frame* const frame : {&with_clear, &without})
+        frame->draw(0);
+    constexpr std::uint64_t Lines = Size * Size * 4 / 64;
+    TimingConfig fast;
+    fast.memory.channels = 16;
+    fast.memory.interleave_bytes = 64;
+    fast.memory.bytes_per_cycle = 256;
+    const FrameTiming cleared = with_clear.run(fast), plain = without.run(fast);
+    CHECK(cleared.commands[0].cycles >= Lines);
+    CHECK(cleared.commands[0].cycles <= Lines + 2 + Lines / 20);
+    CHECK(cleared.commands[1].cycles == plain.commands[0].cycles);
+}
+
+} // namespace
+} // namespace ffgpu::timing
