@@ -29,7 +29,7 @@ public:
     // False: the stack is full, or holds its last matrix; nothing changes then.
     bool push() {
         if (depth() == max_depth_) return false;
-        matrices_.push_back(Mat4(top()));
+        matrices_.emplace_back(top());
         return true;
     }
     bool pop() {

@@ -18,11 +18,11 @@
 namespace ffgpu {
 
 struct ParameterInfo {
-    std::string_view unit = "";
+    std::string_view unit{};
     std::int64_t minimum = 0;
     std::int64_t maximum = 0;
     bool power_of_two = false;
-    std::string_view meaning = "";
+    std::string_view meaning{};
     std::span<const std::string_view> choices = {}; // not empty: an enumeration, value = index
 };
 

@@ -167,9 +167,9 @@ std::string describe_memory(const Figures& timing, std::size_t frames) {
 
 std::string summarize(const Json& totals, std::size_t frames) {
     if (frames == 0) return "no frames\n";
-    static const Json None = Json::object();
+    static const Json none = Json::object();
     const auto group = [&](const char* name) -> const Json& {
-        return totals.contains(name) ? totals[name] : None;
+        return totals.contains(name) ? totals[name] : none;
     };
     const Figures functional(group("functional")), timing(group("timing"));
     const std::uint64_t fragments = functional["fragments_written"];
