@@ -43,8 +43,7 @@ template <class Body>
 HWY_INLINE void for_runs(std::span<const BatchRun> runs, const FragmentBatch& batch, Body&& body) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const unsigned end = i + 1 < runs.size() ? runs[i + 1].first_quad : batch.quad_count;
-        body(LaneRun{
-            *runs[i].record, std::size_t{4} * runs[i].first_quad, std::size_t{4} * end});
+        body(LaneRun{*runs[i].record, std::size_t{4} * runs[i].first_quad, std::size_t{4} * end});
     }
 }
 
@@ -133,9 +132,8 @@ HWY_INLINE void for_integers(const LaneRun& run,
                              Body&& body) {
     constexpr std::size_t N = hn::MaxLanes(Floats());
     const SetupRecord& record = run.record;
-    const auto reference =
-        RunPlane::pairs(static_cast<std::uint32_t>(record.x_reference & 0xffff) |
-                        static_cast<std::uint32_t>(record.y_reference) << 16);
+    const auto reference = RunPlane::pairs(static_cast<std::uint32_t>(record.x_reference & 0xffff) |
+                                           static_cast<std::uint32_t>(record.y_reference) << 16);
     RunPlane plane[Count];
     for (unsigned i = 0; i < Count; ++i)
         plane[i].spread(record.planes()[first_plane + i]);
@@ -187,10 +185,8 @@ for_planes(const LaneRun& run, unsigned first, const PerspectivePlanes& planes, 
 
 // The integers of one plane: body(integers, lane).
 template <class Body>
-HWY_INLINE void for_integers_of(const LaneRun& run,
-                                unsigned plane,
-                                const PerspectivePlanes& planes,
-                                Body&& body) {
+HWY_INLINE void
+for_integers_of(const LaneRun& run, unsigned plane, const PerspectivePlanes& planes, Body&& body) {
     for_integers<1>(
         run,
         plane,
@@ -293,10 +289,11 @@ void InterpolatePerspective(std::span<const BatchRun> runs,
             return;
         }
         const VI floor = hn::Set(Ints(), record.inverse_w_floor);
-        for_integers_of(run, record.plane_count, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
-            const VF inverse = hn::ConvertTo(d, hn::Max(integers, floor));
-            store_lanes(d, hn::Div(hn::Set(d, 1.0f), inverse), planes.w.data(), lane);
-        });
+        for_integers_of(
+            run, record.plane_count, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
+                const VF inverse = hn::ConvertTo(d, hn::Max(integers, floor));
+                store_lanes(d, hn::Div(hn::Set(d, 1.0f), inverse), planes.w.data(), lane);
+            });
     });
 }
 
@@ -363,8 +360,7 @@ void divided_run(const LaneRun& run,
     const unsigned q = source.first + 3;
     for_integers_of(run, q, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
         const auto is_zero = hn::Eq(integers, hn::Zero(Ints()));
-        const VF divisor =
-            hn::ConvertTo(d, hn::IfThenElse(is_zero, hn::Set(Ints(), 1), integers));
+        const VF divisor = hn::ConvertTo(d, hn::IfThenElse(is_zero, hn::Set(Ints(), 1), integers));
         store_lanes(d, hn::Div(hn::Set(d, 1.0f), divisor), over_q.data(), lane);
     });
     const StoredPlane* const stored = run.record.planes();
@@ -388,11 +384,10 @@ void coordinate_runs(const TexCoordSource& source,
                      const std::array<float*, 3>& out) {
     for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
         if (source.divides(run.record)) return divided_run(run, source, planes, out);
-        for_planes<Count>(run,
-                          source.first,
-                          planes,
-                          [&](unsigned i, VF value, std::size_t lane)
-                              HWY_ATTR { store_lanes(Floats(), value, out[i], lane); });
+        for_planes<Count>(
+            run, source.first, planes, [&](unsigned i, VF value, std::size_t lane) HWY_ATTR {
+                store_lanes(Floats(), value, out[i], lane);
+            });
     });
 }
 

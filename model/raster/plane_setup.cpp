@@ -59,9 +59,7 @@ ReferenceOffset reference_offset(const WindowVertex& vertex) {
     return {Half - (vertex.x & (One - 1)), Half - (vertex.y & (One - 1))};
 }
 
-void set_up_depth(const SetupContext& context,
-                  const PlaneGeometry& geometry,
-                  SetupRecord& record) {
+void set_up_depth(const SetupContext& context, const PlaneGeometry& geometry, SetupRecord& record) {
     const ReferenceOffset& offset = geometry.attributes.offset;
     const std::array<std::int64_t, 3> z = vertex_depths(context, geometry.vertices);
     const DepthSteps steps = depth_steps(z, geometry.depth);
@@ -90,8 +88,7 @@ void set_up_attribute_planes(const SetupContext& context,
     AttributeValues values{
         .of = {v[0]->attributes.data(), v[1]->attributes.data(), v[2]->attributes.data()},
         .layout = context.layout,
-        .perspective =
-            v[0]->inverse_w != v[1]->inverse_w || v[0]->inverse_w != v[2]->inverse_w};
+        .perspective = v[0]->inverse_w != v[1]->inverse_w || v[0]->inverse_w != v[2]->inverse_w};
     record.perspective = values.perspective;
     record.plane_count = context.layout.count;
     if (!record.perspective) {
@@ -104,7 +101,8 @@ void set_up_attribute_planes(const SetupContext& context,
     for (unsigned j = 0; j < 3; ++j)
         values.k[j] = static_cast<double>(v[j]->inverse_w) * to_one;
     const int base_exponent = set_up_attributes(values, frame, record.planes());
-    const double half = static_cast<double>(lowest) * to_one * (1 << (ValueBits - 1 - base_exponent));
+    const double half =
+        static_cast<double>(lowest) * to_one * (1 << (ValueBits - 1 - base_exponent));
     record.inverse_w_floor = std::max(1, static_cast<std::int32_t>(half));
 }
 
@@ -181,9 +179,8 @@ PlaneGeometry triangle_geometry(const PlaneVertices& vertices) {
         return {vertices, basis, {basis, reference_offset(*vertices[0])}};
     const PlaneVertices longest = longest_edge_first(vertices);
     const WindowVertex& from = *longest[0];
-    return {longest,
-            triangle_basis(longest),
-            {line_basis(from, *longest[1]), reference_offset(from)}};
+    return {
+        longest, triangle_basis(longest), {line_basis(from, *longest[1]), reference_offset(from)}};
 }
 
 PlaneGeometry line_geometry(const WindowVertex& from, const WindowVertex& to, float width) {

@@ -15,7 +15,8 @@ struct alignas(16) StoredPlane {
     // Bits of a step in `low` and `middle`, so that sums of products fit 32 bits; `high` has the
     // 16 above, with the sign. |step| is below 2^44: a lane two pixels away still fits.
     static constexpr int LowBits = AttributePlane::GuardBits, MiddleBits = 15;
-    static constexpr std::uint32_t LowMask = (1u << LowBits) - 1, MiddleMask = (1u << MiddleBits) - 1;
+    static constexpr std::uint32_t LowMask = (1u << LowBits) - 1,
+                                   MiddleMask = (1u << MiddleBits) - 1;
     static constexpr std::uint32_t ScaleMask = 0xff800000;
 
     // Of c + Half: its guard bits, beside them the scale's exponent as binary32 has it.
@@ -39,7 +40,8 @@ struct alignas(16) StoredPlane {
 
     float scale() const { return std::bit_cast<float>(fraction_and_scale & ScaleMask); }
     AttributePlane plane() const {
-        const std::int64_t c = std::int64_t{whole} * (1 << LowBits) + (fraction_and_scale & LowMask);
+        const std::int64_t c =
+            std::int64_t{whole} * (1 << LowBits) + (fraction_and_scale & LowMask);
         return {c - AttributePlane::Half, step(0), step(16), scale()};
     }
 

@@ -158,8 +158,7 @@ TEST_CASE("every lane that a triangle can touch fits 32 bits") {
         const PlaneGeometry geometry = triangle_geometry({&v[0], &v[1], &v[2]});
         slivers += geometry.attributes.basis.x2 == 0 && geometry.attributes.basis.y2 == 0;
         const WindowVertex& first = *geometry.vertices[0];
-        const BlockPlane plane =
-            set_up_block_plane(random_values(random), geometry.attributes);
+        const BlockPlane plane = set_up_block_plane(random_values(random), geometry.attributes);
         REQUIRE(plane.exponent <= 61 + 13);
         for (const WindowVertex& at : v)
             for (const int dx : {-2, 2})
