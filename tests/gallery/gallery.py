@@ -13,13 +13,14 @@ import sys
 import page
 import pictures
 
+LONGEST = 240  # seconds that any one program may take
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FIELDS = ("row", "name", "title", "formula", "reason", "mutation", "reach", "worst_allowed", "rms_allowed")
 
 
 def output_of(*command, **options):
     return subprocess.run([str(part) for part in command], check=True, stdout=subprocess.PIPE, text=True,
-                          **options).stdout
+                          timeout=LONGEST, **options).stdout
 
 
 class XServer:
