@@ -30,16 +30,19 @@ Activity FragmentTiming::step(Pipe& pipe) {
     return Activity::Busy;
 }
 
-// The pipes share the way out: a different one is first in each cycle.
+// The pipes share the way out: a different one is first whenever one has worked.
 Activity FragmentTiming::step() {
     distribute();
     bool worked = false, stalled = false;
     for (std::size_t i = 0; i < pipes_.size(); ++i) {
-        const Activity activity = step(pipes_[(now() + i) % pipes_.size()]);
+        const Activity activity = step(pipes_[(first_ + i) % pipes_.size()]);
         worked |= activity == Activity::Busy;
         stalled |= activity == Activity::StalledOutput;
     }
-    if (worked) return Activity::Busy;
+    if (worked) {
+        first_ = (first_ + 1) % pipes_.size();
+        return Activity::Busy;
+    }
     return stalled ? Activity::StalledOutput : Activity::Idle;
 }
 

@@ -44,6 +44,7 @@ private:
     const TimingConfig& config_;
     const Ports ports_;
     std::vector<Pipe> pipes_;
+    std::size_t first_ = 0; // pipe at the way out
 };
 
 } // namespace ffgpu::timing

@@ -30,13 +30,16 @@ Activity TextureTiming::step() {
     Activity reason = Activity::Idle;
     distribute();
     bool worked = false;
-    // The pipes share the cache's ports and the way out: a different one is first in each cycle.
+    // The pipes share the cache's ports and the way out: a different one is first whenever one
+    // has worked.
     for (std::size_t i = 0; i < pipes_.size(); ++i) {
-        TexturePipe& pipe = pipes_[(now() + i) % pipes_.size()];
+        TexturePipe& pipe = pipes_[(first_ + i) % pipes_.size()];
         worked |= pipe.filter(ports_.cache, ports_.quads_out, reason);
         worked |= pipe.compare_tags(ports_.cache, statistics_, reason);
     }
-    return worked ? Activity::Busy : reason;
+    if (!worked) return reason;
+    first_ = (first_ + 1) % pipes_.size();
+    return Activity::Busy;
 }
 
 bool TextureTiming::may_sleep() const {

@@ -50,6 +50,7 @@ TEST_CASE("the latency of the environments is paid once a drain, at any width") 
     for (const std::uint32_t width : {1u, 4u}) {
         const auto cycles = [&](std::uint32_t latency, std::uint32_t order) {
             TimingConfig config;
+            config.memory.refresh_interval_cycles = 0; // A longer run would meet another refresh.
             config.raster.quads_per_cycle = width;
             config.fragment.latency = latency;
             config.fragment.queue = 2 * width;
