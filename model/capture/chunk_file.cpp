@@ -99,7 +99,12 @@ bool ChunkReader::next_chunk(std::size_t most_bytes) {
     if (read_plain(std::as_writable_bytes(std::span(sizes))) < sizeof sizes)
         damaged("the file is cut off: expected a chunk");
     const auto [size, compressed_size] = sizes;
-    if (size == 0) return false;
+    if (size == 0) {
+        std::array<std::byte, 1> behind{};
+        if (compressed_size != 0 || read_plain(behind) != 0)
+            damaged("expected the end of the file");
+        return false;
+    }
     if (size > most_bytes || compressed_size > ZSTD_compressBound(most_bytes))
         damaged("expected a chunk of at most " + std::to_string(most_bytes) +
                 " bytes, found one of " + std::to_string(size));

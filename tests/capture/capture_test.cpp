@@ -156,6 +156,17 @@ TEST_CASE("A capture cut at any byte or with any byte flipped ends in one line")
     }
 }
 
+TEST_CASE("Nothing may stand behind a capture's end") {
+    const TemporaryFile file("", ".ffc");
+    MemoryDevice original;
+    record(original, file.path());
+    const std::string bytes = bytes_of(file.path());
+    CHECK(outcome(bytes).empty());
+    for (const std::string& rest : {std::string("x"), bytes})
+        CHECK_THAT(outcome(bytes + rest),
+                   Catch::Matchers::Contains("expected the end of the file"));
+}
+
 TEST_CASE("A capture of another version is refused") {
     const TemporaryFile file("", ".ffc");
     MemoryDevice original;
