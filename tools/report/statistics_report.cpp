@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr unsigned SchemaVersion = 1;
+constexpr unsigned SchemaVersion = 2;
 
 Json object_of(const work::Figures& figures) {
     Json json = Json::object();
