@@ -194,6 +194,25 @@ TEST_CASE("Threads, heat maps and timing change neither pictures nor the functio
     CHECK(run({"replay", file.path(), "-o", folder / "x", "--heatmap", "cycles"}) == 2);
 }
 
+TEST_CASE("Frames that are not there are told of, and refused where none is") {
+    const Folder folder;
+    const TemporaryFile file(trace::in_snappy(clears(3)));
+    CHECK(run({"replay", file.path(), "-o", folder / "all", "--frames", "0-2"}) == 0);
+    CHECK(run({"replay", file.path(), "-o", folder / "some", "--frames", "2-9"}) == 0);
+    CHECK(run({"replay", file.path(), "-o", folder / "none", "--frames", "3-9"}) == 2);
+
+    ReplayOptions options;
+    options.input = file.path();
+    std::string warning;
+    options.warn = [&](const std::string& line) { warning += line; };
+    options.frames = {0, 2};
+    replay(options);
+    CHECK(warning.empty());
+    options.frames = {1, 9};
+    replay(options);
+    CHECK_THAT(warning, Contains("ends before frame 3, 9 was asked for"));
+}
+
 TEST_CASE("--set takes one assignment, and leaves the input its place") {
     const Folder folder;
     const TemporaryFile file(trace::in_snappy(clears(1)));

@@ -48,12 +48,25 @@ private:
             recording_.before_frame(next);
             if (measured_ == 0) started_ = std::chrono::steady_clock::now();
             const std::optional<Frame> frame = source_->next();
-            if (!frame) break;
+            if (!frame) {
+                check_range(next);
+                break;
+            }
             if (recording_.after_frame(*frame)) ++measured_;
             progress.show(frame->number);
             next = frame->number + 1;
         } while (next <= options_.frames.last && Interruption::signal() == 0);
         if (options_.benchmark > 0 && Interruption::signal() == 0) benchmark();
+    }
+
+    // The input ended, of which `frames` were played: were others asked for?
+    void check_range(std::uint64_t frames) const {
+        const FrameRange& wanted = options_.frames;
+        const std::string has = fmt::format("{} ends before frame {}", options_.input, frames);
+        if (measured_ == 0 && wanted.first > 0)
+            throw InputError(fmt::format("--frames: {}: none of those asked for is there", has));
+        if (wanted.last != FrameRange{}.last)
+            options_.warn(fmt::format("--frames: {}, {} was asked for", has, wanted.last));
     }
 
     // Frames a second from the first measured frame on, then of the last frame alone.
