@@ -1,0 +1,92 @@
+// The configuration of the texel, depth and colour caches.
+
+#pragma once
+
+#include "model/base/parameters.h"
+#include "model/timing/cache_traffic_config.h"
+#include "model/work/cache_policy.h"
+#include "model/work/config.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace ffgpu::timing {
+
+using work::Layout;
+
+// What a cache does in time, whatever its shape.
+struct CachePace : work::CachePolicy, CacheTrafficConfig {
+    std::uint32_t lookups_per_cycle = 1;
+    std::uint32_t fragment_fifo = 64;
+    std::uint32_t outstanding_lines = 64;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field("lookups_per_cycle",
+              self.lookups_per_cycle,
+              {.unit = "lines/cycle",
+               .minimum = 1,
+               .maximum = 64,
+               .meaning = "tags compared a cycle, for each fragment pipe"});
+        field("fragment_fifo",
+              self.fragment_fifo,
+              {.unit = "quads",
+               .minimum = 1,
+               .maximum = 65536,
+               .meaning = "quads between tag check and data, of each fragment pipe: hides misses"});
+        field("outstanding_lines",
+              self.outstanding_lines,
+              {.unit = "lines",
+               .minimum = 1,
+               .maximum = 65536,
+               .meaning = "fills under way at once"});
+        CachePolicy::visit(self, field);
+        CacheTrafficConfig::visit(self, field);
+    }
+};
+
+// The caches of depth and colour.
+struct CacheConfig : work::CacheShape, CachePace {
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        CacheShape::visit(self, field);
+        CachePace::visit(self, field);
+    }
+};
+
+struct TexelCacheConfig : work::TexelCacheShape, CachePace {
+    static constexpr std::string_view Name = "texel_cache";
+    std::uint32_t bilinear_quads_per_cycle = 1;
+
+    TexelCacheConfig() {
+        lookups_per_cycle = 4;
+        fragment_fifo = 128;
+    }
+
+    // What every cache has.
+    CacheConfig cache() const { return {*this, *this}; }
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        TexelCacheShape::visit(self, field);
+        CachePace::visit(self, field);
+        field("bilinear_quads_per_cycle",
+              self.bilinear_quads_per_cycle,
+              {.unit = "quads/cycle",
+               .minimum = 1,
+               .maximum = 16,
+               .meaning =
+                   "filtered by the units of a fragment pipe together; trilinear takes twice "
+                   "as long"});
+    }
+};
+
+struct DepthCacheConfig : CacheConfig {
+    static constexpr std::string_view Name = "depth_cache";
+};
+
+struct ColorCacheConfig : CacheConfig {
+    static constexpr std::string_view Name = "color_cache";
+};
+
+} // namespace ffgpu::timing

@@ -1,0 +1,66 @@
+// The configuration of the fragment pipes.
+
+#pragma once
+
+#include "model/base/parameters.h"
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace ffgpu::timing {
+
+enum class Distribution : std::uint8_t { Tiles, Scanlines };
+inline constexpr std::array<std::string_view, 2> DistributionNames{"tiles", "scanlines"};
+
+struct FragmentConfig {
+    static constexpr std::string_view Name = "fragment";
+    Distribution distribution = Distribution::Tiles;
+    std::uint32_t distribution_width = 8;
+    std::uint32_t pipe_queue = 32;
+    std::uint32_t combiner_cycles = 1;
+    std::uint32_t latency = 12;
+    std::uint32_t queue = 64;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field("distribution",
+              self.distribution,
+              {.meaning = "of quads to the raster.quads_per_cycle fragment pipes: squares on the "
+                          "diagonal share a pipe, or bands of scan lines",
+               .choices = DistributionNames});
+        field("distribution_width",
+              self.distribution_width,
+              {.unit = "pixels",
+               .minimum = 2,
+               .maximum = 512,
+               .power_of_two = true,
+               .meaning = "of such a square or band"});
+        field("pipe_queue",
+              self.pipe_queue,
+              {.unit = "quads",
+               .minimum = 1,
+               .maximum = 4096,
+               .meaning = "before each pipe's texture unit and its environments"});
+        field("combiner_cycles",
+              self.combiner_cycles,
+              {.unit = "cycles",
+               .minimum = 1,
+               .maximum = 64,
+               .meaning = "a quad and enabled texture environment"});
+        field("latency",
+              self.latency,
+              {.unit = "cycles",
+               .minimum = 1,
+               .maximum = 1024,
+               .meaning = "of the environments and fog"});
+        field("queue",
+              self.queue,
+              {.unit = "quads",
+               .minimum = 1,
+               .maximum = 4096,
+               .meaning = "between the stages of the fragment pipe"});
+    }
+};
+
+} // namespace ffgpu::timing
