@@ -1,5 +1,5 @@
 // GpuTiming: the machine in time. It reads the work stream of the functional GPU and never changes
-// a pixel. gpu_timing.cpp wires the units and reads as the block diagram.
+// a pixel. machine.cpp wires the units and reads as the block diagram.
 //
 // Each GpuTiming has a SystemC simulation context of its own, so several can exist in a process,
 // one after the other or side by side; SystemC keeps the current one in a global, so only one
@@ -36,6 +36,7 @@ struct FrameTiming {
     std::vector<CommandCycles> commands; // all of them; the sum of theirs is `cycles`
 };
 
+class Machine;
 class SimulationContext;
 
 class GpuTiming final : public work::CommandSink {
@@ -67,7 +68,6 @@ public:
     std::vector<std::string> unit_names() const;
 
 private:
-    class Machine;
     std::unique_ptr<SimulationContext> context_;
     std::unique_ptr<Machine> machine_;
 };

@@ -1,0 +1,262 @@
+#include "model/timing/machine.h"
+
+#include "model/timing/memory_controller.h"
+
+#include <utility>
+
+namespace ffgpu::timing {
+namespace {
+
+constexpr std::size_t MostWaiting = 1 << 14; // quads that are prepared before they are run
+
+CacheConfig vertex_cache(const VertexConfig& config) {
+    CacheConfig cache;
+    cache.sets = config.cache_sets;
+    cache.ways = config.cache_ways;
+    cache.line_bytes = config.line_bytes;
+    return cache;
+}
+
+} // namespace
+
+Machine::Machine(const SimulationContext& kernel,
+                 const TimingConfig& wanted,
+                 std::uint32_t evaluation_order,
+                 const MakeMemory& make_memory)
+    : context(kernel)
+    , config(wanted)
+    , order(config.work(), *this)
+    , clock("clock", [this] { return must_wait(); })
+    , in_flight(clock)
+    , memory_in_flight(clock)
+    , command_requests(clock, config.memory.client_queue, memory_in_flight)
+    , command_responses(clock, ResponseQueue)
+    , vertex_port(
+          "vertex_cache", clock, vertex_cache(config.vertex), Client::Vertex, memory_in_flight)
+    , texel_port(
+          "texel_cache", clock, config.texel_cache.cache(), Client::Texture, memory_in_flight)
+    , depth_port("depth_cache", clock, config.depth_cache, Client::Depth, memory_in_flight)
+    , color_port("color_cache", clock, config.color_cache, Client::Color, memory_in_flight)
+    , draws(clock, 4)
+    , vertices(clock, config.vertex.fetch_queue)
+    , primitives(clock, config.setup.queue, config.vertex.latency)
+    , setups(clock, config.setup.queue)
+    , raster_to_depth(clock, config.raster.queue)
+    , depth_to_texture(clock, config.fragment.queue)
+    , texture_to_fragment(clock, config.fragment.queue)
+    , fragment_to_depth(
+          clock, config.fragment.queue, config.fragment.latency, config.raster.quads_per_cycle)
+    , depth_to_color(clock, config.fragment.queue)
+    , command_processor("command_processor",
+                        clock,
+                        config,
+                        {.draws_out = draws,
+                         .requests_out = command_requests,
+                         .responses_in = command_responses,
+                         .depth_cache = depth_port.cache,
+                         .color_cache = color_port.cache,
+                         .ledger = ledger},
+                        in_flight,
+                        memory_in_flight)
+    , vertex_fetch("vertex_fetch",
+                   clock,
+                   config.vertex,
+                   {.draws_in = draws,
+                    .vertices_out = vertices,
+                    .responses_in = vertex_port.responses,
+                    .cache = vertex_port.cache})
+    , geometry(
+          "geometry", clock, config.vertex, {.vertices_in = vertices, .primitives_out = primitives})
+    , setup("setup", clock, config, {.primitives_in = primitives, .setups_out = setups})
+    , raster("raster",
+             clock,
+             config.raster,
+             {.setups_in = setups, .quads_out = raster_to_depth},
+             in_flight)
+    , depth("depth",
+            clock,
+            config,
+            {.early_in = raster_to_depth,
+             .early_out = depth_to_texture,
+             .late_in = fragment_to_depth,
+             .late_out = depth_to_color,
+             .responses_in = depth_port.responses,
+             .cache = depth_port.cache},
+            in_flight)
+    , texture("texture",
+              clock,
+              config,
+              {.quads_in = depth_to_texture,
+               .quads_out = texture_to_fragment,
+               .responses_in = texel_port.responses,
+               .cache = texel_port.cache})
+    , fragment("fragment",
+               clock,
+               config,
+               {.quads_in = texture_to_fragment, .quads_out = fragment_to_depth})
+    , color("color",
+            clock,
+            config,
+            {.quads_in = depth_to_color,
+             .responses_in = color_port.responses,
+             .cache = color_port.cache},
+            in_flight,
+            [this](const QuadToken& token, Cycle now) { retire(token, now); })
+    , arbiter("arbiter",
+              clock,
+              config.memory,
+              {.requests_in = {&command_requests.channel(),
+                               &vertex_port.requests.channel(),
+                               &texel_port.requests.channel(),
+                               &depth_port.requests.channel(),
+                               &color_port.requests.channel()},
+               .responses_out = {&command_responses,
+                                 &vertex_port.responses,
+                                 &texel_port.responses,
+                                 &depth_port.responses,
+                                 &color_port.responses}},
+              memory_in_flight)
+    , memory(make_memory ? make_memory(clock, config.memory)
+                         : std::make_unique<MemoryController>("memory", clock, config.memory)) {
+    connect_links();
+    attach_units(evaluation_order);
+}
+
+void Machine::connect_links() {
+    draws.connect(command_processor, vertex_fetch);
+    vertices.connect(vertex_fetch, geometry);
+    primitives.connect(geometry, setup);
+    setups.connect(setup, raster);
+    raster_to_depth.connect(raster, depth);
+    depth_to_texture.connect(depth, texture);
+    texture_to_fragment.connect(texture, fragment);
+    fragment_to_depth.connect(fragment, depth);
+    depth_to_color.connect(depth, color);
+    connect_memory(command_processor, command_requests, command_responses);
+    connect_memory(vertex_fetch, vertex_port.requests, vertex_port.responses);
+    connect_memory(texture, texel_port.requests, texel_port.responses);
+    connect_memory(depth, depth_port.requests, depth_port.responses);
+    connect_memory(color, color_port.requests, color_port.responses);
+    memory->connect(arbiter);
+    arbiter.socket.bind(memory->target());
+}
+
+void Machine::scene(work::PreparedScene&& scene) {
+    waiting_quads += scene.quads.size() + scene.draws.size();
+    scenes.emplace_back(std::move(scene), ledger);
+    scenes.back().host_writes = std::exchange(host_writes, {});
+    command_processor.enqueue(scenes.back());
+    if (waiting_quads > MostWaiting) run();
+}
+
+void Machine::transfer(work::PreparedTransfer&& transfer) {
+    command_processor.enqueue(std::move(transfer));
+    if (++waiting_quads > MostWaiting) run();
+}
+
+void Machine::host_transfer(const HostTransfer& transfer) {
+    (transfer.is_write ? frame_statistics.host_written_bytes : frame_statistics.host_read_bytes) +=
+        transfer.bytes;
+    if (transfer.is_write) host_writes.push_back({transfer.at, transfer.at + transfer.bytes});
+}
+
+void Machine::end_frame(std::uint32_t number) {
+    command_processor.enqueue_frame_end();
+    run();
+    finish_frame(number);
+}
+
+void Machine::run() {
+    const SimulationContext::Scope scope(context);
+    sc_core::sc_start();
+    waiting_quads = 0;
+    while (scenes.size() > 1 && scenes.front().is_done())
+        scenes.pop_front();
+}
+
+void Machine::finish_frame(std::uint32_t number) {
+    for (Unit* unit : units())
+        unit->settle();
+    memory->settle();
+    frame_statistics.cycles += clock.now() - frame_statistics.cycles.value();
+    frame.frame = number;
+    frame.cycles = clock.now() - frame_begin;
+    frame_begin = clock.now();
+    frame.commands = ledger.end_frame(clock.now());
+    if (on_frame) on_frame(frame);
+}
+
+std::vector<Unit*> Machine::units() {
+    std::vector<Unit*> all{&command_processor,
+                           &vertex_fetch,
+                           &geometry,
+                           &setup,
+                           &raster,
+                           &depth,
+                           &texture,
+                           &fragment,
+                           &color,
+                           &arbiter};
+    if (Unit* unit = memory->unit()) all.push_back(unit);
+    return all;
+}
+
+// In the order of the pipe, or shuffled by a linear congruential generator.
+void Machine::attach_units(std::uint32_t seed) {
+    auto shuffled = units();
+    for (std::size_t i = shuffled.size() - 1; i > 0 && seed != 0; --i) {
+        seed = seed * 1664525u + 1013904223u;
+        std::swap(shuffled[i], shuffled[(seed >> 16) % (i + 1)]);
+    }
+    for (Unit* unit : shuffled)
+        unit->attach();
+}
+
+bool Machine::must_wait() {
+    if (clock.now() >= next_progress_check) check_progress();
+    return command_processor.starves();
+}
+
+// A machine in which no unit has worked for a million cycles is wired wrongly.
+void Machine::check_progress() {
+    constexpr Cycle Interval = 1'000'000;
+    Cycle busy = 0;
+    for (Unit* unit : units())
+        busy += unit->account().cycles(Activity::Busy);
+    check(busy != busy_at_last_check || clock.now() == 0, "the timed machine is stuck");
+    busy_at_last_check = busy;
+    next_progress_check = clock.now() + Interval;
+}
+
+void Machine::connect_memory(Unit& unit, RequestPort& requests, Channel<std::uint64_t>& responses) {
+    requests.channel().connect(unit, arbiter);
+    responses.connect(arbiter, unit);
+}
+
+void Machine::retire(const QuadToken& token, Cycle now) {
+    const Cycle cycles = now - std::max(last_retired, frame_begin);
+    last_retired = now;
+    if (!on_retire) return;
+    const PreparedQuad& quad = token.quad();
+    on_retire({.x = quad.x,
+               .y = quad.y,
+               .written = quad.after_depth,
+               .texture_misses = token.misses,
+               .cycles = cycles});
+}
+
+std::vector<const StatisticsGroup*> Machine::statistics() {
+    std::vector<const StatisticsGroup*> groups{&frame_statistics};
+    for (Unit* unit : units())
+        groups.push_back(&unit->account());
+    groups.push_back(&vertex_fetch.statistics());
+    groups.push_back(&texture.statistics());
+    for (const CachePort* port : {&vertex_port, &texel_port, &depth_port, &color_port})
+        groups.push_back(&port->cache.statistics());
+    groups.push_back(&arbiter.statistics());
+    for (const StatisticsGroup* group : memory->statistics())
+        groups.push_back(group);
+    return groups;
+}
+
+} // namespace ffgpu::timing

@@ -1,0 +1,111 @@
+// Machine: the units of the machine in time, their links and their ports to memory. Members are
+// made in the order of the block diagram: clock, memory ports, links, units; machine.cpp wires them
+// by name.
+
+#pragma once
+
+#include "model/timing/cache_port.h"
+#include "model/timing/color_timing.h"
+#include "model/timing/command_processor.h"
+#include "model/timing/depth_timing.h"
+#include "model/timing/fragment_timing.h"
+#include "model/timing/geometry_timing.h"
+#include "model/timing/gpu_timing.h"
+#include "model/timing/memory_arbiter.h"
+#include "model/timing/raster_timing.h"
+#include "model/timing/setup_timing.h"
+#include "model/timing/simulation_context.h"
+#include "model/timing/texture_timing.h"
+#include "model/timing/vertex_fetch.h"
+#include "model/work/machine_order.h"
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace ffgpu::timing {
+
+class FrameStatistics : public StatisticsGroup {
+public:
+    Counter& cycles = count("total_cycles", "cycles", "of the machine's clock");
+    Counter& host_written_bytes =
+        count("host_written_bytes", "bytes", "that the driver wrote to device memory");
+    Counter& host_read_bytes =
+        count("host_read_bytes", "bytes", "that the driver read from device memory");
+};
+
+class Machine final : public work::MachineSink {
+public:
+    // As GpuTiming's constructor has them.
+    Machine(const SimulationContext& kernel,
+            const TimingConfig& wanted,
+            std::uint32_t evaluation_order,
+            const MakeMemory& make_memory);
+
+    // MachineSink
+    void scene(work::PreparedScene&& scene) override;
+    void transfer(work::PreparedTransfer&& transfer) override;
+    void host_transfer(const HostTransfer& transfer) override;
+    void end_frame(std::uint32_t number) override;
+
+    // Runs until the command processor has nothing left to read. Time stands still then, so that
+    // nobody can see in a result how often this is done.
+    void run();
+
+    std::vector<Unit*> units();
+    std::vector<const StatisticsGroup*> statistics();
+
+    const SimulationContext& context;
+    const TimingConfig config;
+    work::MachineOrder order;
+    Clock clock;
+    InFlight in_flight, memory_in_flight;
+    CommandLedger ledger;
+    std::deque<TimedScene> scenes;
+    std::size_t waiting_quads = 0; // and draws and transfers, since run()
+
+    RequestPort command_requests;
+    Channel<std::uint64_t> command_responses;
+    CachePort vertex_port, texel_port, depth_port, color_port;
+
+    Channel<DrawToken> draws;
+    Channel<VertexToken> vertices;
+    Channel<PrimitiveToken> primitives;
+    Channel<SetupToken> setups;
+    Channel<QuadToken> raster_to_depth, depth_to_texture, texture_to_fragment, fragment_to_depth,
+        depth_to_color;
+
+    CommandProcessor command_processor;
+    VertexFetch vertex_fetch;
+    GeometryTiming geometry;
+    SetupTiming setup;
+    RasterTiming raster;
+    DepthTiming depth;
+    TextureTiming texture;
+    FragmentTiming fragment;
+    ColorTiming color;
+    MemoryArbiter arbiter;
+    std::unique_ptr<MemoryModule> memory;
+
+    std::vector<HostWrite> host_writes; // since the last scene
+    FrameStatistics frame_statistics;
+    FrameTiming frame;
+    Cycle frame_begin = 0;
+    Cycle last_retired = 0;
+    Cycle next_progress_check = 0;
+    Cycle busy_at_last_check = ~Cycle{0};
+    std::function<void(const FrameTiming&)> on_frame;
+    std::function<void(const QuadRetired&)> on_retire;
+
+private:
+    void attach_units(std::uint32_t seed);
+    bool must_wait();
+    void check_progress();
+    void connect_links();
+    void connect_memory(Unit& unit, RequestPort& requests, Channel<std::uint64_t>& responses);
+    void finish_frame(std::uint32_t number);
+    void retire(const QuadToken& token, Cycle now);
+};
+
+} // namespace ffgpu::timing
