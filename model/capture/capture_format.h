@@ -11,7 +11,8 @@
 namespace ffgpu::capture {
 
 constexpr std::array<char, 8> Magic{'f', 'f', 'g', 'p', 'u', 'c', 'a', 'p'};
-constexpr std::uint32_t Version = 3;
+constexpr std::uint32_t Version = 4;
+constexpr std::uint32_t OldestVersion = 3; // Its snapshot has no end record.
 
 struct Header {
     std::uint32_t version = Version;
@@ -25,7 +26,8 @@ enum class Record : std::uint8_t {
     ReadMemory = 2,  // u32 address, u32 bytes
     Submit = 3,      // u32 words, the words
     Finish = 4,
-    Shown = 5, // u32 frame number, the words of a Surface: the picture that was handed over
+    Shown = 5,       // u32 frame number, the words of a Surface: the picture that was handed over
+    SnapshotEnd = 6, // u32 number of the first draw: what came before restores, and is no work
 };
 
 // Chunks are about that large; one record can make its chunk larger, but not beyond MaxChunkBytes.

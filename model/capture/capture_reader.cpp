@@ -1,7 +1,6 @@
 #include "model/capture/capture_reader.h"
 
 #include "model/base/input_error.h"
-#include "model/capture/capture_format.h"
 #include "model/capture/description_text.h"
 #include "model/device/extents.h"
 #include "model/device/validate.h"
@@ -60,9 +59,10 @@ void CaptureReader::read_header() {
     std::memcpy(&header.version, bytes.data() + 8, 4);
     std::memcpy(&header.memory_bytes, bytes.data() + 12, 8);
     std::memcpy(&header.first_frame, bytes.data() + 20, 4);
-    if (header.version != Version)
+    if (header.version < OldestVersion || header.version > Version)
         throw InputError(file_.path() + ": capture version " + std::to_string(header.version) +
-                         "; version " + std::to_string(Version) + " can be read");
+                         "; versions " + std::to_string(OldestVersion) + " to " +
+                         std::to_string(Version) + " can be read");
     if (found < bytes.size()) throw InputError(file_.path() + ": the header is cut off");
     constexpr std::uint64_t Most = std::uint64_t{1} << 32;
     if (header.memory_bytes > Most)
@@ -71,32 +71,54 @@ void CaptureReader::read_header() {
                          std::to_string(header.memory_bytes));
     memory_size_ = header.memory_bytes;
     first_frame_ = header.first_frame;
+    in_snapshot_ = header.version > OldestVersion;
+}
+
+void CaptureReader::play_snapshot(Device& device) {
+    if (std::exchange(resets_pending_, false)) at_place([&] { device.submit(commands_); });
+    while (in_snapshot_)
+        if (!play_record(device)) file_.damaged("expected the end of the snapshot");
 }
 
 std::optional<ShownPicture> CaptureReader::play_frame(Device& device) {
-    if (std::exchange(resets_pending_, false)) at_place([&] { device.submit(commands_); });
-    for (;;) {
-        if (file_.chunk_ended() && !file_.next_chunk(MaxChunkBytes)) return std::nullopt;
-        switch (const auto kind = static_cast<Record>(file_.take(1)[0])) {
-        case Record::WriteMemory:
-            play_write(device);
-            break;
-        case Record::ReadMemory:
-            play_read(device);
-            break;
-        case Record::Submit:
-            play_commands(device);
-            break;
-        case Record::Finish:
-            device.finish();
-            break;
-        case Record::Shown:
-            return take_shown();
-        default:
-            file_.damaged("expected a record's kind (1 to 5), found " +
-                          std::to_string(static_cast<unsigned>(kind)));
-        }
+    play_snapshot(device);
+    std::optional<Record> played;
+    do {
+        played = play_record(device);
+    } while (played && *played != Record::Shown);
+    return played ? std::optional(shown_) : std::nullopt;
+}
+
+std::optional<Record> CaptureReader::play_record(Device& device) {
+    if (file_.chunk_ended() && !file_.next_chunk(MaxChunkBytes)) return std::nullopt;
+    const auto kind = static_cast<Record>(file_.take(1)[0]);
+    switch (kind) {
+    case Record::WriteMemory:
+        play_write(device);
+        return kind;
+    case Record::ReadMemory:
+        play_read(device);
+        return kind;
+    case Record::Submit:
+        play_commands(device);
+        return kind;
+    case Record::Finish:
+        device.finish();
+        return kind;
+    case Record::Shown:
+        take_shown();
+        return kind;
+    case Record::SnapshotEnd:
+        take_snapshot_end();
+        return kind;
     }
+    file_.damaged("expected a record's kind (1 to 6), found " +
+                  std::to_string(static_cast<unsigned>(kind)));
+}
+
+void CaptureReader::take_snapshot_end() {
+    if (!std::exchange(in_snapshot_, false)) file_.damaged("expected one end of the snapshot");
+    first_draw_ = file_.take_u32();
 }
 
 void CaptureReader::play_write(Device& device) {
@@ -139,15 +161,13 @@ void CaptureReader::play_translated(Device& device) {
     device.submit(commands_);
 }
 
-ShownPicture CaptureReader::take_shown() {
-    ShownPicture shown;
-    shown.frame = file_.take_u32();
+void CaptureReader::take_shown() {
+    shown_.frame = file_.take_u32();
     file_.take_words(translator_->surface_words(), words_);
     at_place([&] {
-        shown.picture = translator_->surface(words_);
-        validate_picture(shown.picture, memory_size_);
+        shown_.picture = translator_->surface(words_);
+        validate_picture(shown_.picture, memory_size_);
     });
-    return shown;
 }
 
 void CaptureReader::need_range(std::uint32_t address, std::uint64_t bytes) const {

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "model/capture/capture_format.h"
 #include "model/capture/chunk_file.h"
 #include "model/capture/translator.h"
 #include "model/device/device.h"
@@ -34,6 +35,14 @@ public:
     // The number that the first frame had when it was captured.
     std::uint32_t first_frame() const { return first_frame_; }
 
+    // Restores what the device held when the capture began: no work of the captured program's. To
+    // be called first; play_frame() does it where nobody did.
+    void play_snapshot(Device& device);
+
+    // The number that the first draw had, known when the snapshot is played. Captures of version 3
+    // do not tell it, nor where their snapshot ends.
+    std::uint32_t first_draw() const { return first_draw_; }
+
     // Plays up to the end of the next frame; nothing at the end of the capture.
     std::optional<ShownPicture> play_frame(Device& device);
 
@@ -43,11 +52,14 @@ public:
 private:
     void read_beginning();
     void read_header();
+    // Which it was; nothing at the end.
+    std::optional<Record> play_record(Device& device);
+    void take_snapshot_end();
     void play_write(Device& device);
     void play_read(Device& device);
     void play_commands(Device& device);
     void play_translated(Device& device);
-    ShownPicture take_shown();
+    void take_shown();
     void need_range(std::uint32_t address, std::uint64_t bytes) const;
 
     // Adds the place in the file to an InputError.
@@ -57,6 +69,9 @@ private:
     ChunkReader file_;
     std::uint64_t memory_size_ = 0;
     std::uint32_t first_frame_ = 0;
+    std::uint32_t first_draw_ = 0;
+    bool in_snapshot_ = false; // Its end record is to come.
+    ShownPicture shown_;       // of the last record of that kind
     std::optional<Translator> translator_;
     bool resets_pending_ = false; // commands_ are the resets, and come before all else
     std::vector<std::uint32_t> words_;

@@ -63,6 +63,8 @@ void CaptureWriter::record_snapshot() {
     CommandStream commands;
     write_changes(Registers{}, registers_.values(), commands);
     record_commands(commands.words);
+    begin_record(Record::SnapshotEnd, 4);
+    file_->put_u32(draws_);
 }
 
 void CaptureWriter::frame_shown(std::uint32_t number, const Surface& picture) {
@@ -90,7 +92,9 @@ void CaptureWriter::read_memory(DeviceAddress at, std::span<std::byte> bytes) {
 void CaptureWriter::submit(const CommandStream& commands) {
     device_.submit(commands); // What it refuses is no part of a capture.
     for_each_command(commands.words, [this](const CommandReader& reader) {
-        if (reader.opcode() == Opcode::WriteRegister) registers_.write(reader.register_write());
+        const Opcode opcode = reader.opcode();
+        if (opcode == Opcode::WriteRegister) registers_.write(reader.register_write());
+        if (opcode == Opcode::Draw || opcode == Opcode::DrawImage) ++draws_;
     });
     if (file_) record_commands(commands.words);
 }

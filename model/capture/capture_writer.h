@@ -26,6 +26,8 @@ public:
     // Throws InputError if the file cannot be written; so do end() and the calls between them.
     void begin(const std::string& path, std::uint32_t first_frame);
     void end();
+    // The device's next draw has that number (0 for a new device).
+    void number_draws_from(std::uint32_t number) { draws_ = number; }
     bool is_recording() const { return file_.has_value(); }
 
     // Tells which picture a frame ended with.
@@ -45,7 +47,8 @@ private:
     void begin_record(Record record, std::size_t bytes);
 
     Device& device_;
-    RegisterFile registers_; // the device's
+    RegisterFile registers_;  // the device's
+    std::uint32_t draws_ = 0; // that it was told to draw
     std::optional<ChunkWriter> file_;
 };
 

@@ -39,6 +39,13 @@ void FunctionalGpu::set_stage_probe(StageProbe* probe) {
     renderers_[0]->set_probe(probe);
 }
 
+void FunctionalGpu::number_from(std::uint32_t frame, std::uint32_t draw) {
+    flush();
+    frame_ = frame;
+    draw_number_ = draw;
+    context_valid_ = pixels_valid_ = false;
+}
+
 void FunctionalGpu::write_memory(DeviceAddress at, std::span<const std::byte> bytes) {
     check(memory_.contains(at, bytes.size()), "a write outside device memory");
     before_write(at, bytes.size());

@@ -50,6 +50,10 @@ public:
     // carried out on the caller's thread alone; null: no more.
     void set_stage_probe(StageProbe* probe);
 
+    // The frame under way and the next draw get these numbers: for a device that goes on where
+    // another was captured.
+    void number_from(std::uint32_t frame, std::uint32_t draw);
+
     const Registers& registers() const { return registers_.values(); }
 
     std::uint64_t memory_size() const override { return memory_.size(); }

@@ -54,6 +54,7 @@ void set_fog(Device& device, float density) {
     fog.density = density;
     CommandStream commands;
     commands.write(FogAddress, fog);
+    commands.add(DrawCommand{});
     commands.add(Opcode::EndFrame);
     device.submit(commands);
 }
@@ -110,18 +111,19 @@ TEST_CASE("A capture begins with what the device held and repeats the calls that
     CHECK(copy.memory == original.memory);
 }
 
-TEST_CASE("A capture is played again from its beginning") {
+TEST_CASE("A snapshot is played by itself, and tells the number of the first draw") {
     const TemporaryFile file("", ".ffc");
-    MemoryDevice original, first, second;
+    MemoryDevice original, copy;
     record(original, file.path());
     CaptureReader reader(file.path());
-    while (reader.play_frame(first)) {
-    }
-    reader.rewind();
-    while (reader.play_frame(second)) {
-    }
-    CHECK(first.words == second.words);
-    CHECK(first.memory == second.memory);
+    reader.play_snapshot(copy);
+    CHECK(reader.first_draw() == 1);
+    CHECK(copy.registers.values().fog.density == 0.25f);
+    CHECK(std::to_integer<int>(copy.memory[500000]) == 9);
+    const std::vector<std::byte> snapshot = copy.memory;
+    reader.play_snapshot(copy); // Once is enough.
+    CHECK(reader.play_frame(copy)->frame == 7);
+    CHECK(copy.memory == snapshot);
 }
 
 // What playing the file ends with.
@@ -136,6 +138,48 @@ std::string outcome(const std::string& bytes) {
         return error.what();
     }
     return {};
+}
+
+// A file of that version whose one record is `record`.
+std::string small_capture(std::uint32_t version, Record record) {
+    const TemporaryFile file("", ".ffc");
+    ChunkWriter writer(file.path());
+    write_beginning(writer, {.version = version, .memory_bytes = 1 << 20}, describe_contract());
+    writer.put_bytes(&record, 1);
+    writer.put_u32(3);
+    if (record == Record::Shown) {
+        const std::array<std::uint32_t, WordCount<Surface>> none{};
+        writer.put_bytes(none.data(), sizeof none);
+    }
+    writer.end();
+    return bytes_of(file.path());
+}
+
+TEST_CASE("Captures of version 3 have no end of their snapshot, later ones need it") {
+    const TemporaryFile old(small_capture(3, Record::Shown), ".ffc");
+    CaptureReader reader(old.path());
+    MemoryDevice device;
+    reader.play_snapshot(device);
+    CHECK(reader.first_draw() == 0);
+    CHECK(reader.play_frame(device)->frame == 3);
+
+    CHECK(outcome(small_capture(4, Record::SnapshotEnd)).empty());
+    CHECK_THAT(outcome(small_capture(4, Record::Shown)), Contains("the end of the snapshot"));
+    CHECK_THAT(outcome(small_capture(3, Record::SnapshotEnd)), Contains("end of the snapshot"));
+}
+
+TEST_CASE("A capture is played again from its beginning") {
+    const TemporaryFile file("", ".ffc");
+    MemoryDevice original, first, second;
+    record(original, file.path());
+    CaptureReader reader(file.path());
+    while (reader.play_frame(first)) {
+    }
+    reader.rewind();
+    while (reader.play_frame(second)) {
+    }
+    CHECK(first.words == second.words);
+    CHECK(first.memory == second.memory);
 }
 
 TEST_CASE("A capture cut at any byte or with any byte flipped ends in one line") {

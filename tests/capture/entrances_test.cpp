@@ -30,7 +30,8 @@ std::string submitted(const CommandStream& stream) {
 std::string played(const CommandStream& stream) {
     const TemporaryFile path("", ".ffc");
     ChunkWriter file(path.path());
-    write_beginning(file, {.memory_bytes = MemoryBytes}, describe_contract());
+    write_beginning(
+        file, {.version = OldestVersion, .memory_bytes = MemoryBytes}, describe_contract());
     const auto kind = static_cast<std::uint8_t>(Record::Submit);
     file.put_bytes(&kind, 1);
     file.put_u32(static_cast<std::uint32_t>(stream.words.size()));

@@ -112,7 +112,7 @@ public:
         : other_(other)
         , file_(path)
         , memory_(memory) {
-        write_beginning(file_, {.memory_bytes = memory}, other);
+        write_beginning(file_, {.version = OldestVersion, .memory_bytes = memory}, other);
     }
 
     std::uint64_t memory_size() const override { return memory_; }

@@ -2,8 +2,8 @@
 
 #include "model/base/input_error.h"
 #include "tests/support/temporary_file.h"
-#include "tests/trace/trace_writer.h"
-#include "tools/commands/command_line.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/tools/tool.h"
 #include "tools/config/config_file.h"
 #include "tools/frames/frame_range.h"
 #include "tools/image/compare_images.h"
@@ -11,11 +11,8 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <catch2/catch.hpp>
-#include <unistd.h>
 
 namespace ffgpu::tools {
 namespace {
@@ -24,72 +21,8 @@ using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 namespace fs = std::filesystem;
 
-// A folder that is gone after the test.
-struct Folder {
-    fs::path path =
-        fs::temp_directory_path() / std::string("ffgpu_tools_").append(std::to_string(::getpid()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    std::string operator/(const std::string& name) const { return (path / name).string(); }
-};
-
-int run(const std::vector<std::string>& arguments) {
-    std::vector<const char*> pointers{"ffgpu"};
-    for (const std::string& argument : arguments)
-        pointers.push_back(argument.c_str());
-    return run_command_line(static_cast<int>(pointers.size()), pointers.data(), "test");
-}
-
-std::string content(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-// `frames` frames of 8x4 pixels, cleared to red, then green, then red ...; over it the lower two
-// and a half rows become white, if so wanted.
-std::string clears(unsigned frames, bool with_edge = false) {
-    trace::TraceWriter writer;
-    using Values = std::vector<std::function<void()>>;
-    const auto integer = [&](std::int64_t value) { return [&, value] { writer.sint(value); }; };
-    const auto real = [&](float value) { return [&, value] { writer.float32(value); }; };
-    writer.enter(0, "glXCreateContext", {"dpy", "vis", "shareList", "direct"});
-    writer.end();
-    writer.leave(writer.calls++);
-    writer.result();
-    writer.pointer(0x1000);
-    writer.end();
-    writer.call(1,
-                "glXMakeCurrent",
-                {"dpy", "drawable", "ctx"},
-                Values{integer(0), integer(5), [&] { writer.pointer(0x1000); }});
-    writer.call(2,
-                "glViewport",
-                {"x", "y", "width", "height"},
-                Values{integer(0), integer(0), integer(8), integer(4)});
-    for (unsigned i = 0; i < frames; ++i) {
-        const float red = i % 2 == 0 ? 1 : 0;
-        writer.call(3,
-                    "glClearColor",
-                    {"red", "green", "blue", "alpha"},
-                    Values{real(red), real(1 - red), real(0), real(1)});
-        writer.call(4, "glClear", {"mask"}, Values{[&] { writer.bitmask(0, 0x4000); }});
-        if (with_edge)
-            writer.call(6,
-                        "glRectf",
-                        {"x1", "y1", "x2", "y2"},
-                        Values{real(-1), real(-1), real(1), real(0.25f)});
-        writer.call(5, "glXSwapBuffers", {"dpy", "drawable"}, Values{integer(0), integer(5)});
-    }
-    return writer.bytes;
-}
-
 TEST_CASE("Each bad input is one clear line and exit status 2") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const auto replay_error = [&](const std::string& bytes) -> std::string {
         const TemporaryFile file(bytes);
         ReplayOptions options;
@@ -125,7 +58,7 @@ TEST_CASE("Each bad input is one clear line and exit status 2") {
 }
 
 TEST_CASE("Frames before a damaged place are written, and so are their statistics") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const std::string whole = clears(3);
     const TemporaryFile file(trace::in_snappy(whole.substr(0, whole.size() - 3)));
     CHECK(run({"replay", file.path(), "-o", folder / "out"}) == 2);
@@ -136,7 +69,7 @@ TEST_CASE("Frames before a damaged place are written, and so are their statistic
 }
 
 TEST_CASE("A trace becomes pictures, and a range of its frames a capture with the same ones") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const TemporaryFile file(trace::in_snappy(clears(4)));
     REQUIRE(run({"replay", file.path(), "-o", folder / "all"}) == 0);
     const Image red = read_image(folder / "all/frame_0002.png");
@@ -166,7 +99,7 @@ TEST_CASE("A trace becomes pictures, and a range of its frames a capture with th
 }
 
 TEST_CASE("--samples smooths the edges of a trace's pictures") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const TemporaryFile file(trace::in_snappy(clears(1, true)));
     const auto green_of_edge = [&](const char* samples) -> int {
         REQUIRE(run({"replay", file.path(), "-o", folder / samples, "--samples", samples}) == 0);
@@ -184,7 +117,7 @@ TEST_CASE("--samples smooths the edges of a trace's pictures") {
 }
 
 TEST_CASE("Threads, heat maps and timing change neither pictures nor the functional figures") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const TemporaryFile file(trace::in_snappy(clears(3)));
     REQUIRE(run({"replay", file.path(), "-o", folder / "one", "--threads", "1"}) == 0);
     REQUIRE(run({"replay", file.path(), "-o", folder / "two", "--threads", "2"}) == 0);
@@ -195,7 +128,7 @@ TEST_CASE("Threads, heat maps and timing change neither pictures nor the functio
 }
 
 TEST_CASE("Frames that are not there are told of, and refused where none is") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const TemporaryFile file(trace::in_snappy(clears(3)));
     CHECK(run({"replay", file.path(), "-o", folder / "all", "--frames", "0-2"}) == 0);
     CHECK(run({"replay", file.path(), "-o", folder / "some", "--frames", "2-9"}) == 0);
@@ -214,7 +147,7 @@ TEST_CASE("Frames that are not there are told of, and refused where none is") {
 }
 
 TEST_CASE("--set takes one assignment, and leaves the input its place") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const TemporaryFile file(trace::in_snappy(clears(1)));
     CHECK(run({"replay", "-o", folder / "x", "--set", "gpu.tile_size=32", file.path()}) == 0);
     CHECK(run({"replay", file.path(), "-o", folder / "x", "--set", "gpu.threads=1", "foo"}) == 2);
@@ -229,7 +162,7 @@ TEST_CASE("An empty file is a configuration without changes") {
 }
 
 TEST_CASE("compare measures, and fails above its limit") {
-    const Folder folder;
+    const TemporaryFolder folder;
     Image a(4, 2), b(4, 2);
     b.rgb[3 * 5 + 1] = 24;
     const Difference difference = compare_images(a, b);

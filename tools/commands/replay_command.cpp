@@ -1,5 +1,6 @@
 #include "model/base/input_error.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/warn.h"
 #include "tools/record/recording_arguments.h"
 #include "tools/replay/interruption.h"
 #include "tools/replay/replay.h"
@@ -21,9 +22,8 @@ int run_replay(Arguments& arguments) {
     ReplayOptions& options = arguments.replay;
     resolve(arguments.recording, options);
     if (options.benchmark > 0) options.images = false;
-    options.warn = [](const std::string& line) {
-        std::fprintf(stderr, "ffgpu: warning: %s\n", line.c_str());
-    };
+    options.warn = warn;
+    warn_of_settings(settings_without_effect(arguments.recording));
     if (options.output.empty() && options.capture.empty() && options.save_work.empty() &&
         options.benchmark == 0)
         throw InputError("replay: nothing to do: expected -o DIR, --capture FILE, --save-work FILE "

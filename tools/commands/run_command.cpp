@@ -3,6 +3,7 @@
 #include "model/base/input_error.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/unused_reason.h"
+#include "tools/commands/warn.h"
 #include "tools/files/library_folder.h"
 #include "tools/record/recording_arguments.h"
 
@@ -110,13 +111,14 @@ int run_run(const Arguments& arguments) {
     if (arguments.recording.any()) {
         RecordingOptions checked;
         resolve(arguments.recording, checked); // What is wrong is said before the program starts.
+        warn_of_settings(settings_without_effect(arguments.recording));
         settings.emplace(to_json(arguments.recording));
         const fs::path recorder = folder / "ffgpu_recorder.so";
         environment.push_back({"FFGPU_RECORD", recorder.string() + ":" + settings->path()});
     }
     const int status = run_program(arguments.command, environment);
     if (status != CannotRun && fs::file_size(mark.path()) == 0)
-        std::fprintf(stderr, "ffgpu: warning: %s\n", unused_reason(arguments.command[0]).c_str());
+        warn(unused_reason(arguments.command[0]));
     return status;
 }
 

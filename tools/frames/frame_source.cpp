@@ -47,6 +47,11 @@ public:
 
     std::uint64_t first_frame() const override { return reader_.first_frame(); }
 
+    std::uint32_t prepare() override {
+        reader_.play_snapshot(device_);
+        return reader_.first_draw();
+    }
+
     std::optional<Frame> next() override {
         const auto shown = reader_.play_frame(device_);
         if (!shown) return std::nullopt;

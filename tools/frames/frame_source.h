@@ -21,6 +21,10 @@ public:
     // The number of the frame that next() plays first.
     virtual std::uint64_t first_frame() const { return 0; }
 
+    // Plays what comes before the first frame and is none of its work: a capture's snapshot.
+    // Returns the number of the first draw. Throws InputError.
+    virtual std::uint32_t prepare() { return 0; }
+
     // Plays up to the end of the next frame; nothing at the end. Throws InputError.
     virtual std::optional<Frame> next() = 0;
 

@@ -68,6 +68,11 @@ void Recording::start(std::uint64_t first_frame) {
     listen();
 }
 
+void Recording::number_from(std::uint64_t frame, std::uint32_t draw) {
+    gpu_.number_from(static_cast<std::uint32_t>(frame), draw);
+    capture_.number_draws_from(draw);
+}
+
 void Recording::before_frame(std::uint64_t number) {
     if (!measuring_ && number >= options_.frames.first) start(number);
     if (!measuring_) return;

@@ -45,6 +45,8 @@ public:
     Device& device();
     FunctionalGpu& gpu() { return gpu_; }
 
+    // The frame under way and the next draw have these numbers.
+    void number_from(std::uint64_t frame, std::uint32_t draw);
     // From frame `number` on frames count, if it is the first of the range or beyond.
     void before_frame(std::uint64_t number);
     // The frame is done. True: it was measured.

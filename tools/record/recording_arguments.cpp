@@ -9,6 +9,7 @@
 #include <map>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace ffgpu::tools {
@@ -95,6 +96,15 @@ void resolve(const RecordingArguments& arguments, RecordingOptions& options) {
     options.timing = arguments.timing;
     options.images = !arguments.no_images;
     options.reference = arguments.reference;
+}
+
+std::string settings_without_effect(const RecordingArguments& arguments) {
+    if (arguments.timing) return {};
+    std::vector<std::string> settings;
+    for (const std::string& setting : arguments.settings)
+        if (setting.find(GpuParameters::Name) != setting.find_first_not_of(" \t"))
+            settings.push_back(setting);
+    return fmt::format("{}", fmt::join(settings, ", "));
 }
 
 std::string to_json(RecordingArguments arguments) {

@@ -38,6 +38,9 @@ void add_swap_option(CLI::App& verb, gl::SwapMode& swap);
 // Throws InputError where an argument is wrong.
 void resolve(const RecordingArguments& arguments, RecordingOptions& options);
 
+// The settings that decide nothing, because the machine is not timed; empty: there are none.
+std::string settings_without_effect(const RecordingArguments& arguments);
+
 // Paths become absolute: the program may work in another folder.
 std::string to_json(RecordingArguments arguments);
 // Throws InputError.

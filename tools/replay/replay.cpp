@@ -44,6 +44,7 @@ private:
                               ? std::optional(options_.frames.last)
                               : std::nullopt);
         std::uint64_t next = source_->first_frame();
+        recording_.number_from(next, source_->prepare());
         do {
             recording_.before_frame(next);
             if (measured_ == 0) started_ = std::chrono::steady_clock::now();

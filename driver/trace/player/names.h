@@ -13,4 +13,18 @@ constexpr std::string_view without_vendor(std::string_view name) {
     return name;
 }
 
+// Whether the command makes fragments: "glBegin", "glDrawElementsBaseVertex" ...
+constexpr bool draws(std::string_view name) {
+    if (name.starts_with("glDrawBuffer")) return false;
+    for (const std::string_view start : {"glDraw",
+                                         "glMultiDraw",
+                                         "glCallList",
+                                         "glRect",
+                                         "glBitmap",
+                                         "glEvalMesh",
+                                         "glArrayElement"})
+        if (name.starts_with(start)) return true;
+    return name == "glBegin" || name == "glClear";
+}
+
 } // namespace ffgpu::trace

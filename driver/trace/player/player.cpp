@@ -66,6 +66,7 @@ std::optional<ShownFrame> TracePlayer::play_frame() {
         if (const std::optional<Surface> shown = windows_.take_shown()) [[unlikely]]
             return ShownFrame{frames_++, *shown};
     }
+    report_end();
     return std::nullopt;
 }
 
@@ -83,6 +84,7 @@ std::optional<ShownFrame> TracePlayer::play_kept_frame() {
         calls_played_ += last_frame_.size();
         return ShownFrame{frames_++, windows_.take_shown().value_or(Surface{})};
     }
+    report_end();
     return std::nullopt;
 }
 
@@ -105,7 +107,8 @@ void TracePlayer::play(Call& call) {
     case Action::Kind::Plain:
     case Action::Kind::Special:
         windows_.enter_thread(call.thread());
-        if (!gl::current_context()) return; // As GL does without a context: nothing.
+        if (!gl::current_context()) return lose(call);
+        had_context_ = true;
         if (action.kind == Action::Kind::Plain) {
             play_plain(*action.command, call);
         } else {
@@ -154,6 +157,22 @@ TracePlayer::Action TracePlayer::make_action(const std::string& name) {
         warn_once(name, "not supported yet: " + name);
     }
     return action;
+}
+
+// As GL does without a context: nothing.
+void TracePlayer::lose(const Call& call) {
+    if (lost_draw_.empty() && draws(call.name()))
+        lost_draw_ = "call " + std::to_string(call.number()) + " " + std::string(call.name());
+}
+
+// apitrace records one window system at a time, GLX where it is not told.
+void TracePlayer::report_end() {
+    constexpr const char* Hint = "; of programs on EGL a trace is made by apitrace trace -a egl "
+                                 "PROGRAM";
+    if (calls_played_ == 0) options_.warn(std::string("the trace holds no calls") + Hint);
+    if (had_context_ || lost_draw_.empty()) return;
+    options_.warn(lost_draw_ + " draws, but no call makes a context current: nothing is drawn" +
+                  Hint);
 }
 
 void TracePlayer::report_error(const Call& call) {

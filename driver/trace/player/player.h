@@ -72,6 +72,8 @@ private:
     static Special find_special(std::string_view name);
     void play(Call& call);
     std::uint64_t play_plain(const GlCommand& command, Call& call);
+    void lose(const Call& call);
+    void report_end();
     void report_error(const Call& call);
     // Once for each function of the trace.
     void warn_once(std::string_view name, const std::string& what);
@@ -99,6 +101,8 @@ private:
     std::vector<Action> actions_; // by signature
     std::vector<bool> known_;     // Which of them have been looked up.
     std::set<std::string> warned_;
+    bool had_context_ = false;
+    std::string lost_draw_; // the first call that draws, but had no context
     std::uint64_t calls_played_ = 0;
     std::uint64_t frames_ = 0;
     std::vector<std::unique_ptr<Call>> last_frame_; // with keep_last_frame

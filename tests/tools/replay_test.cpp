@@ -1,0 +1,107 @@
+// `ffgpu replay`: what it says about a trace, and captures that stand for a part of one.
+
+#include "tests/support/temporary_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/tools/tool.h"
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::tools {
+namespace {
+
+using Catch::Matchers::Contains;
+
+// Without the one thing that a capture does not know.
+std::string without_api_calls(const std::string& path) {
+    std::istringstream lines(content(path));
+    std::string text;
+    for (std::string line; std::getline(lines, line);)
+        if (line.find("\"api_calls\"") == std::string::npos) text += line + '\n';
+    return text;
+}
+
+TEST_CASE("A capture's figures equal those of the run that it was made from") {
+    const TemporaryFolder folder;
+    const TemporaryFile trace(trace::in_snappy(clears(5, true)));
+    REQUIRE(run({"replay",
+                 trace.path(),
+                 "-o",
+                 folder / "live",
+                 "--frames",
+                 "2-",
+                 "--timing",
+                 "--save-work",
+                 folder / "live.ffw",
+                 "--capture",
+                 folder / "live.ffc"}) == 0);
+    for (const char* const again : {"first", "second"}) {
+        const std::string from =
+            folder / (std::string(again) == "first" ? "live.ffc" : "first.ffc");
+        REQUIRE(run({"replay",
+                     from,
+                     "-o",
+                     folder / again,
+                     "--timing",
+                     "--save-work",
+                     folder / (again + std::string(".ffw")),
+                     "--capture",
+                     folder / (again + std::string(".ffc"))}) == 0);
+        const std::string figures = without_api_calls(folder / again + "/stats.json");
+        CHECK_THAT(figures, Contains("\"draw\": 2,")); // Two came before the capture's first.
+        CHECK(figures == without_api_calls(folder / "live/stats.json"));
+        CHECK(content(folder / (again + std::string(".ffc"))) == content(folder / "live.ffc"));
+    }
+    CHECK(run({"compare", folder / "live", folder / "second"}) == 0);
+    // The work files differ in the calls of the API alone, which time does not see.
+    REQUIRE(run({"time", folder / "first.ffw", "-o", folder / "timed"}) == 0);
+    CHECK(content(folder / "timed/stats.json") == content(folder / "first/stats.json"));
+}
+
+std::string warnings_of(const std::vector<std::string>& arguments) {
+    return printed(stderr, [&] { CHECK(run(arguments) == 0); });
+}
+
+TEST_CASE("A setting that decides nothing without the timing model is told of") {
+    const TemporaryFolder folder;
+    const TemporaryFile trace(trace::in_snappy(clears(1)));
+    const auto set = [&](std::vector<std::string> settings, bool timing = false) {
+        std::vector<std::string> arguments{"replay", trace.path(), "-o", folder / "out"};
+        for (const std::string& setting : settings)
+            arguments.insert(arguments.end(), {"--set", setting});
+        if (timing) arguments.emplace_back("--timing");
+        return warnings_of(arguments);
+    };
+    const std::string line = set({"texel_cache.ways=2", "gpu.threads=1", " raster.tile_width = 8"});
+    CHECK_THAT(line,
+               Contains("ffgpu: warning: --set texel_cache.ways=2,  raster.tile_width = 8: has no "
+                        "effect without --timing\n"));
+    CHECK_THAT(set({"gpu.threads=1"}), !Contains("warning"));
+    CHECK_THAT(set({" gpu.threads=1"}), !Contains("warning"));
+    CHECK_THAT(set({"texel_cache.ways=2"}, true), !Contains("warning"));
+}
+
+TEST_CASE("A trace that draws, but in no context, is told of with the way to record EGL") {
+    const TemporaryFolder folder;
+    const auto warnings = [&](const trace::TraceWriter& writer) {
+        const TemporaryFile trace(trace::in_snappy(writer.bytes));
+        return warnings_of({"replay", trace.path(), "-o", folder / "out"});
+    };
+    trace::TraceWriter drawing;
+    drawing.call(0, "glEnable", {"cap"}, {[&] { drawing.enumeration(0, 0x0b71); }});
+    drawing.call(1, "glBegin", {"mode"}, {[&] { drawing.enumeration(0, 4); }});
+    drawing.call(2, "glEnd", {}, {});
+    CHECK_THAT(warnings(drawing),
+               Contains("call 1 glBegin draws, but no call makes a context current") &&
+                   Contains("apitrace trace -a egl"));
+    const trace::TraceWriter empty;
+    CHECK_THAT(warnings(empty), Contains("holds no calls") && Contains("apitrace trace -a egl"));
+
+    trace::TraceWriter asking;
+    asking.call(0, "glGetError", {}, {});
+    CHECK_THAT(warnings(asking), !Contains("warning"));
+    const TemporaryFile good(trace::in_snappy(clears(1, true)));
+    CHECK_THAT(warnings_of({"replay", good.path(), "-o", folder / "out"}), !Contains("warning"));
+}
+
+} // namespace
+} // namespace ffgpu::tools
