@@ -1,13 +1,14 @@
 #include "driver/window_system/process_gpu.h"
 
+#include "driver/window_system/run_mark.h"
 #include "model/gpu/functional_gpu.h"
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <thread>
+#include <utility>
 
 namespace ffgpu::gl {
 namespace {
@@ -26,17 +27,6 @@ std::unique_ptr<Device> make_gpu() {
     return std::make_unique<FunctionalGpu>(FunctionalGpu::Config{.threads = thread_count()});
 }
 
-// Tells whoever started the process, by a byte in the file that FFGPU_MARK names, that it draws
-// here.
-void leave_mark() {
-    const char* const path = std::getenv("FFGPU_MARK");
-    if (!path) return;
-    if (std::FILE* const file = std::fopen(path, "r+e")) {
-        std::fputc('1', file);
-        std::fclose(file);
-    }
-}
-
 } // namespace
 
 ProcessGpu& ProcessGpu::instance() {
@@ -49,14 +39,16 @@ ProcessGpu::ProcessGpu()
     , gpu_(recorder_ ? nullptr : make_gpu())
     , device_(recorder_ ? &recorder_->device() : gpu_.get())
     , memory_(std::make_shared<MemoryAllocator>(0, device_->memory_size())) {
-    leave_mark();
+    RunMark::leave();
 }
 
 void ProcessGpu::frame_shown(const Surface& picture) {
     CommandStream commands;
     commands.add(Opcode::EndFrame);
     device_->submit(commands);
-    if (recorder_) recorder_->frame_shown(picture);
+    if (!recorder_) return;
+    if (!std::exchange(has_frame_, true)) RunMark::leave_frame();
+    recorder_->frame_shown(picture); // It may be the last.
 }
 
 } // namespace ffgpu::gl

@@ -26,6 +26,7 @@ private:
     ProcessGpu();
 
     std::unique_ptr<Recorder> recorder_; // or null
+    bool has_frame_ = false;             // recorded
     std::unique_ptr<Device> gpu_;        // where there is no recorder
     Device* device_;
     std::shared_ptr<MemoryAllocator> memory_;

@@ -1,13 +1,16 @@
 #include "driver/window_system/recorder.h"
 
+#include "driver/window_system/run_mark.h"
 #include "driver/window_system/turn.h"
 #include "model/base/float_environment.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
 #include <dlfcn.h>
+#include <unistd.h>
 
 namespace ffgpu::gl {
 namespace {
@@ -38,6 +41,14 @@ std::unique_ptr<Recorder> open_recorder() {
     if (!wanted || !*wanted) return nullptr;
     const std::string text = wanted;
     ::unsetenv("FFGPU_RECORD"); // The program's own children would write the same files.
+    if (!RunMark::claim()) {
+        std::fprintf(stderr,
+                     "ffgpu: warning: %s (process %d) draws too, and is not recorded: another "
+                     "process of this run is\n",
+                     ::program_invocation_short_name,
+                     static_cast<int>(::getpid()));
+        return nullptr;
+    }
     const std::size_t colon = text.find(':');
     if (colon == std::string::npos)
         fail("FFGPU_RECORD is " + text + ": expected RECORDER.so:SETTINGS.json");

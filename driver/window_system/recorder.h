@@ -3,7 +3,9 @@
 //
 // It comes from a shared object of its own, which is loaded only where the environment variable
 // FFGPU_RECORD names it and the file with its settings ("recorder.so:settings.json"), so that
-// programs which merely draw do not load what writes pictures.
+// programs which merely draw do not load what writes pictures. Of the processes of one run, which
+// the file that FFGPU_MARK names stands for, one is recorded: the first that draws, until it ends
+// without a frame.
 
 #pragma once
 
@@ -34,8 +36,8 @@ using InTurn = void (*)(const std::function<void()>& call);
 // said why on stderr.
 using OpenRecorder = Recorder* (*)(const char* settings_path, InTurn in_turn);
 
-// The recorder that the environment asks for, or null. Where one is asked for but does not start,
-// the process ends with status 2.
+// The recorder that the environment asks for; null also where another process is recorded. Where
+// one is asked for but does not start, the process ends with status 2.
 std::unique_ptr<Recorder> open_recorder();
 
 } // namespace ffgpu::gl

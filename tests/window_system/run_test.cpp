@@ -74,6 +74,40 @@ TEST_CASE("children that a recorded program forks leave its files alone") {
     CHECK(replay.status == 0);
 }
 
+std::string statistics_in(const OutputFolder& folder) {
+    std::ifstream file(folder.path / "stats.json");
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+TEST_CASE("of two programs that draw at the same time one is recorded, the other named") {
+    Display* const display = tests::XServer::display();
+    if (!display) return;
+    ::setenv("DISPLAY", DisplayString(display), 1);
+    const OutputFolder out;
+    const Outcome run = ffgpu_run("-o " + out.path.string() + " -- " FFGPU_FORKS " exec");
+    INFO(run.text);
+    CHECK(run.status == 0);
+    CHECK(count_of(run.text, "10 frames") == 1);
+    CHECK(count_of(run.text, "frames,") == 1);
+    CHECK(count_of(run.text, "draws too, and is not recorded") == 1);
+    CHECK(count_of(statistics_in(out), "\"frame_count\": 10") == 1);
+}
+
+TEST_CASE("programs one after the other: the first with a frame is recorded") {
+    Display* const display = tests::XServer::display();
+    if (!display) return;
+    ::setenv("DISPLAY", DisplayString(display), 1);
+    const OutputFolder out;
+    const Outcome run = ffgpu_run("-o " + out.path.string() +
+                                  " -- sh -c '" FFGPU_FORKS " child; " FFGPU_FORKS "' < /dev/null");
+    INFO(run.text);
+    CHECK(run.status == 0);
+    CHECK(count_of(statistics_in(out), "\"frame_count\": 1,") == 1);
+    CHECK(count_of(run.text, "draws too, and is not recorded") == 1);
+}
+
 TEST_CASE("Ctrl-C while the program waits for events keeps its statistics") {
     Display* const display = tests::XServer::display();
     if (!display) return;
