@@ -61,6 +61,7 @@ std::span<const Clipper::Plane> Clipper::planes_for(ClipCode codes, Bounds bound
         plane({0, 1, 0, -double{low(window.low_y)}});
         plane({0, -1, 0, high(window.high_y)});
     }
+    planes_used_ += count;
     return std::span(planes_).first(count);
 }
 
@@ -116,6 +117,7 @@ Clipper::clip_polygon(std::span<const ClipCorner> polygon, ClipCode codes, Bound
 }
 
 void Clipper::cut_edges(std::span<const ClipCorner> corners, const Plane& plane, ClipCode name) {
+    ++planes_used_;
     next_.clear();
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const ClipCorner corner = corners[i];

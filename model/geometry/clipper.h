@@ -46,7 +46,10 @@ public:
     void start(const VertexSetup& setup);
 
     // Forgets all vertices.
-    void clear() { vertices_.clear(); }
+    void clear() {
+        vertices_.clear();
+        planes_used_ = 0;
+    }
     std::uint32_t add(std::uint32_t slot, const Vec4& clip, const Vec4& eye);
     const ClipVertex& vertex(std::uint32_t number) const { return vertices_[number]; }
     std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(vertices_.size()); }
@@ -62,6 +65,9 @@ public:
     // Whether the vertex is of the part before the near plane (BeforeNear), beyond the far plane
     // (BeyondFar), or between them (0). What lies on a plane is of both sides.
     bool is_of_part(std::uint32_t number, ClipCode part) const;
+
+    // Planes against which anything was cut or tested since clear().
+    unsigned planes_used() const { return planes_used_; }
 
     // False: nothing is left.
     bool clip_line(std::uint32_t& a, std::uint32_t& b, ClipCode codes);
@@ -90,6 +96,7 @@ private:
     std::vector<ClipVertex> vertices_;
     std::vector<ClipCorner> polygon_, next_;
     std::array<Plane, MaxPlanes> planes_;
+    unsigned planes_used_ = 0;
 };
 
 } // namespace ffgpu

@@ -87,7 +87,10 @@ void GeometryUnit::run(const DrawState& state,
                        GeometryWork* work) {
     const Registers& registers = state.regs();
     work_ = work;
-    if (work) describe(registers, command, *work);
+    if (work) {
+        describe(registers, command, *work);
+        work->interpolants = layout.count;
+    }
     if (command.count == 0) return;
     const ElementReader elements(memory_, command, registers.vertex_format);
     if (!elements.in_memory()) {
@@ -97,7 +100,7 @@ void GeometryUnit::run(const DrawState& state,
     ++stats_.draws;
     set_up(state, layout, vertex_needs(registers.primitive, command.primitive));
     if (!setup_.window.visible) return;
-    stage_.start(setup_, feedback_);
+    stage_.start(setup_, feedback_, work);
     assembler_.start(command);
     run_chunks(command, elements);
     count_primitives();
@@ -134,8 +137,10 @@ void GeometryUnit::run_chunks(const DrawCommand& command, const ElementReader& e
 
         make_slots(elements);
         shade_vertices(vertices);
-        assembler_.assemble(
-            {.slots = slots_, .is_first = begin == hub, .is_last = end == command.count});
+        assembler_.assemble({.slots = slots_,
+                             .first = begin,
+                             .is_first = begin == hub,
+                             .is_last = end == command.count});
         primitives_.flush();
         seen = end;
         begin = end - rule.overlap;
@@ -167,7 +172,6 @@ void GeometryUnit::shade_vertices(const std::byte* vertices) {
 }
 
 void GeometryUnit::count_primitives() {
-    if (work_) finish_work(*work_);
     const PrimitiveCounts& counts = stage_.counts();
     stats_.primitives_in += counts.in;
     stats_.primitives_clipped += counts.clipped;
@@ -177,18 +181,6 @@ void GeometryUnit::count_primitives() {
     stats_.primitives_out += primitives_.handed_over() - handed_over_before_;
     handed_over_before_ = primitives_.handed_over();
     work_ = nullptr;
-}
-
-void GeometryUnit::finish_work(GeometryWork& work) const {
-    const PrimitiveCounts& counts = stage_.counts();
-    work.keys = assembler_.keys();
-    work.primitives_in = counts.in;
-    work.primitives_clipped = counts.clipped;
-    work.primitives_outside = counts.outside;
-    work.primitives_culled = counts.culled;
-    work.primitives_degenerate = counts.degenerate;
-    work.primitives_out =
-        static_cast<std::uint32_t>(primitives_.handed_over() - handed_over_before_);
 }
 
 } // namespace ffgpu

@@ -73,7 +73,6 @@ private:
     void make_slots(const ElementReader& elements);
     void shade_vertices(const std::byte* vertices);
     void count_primitives();
-    void finish_work(GeometryWork& work) const;
 
     std::span<const std::byte> memory_;
     Stats stats_;

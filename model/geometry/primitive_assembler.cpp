@@ -28,13 +28,14 @@ void PrimitiveAssembler::start(const DrawCommand& command) {
 }
 
 void PrimitiveAssembler::assemble(const ElementChunk& chunk) {
+    first_ = chunk.first - (chunk_rule(type_).hub ? 1 : 0);
     switch (type_) {
     case PrimitiveType::Points:
         return points(chunk.slots);
     case PrimitiveType::Lines:
         return lines(chunk.slots);
     case PrimitiveType::LineStrip:
-        return line_strip(chunk.slots);
+        return line_strip(chunk.slots, 0);
     case PrimitiveType::LineLoop:
         return line_loop(chunk);
     case PrimitiveType::Triangles:
@@ -53,23 +54,23 @@ void PrimitiveAssembler::assemble(const ElementChunk& chunk) {
 }
 
 void PrimitiveAssembler::points(Slots slots) {
-    for (const std::uint32_t slot : slots) {
-        next_key();
-        stage_.point(slot);
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        next_key(i);
+        stage_.point(slots[i]);
     }
 }
 
 void PrimitiveAssembler::lines(Slots slots) {
     for (std::size_t i = 0; i + 1 < slots.size(); i += 2) {
-        next_key();
+        next_key(i + 1);
         stage_.reset_line_stipple();
         stage_.line(slots[i], slots[i + 1]);
     }
 }
 
-void PrimitiveAssembler::line_strip(Slots slots) {
-    for (std::size_t i = 0; i + 1 < slots.size(); ++i) {
-        next_key();
+void PrimitiveAssembler::line_strip(Slots slots, std::size_t from) {
+    for (std::size_t i = from; i + 1 < slots.size(); ++i) {
+        next_key(i + 1);
         stage_.line(slots[i], slots[i + 1]);
     }
 }
@@ -78,15 +79,15 @@ void PrimitiveAssembler::line_strip(Slots slots) {
 // last.
 void PrimitiveAssembler::line_loop(const ElementChunk& chunk) {
     const Slots slots = chunk.slots;
-    line_strip(chunk.is_first ? slots : slots.subspan(1));
+    line_strip(slots, chunk.is_first ? 0 : 1);
     if (!chunk.is_last || slots.size() < 2) return;
-    next_key();
+    next_key(slots.size() - 1);
     stage_.line(slots.back(), slots.front());
 }
 
 void PrimitiveAssembler::triangles(Slots slots) {
     for (std::size_t i = 0; i + 2 < slots.size(); i += 3)
-        triangle({slots[i], slots[i + 1], slots[i + 2]}, true);
+        triangle({slots[i], slots[i + 1], slots[i + 2]}, i + 2, true);
 }
 
 // Every other triangle is turned over, so that all face the same way. Chunks begin at even
@@ -94,35 +95,37 @@ void PrimitiveAssembler::triangles(Slots slots) {
 void PrimitiveAssembler::triangle_strip(Slots slots) {
     for (std::size_t i = 0; i + 2 < slots.size(); ++i) {
         const std::size_t odd = i % 2;
-        triangle({slots[i + odd], slots[i + 1 - odd], slots[i + 2]}, false);
+        triangle({slots[i + odd], slots[i + 1 - odd], slots[i + 2]}, i + 2, false);
     }
 }
 
 void PrimitiveAssembler::triangle_fan(Slots slots) {
     for (std::size_t i = 1; i + 1 < slots.size(); ++i)
-        triangle({slots[0], slots[i], slots[i + 1]}, false);
+        triangle({slots[0], slots[i], slots[i + 1]}, i + 1, false);
 }
 
 void PrimitiveAssembler::quads(Slots slots) {
     for (std::size_t i = 0; i + 3 < slots.size(); i += 4)
-        quad({slots[i], slots[i + 1], slots[i + 2], slots[i + 3]}, true);
+        quad({slots[i], slots[i + 1], slots[i + 2], slots[i + 3]}, i + 3, true);
 }
 
 void PrimitiveAssembler::quad_strip(Slots slots) {
     for (std::size_t i = 0; i + 3 < slots.size(); i += 2)
-        quad({slots[i + 2], slots[i], slots[i + 1], slots[i + 3]}, false);
+        quad({slots[i + 2], slots[i], slots[i + 1], slots[i + 3]}, i + 3, false);
 }
 
 // A polygon of several chunks is cut along lines from its hub, which are no boundaries.
 void PrimitiveAssembler::polygon(const ElementChunk& chunk) {
     const Slots slots = chunk.slots;
-    stage_.set_key(key_);
     if (slots.size() < 3) return;
     if (!stage_.whole_polygons()) {
-        for (std::size_t i = 1; i + 1 < slots.size(); ++i)
+        for (std::size_t i = 1; i + 1 < slots.size(); ++i) {
+            begin(key_, i + 1);
             stage_.triangle({slots[0], slots[i], slots[i + 1]}, slots[0]);
+        }
         return;
     }
+    begin(key_, slots.size() - 1);
     corners_.clear();
     for (const std::uint32_t slot : slots)
         corners_.push_back({slot, pool_.edge_flag(slot)});
@@ -131,8 +134,10 @@ void PrimitiveAssembler::polygon(const ElementChunk& chunk) {
     stage_.polygon(corners_, slots[0]);
 }
 
-void PrimitiveAssembler::triangle(std::array<std::uint32_t, 3> slots, bool uses_edge_flags) {
-    next_key();
+void PrimitiveAssembler::triangle(std::array<std::uint32_t, 3> slots,
+                                  std::size_t last,
+                                  bool uses_edge_flags) {
+    next_key(last);
     if (!stage_.whole_polygons()) return stage_.triangle(slots, slots[2]);
     std::array<PolygonCorner, 3> corners;
     for (unsigned i = 0; i < 3; ++i)
@@ -141,8 +146,10 @@ void PrimitiveAssembler::triangle(std::array<std::uint32_t, 3> slots, bool uses_
 }
 
 // Split from the second to the last corner, the provoking one, which both triangles then have.
-void PrimitiveAssembler::quad(std::array<std::uint32_t, 4> slots, bool uses_edge_flags) {
-    next_key();
+void PrimitiveAssembler::quad(std::array<std::uint32_t, 4> slots,
+                              std::size_t last,
+                              bool uses_edge_flags) {
+    next_key(last);
     if (!stage_.whole_polygons()) {
         stage_.triangle({slots[0], slots[1], slots[3]}, slots[3]);
         stage_.triangle({slots[1], slots[2], slots[3]}, slots[3]);

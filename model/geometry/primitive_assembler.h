@@ -23,6 +23,7 @@ ChunkRule chunk_rule(PrimitiveType type);
 // A chunk: the elements' places in the vertex pool, the hub (if the rule has one) in front.
 struct ElementChunk {
     std::span<const std::uint32_t> slots;
+    std::uint32_t first = 0; // place in the draw of the first slot behind the hub
     bool is_first = true, is_last = true;
 };
 
@@ -36,16 +37,17 @@ public:
     // Chunks of a draw come in order.
     void assemble(const ElementChunk& chunk);
 
-    // Keys given out so far in this draw.
-    std::uint32_t keys() const { return key_; }
-
 private:
     using Slots = std::span<const std::uint32_t>;
 
-    void next_key() { stage_.set_key(key_++); }
+    // The primitive whose last vertex is slot `last` of the chunk; next_key() counts the key.
+    void begin(std::uint32_t key, std::size_t last) {
+        stage_.begin(key, static_cast<std::uint32_t>(first_ + last));
+    }
+    void next_key(std::size_t last) { begin(key_++, last); }
     void points(Slots slots);
     void lines(Slots slots);
-    void line_strip(Slots slots);
+    void line_strip(Slots slots, std::size_t from);
     void line_loop(const ElementChunk& chunk);
     void triangles(Slots slots);
     void triangle_strip(Slots slots);
@@ -54,13 +56,14 @@ private:
     void quad_strip(Slots slots);
     void polygon(const ElementChunk& chunk);
 
-    void triangle(std::array<std::uint32_t, 3> slots, bool uses_edge_flags);
-    void quad(std::array<std::uint32_t, 4> slots, bool uses_edge_flags);
+    void triangle(std::array<std::uint32_t, 3> slots, std::size_t last, bool uses_edge_flags);
+    void quad(std::array<std::uint32_t, 4> slots, std::size_t last, bool uses_edge_flags);
 
     const VertexPool& pool_;
     PrimitiveStage& stage_;
     PrimitiveType type_ = PrimitiveType::Points;
     std::uint32_t key_ = 0;
+    std::uint32_t first_ = 0; // place in the draw of slot 0, were it no hub
     std::vector<PolygonCorner> corners_;
 };
 

@@ -9,10 +9,11 @@ std::int64_t cross(const WindowVertex& a, const WindowVertex& b, const WindowVer
 
 } // namespace
 
-void PrimitiveStage::start(const VertexSetup& setup, FeedbackOutput* feedback) {
+void PrimitiveStage::start(const VertexSetup& setup, FeedbackOutput* feedback, GeometryWork* work) {
     registers_ = setup.registers->primitive;
     layout_ = setup.layout;
     feedback_ = feedback;
+    work_ = work;
     two_sided_ = setup.needs_two_sides;
     plain_vertices_ = !two_sided_ && !registers_.flat_shading;
     whole_polygons_ = feedback != nullptr || registers_.front_mode != PolygonMode::Fill ||
@@ -27,7 +28,46 @@ void PrimitiveStage::reset_line_stipple() {
     stipple_was_reset_ = true;
 }
 
+// Adds what became of a primitive to the draw's work. A polygon that went on as triangles has told
+// theirs.
+template <class Body>
+void PrimitiveStage::record(Body&& body) {
+    if (!work_) return body();
+    const PrimitiveCounts before = counts_;
+    const std::size_t recorded = work_->primitives.size();
+    const std::uint64_t pieces = batch_.handed_over();
+    clipper_.clear();
+    body();
+    if (work_->primitives.size() != recorded) return;
+    PrimitiveWork primitive{.key = key_, .last_vertex = last_vertex_};
+    primitive.pieces = static_cast<std::uint32_t>(batch_.handed_over() - pieces);
+    primitive.planes = static_cast<std::uint8_t>(clipper_.planes_used());
+    if (counts_.outside != before.outside)
+        primitive.fate = PrimitiveFate::Outside;
+    else if (counts_.culled != before.culled)
+        primitive.fate = PrimitiveFate::Culled;
+    else if (primitive.pieces == 0)
+        primitive.fate = PrimitiveFate::Degenerate;
+    work_->primitives.push_back(primitive);
+}
+
 void PrimitiveStage::point(std::uint32_t slot) {
+    record([&] { assembled_point(slot); });
+}
+
+void PrimitiveStage::line(std::uint32_t a, std::uint32_t b) {
+    record([&] { assembled_line(a, b); });
+}
+
+void PrimitiveStage::triangle(std::array<std::uint32_t, 3> slots, std::uint32_t provoking) {
+    record([&] { assembled_triangle(slots, provoking); });
+}
+
+void PrimitiveStage::polygon(std::span<const PolygonCorner> corners, std::uint32_t provoking) {
+    record([&] { assembled_polygon(corners, provoking); });
+}
+
+void PrimitiveStage::assembled_point(std::uint32_t slot) {
     using namespace clip_code;
     ++counts_.in;
     if (pool_.code(slot) & (CutsLine | Invalid)) {
@@ -38,7 +78,7 @@ void PrimitiveStage::point(std::uint32_t slot) {
     emit_point(pool_.front(slot), {.key = key_});
 }
 
-void PrimitiveStage::line(std::uint32_t a, std::uint32_t b) {
+void PrimitiveStage::assembled_line(std::uint32_t a, std::uint32_t b) {
     ++counts_.in;
     Codes codes;
     codes.add(pool_.code(a));
@@ -73,7 +113,8 @@ void PrimitiveStage::clipped_line(std::uint32_t a, std::uint32_t b, const Codes&
         emit_line(*outline_[i], *outline_[i + 1], {.key = key_});
 }
 
-void PrimitiveStage::triangle(std::array<std::uint32_t, 3> slots, std::uint32_t provoking) {
+void PrimitiveStage::assembled_triangle(std::array<std::uint32_t, 3> slots,
+                                        std::uint32_t provoking) {
     ++counts_.in;
     Codes codes;
     for (const std::uint32_t slot : slots)
@@ -159,7 +200,8 @@ void PrimitiveStage::emit_outline(bool front_facing, bool counter_clockwise) {
     }
 }
 
-void PrimitiveStage::polygon(std::span<const PolygonCorner> polygon, std::uint32_t provoking) {
+void PrimitiveStage::assembled_polygon(std::span<const PolygonCorner> polygon,
+                                       std::uint32_t provoking) {
     ++counts_.in;
     reset_line_stipple();
     Codes codes;

@@ -12,6 +12,7 @@
 #include "model/geometry/primitive_batch.h"
 #include "model/geometry/primitive_output.h"
 #include "model/geometry/vertex_pool.h"
+#include "model/packets/work_stream.h"
 
 #include <cstdint>
 #include <span>
@@ -40,15 +41,19 @@ public:
         : pool_(pool)
         , batch_(batch) {}
 
-    // feedback: null for the rasterizer.
-    void start(const VertexSetup& setup, FeedbackOutput* feedback);
+    // feedback: null for the rasterizer. work: null where nobody listens.
+    void start(const VertexSetup& setup, FeedbackOutput* feedback, GeometryWork* work);
 
     // Polygons are wanted whole: call polygon() instead of triangle().
     bool whole_polygons() const { return whole_polygons_; }
     const PrimitiveCounts& counts() const { return counts_; }
 
-    // The key of the primitives that follow; pieces of one share it.
-    void set_key(std::uint32_t key) { key_ = key; }
+    // The key of the primitives that follow, and the place in the draw of the last vertex that
+    // they need; pieces of one share the key.
+    void begin(std::uint32_t key, std::uint32_t last_vertex) {
+        key_ = key;
+        last_vertex_ = last_vertex;
+    }
     void reset_line_stipple();
 
     void point(std::uint32_t slot);
@@ -74,6 +79,12 @@ private:
     };
     using Corners = std::span<const ClipCorner>;
 
+    template <class Body>
+    void record(Body&& body);
+    void assembled_point(std::uint32_t slot);
+    void assembled_line(std::uint32_t a, std::uint32_t b);
+    void assembled_triangle(std::array<std::uint32_t, 3> slots, std::uint32_t provoking);
+    void assembled_polygon(std::span<const PolygonCorner> corners, std::uint32_t provoking);
     bool culled(bool front_facing);
     void clipped_line(std::uint32_t a, std::uint32_t b, const Codes& codes);
     void clipped_triangle(std::array<std::uint32_t, 3> slots,
@@ -103,6 +114,7 @@ private:
     PrimitiveBatch& batch_;
     Clipper clipper_;
     FeedbackOutput* feedback_ = nullptr;
+    GeometryWork* work_ = nullptr;
 
     PrimitiveSetup registers_;
     InterpolantLayout layout_;
@@ -111,7 +123,7 @@ private:
     bool whole_polygons_ = false;
     bool counts_stipple_ = false;
 
-    std::uint32_t key_ = 0;
+    std::uint32_t key_ = 0, last_vertex_ = 0;
     std::uint32_t stipple_counter_ = 0;
     bool stipple_was_reset_ = false;
     PrimitiveCounts counts_;

@@ -24,6 +24,7 @@ struct BinCommand {
     ClearCommand clear{};                            // Clear
     std::unique_ptr<const DrawImageCommand> image{}; // Image
     GeometryWork geometry{};                         // Draw, with a work sink
+    std::uint32_t register_writes = 0, register_words = 0;
 };
 
 class Bin {

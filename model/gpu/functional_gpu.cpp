@@ -10,6 +10,7 @@
 #include "model/raster/image_fragments.h"
 
 #include <cstring>
+#include <utility>
 
 namespace ffgpu {
 
@@ -30,6 +31,7 @@ FunctionalGpu::~FunctionalGpu() = default;
 
 void FunctionalGpu::set_work_sink(WorkSink* sink) {
     flush();
+    registers_sent_ = {};
     sink_ = sink;
 }
 
@@ -98,6 +100,8 @@ void FunctionalGpu::execute(const CommandReader& reader) {
 }
 
 void FunctionalGpu::write_register(const CommandReader::RegisterWrite& write) {
+    ++registers_sent_.writes;
+    registers_sent_.words += static_cast<std::uint32_t>(write.words.size());
     const RegisterFile::Change change = registers_.write(write);
     if (change == RegisterFile::Change::None) return;
     context_valid_ = false;
@@ -131,8 +135,13 @@ void FunctionalGpu::copy(const CopyRectangleCommand& command) {
     copy_rectangle(command, memory_.bytes());
     if (!sink_) return;
     auto work = std::make_shared<WorkBin>();
-    work->draws.push_back(
-        {.kind = WorkKind::Copy, .frame = frame_, .state = registers_.snapshot(), .copy = command});
+    const auto [writes, words] = std::exchange(registers_sent_, {});
+    work->draws.push_back({.kind = WorkKind::Copy,
+                           .frame = frame_,
+                           .register_writes = writes,
+                           .register_words = words,
+                           .state = registers_.snapshot(),
+                           .copy = command});
     sink_->bin(std::move(work));
 }
 

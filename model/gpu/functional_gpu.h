@@ -83,6 +83,7 @@ private:
     void begin_command(BinCommand command);
     void primitives(std::span<const Primitive> batch) override;
     void bin_primitive(const Primitive& primitive);
+    void draw_in_geometry(const DrawCommand& command);
     bool reads_own_target(const DrawContext& context) const;
 
     // Bins.
@@ -114,6 +115,11 @@ private:
     // With a work sink.
     std::vector<HostTransfer> transfers_; // since the last bin was handed over
     bool draw_goes_on_ = false;           // The bin is full within a draw.
+    GeometryWork geometry_work_;          // of the draw under way
+    struct RegistersSent {
+        std::uint32_t writes = 0, words = 0;
+    };
+    RegistersSent registers_sent_; // since the last command
 
     std::uint32_t last_key_ = 0, next_piece_ = 0; // of the primitives of the draw under way
     std::uint32_t draw_number_ = 0;

@@ -34,6 +34,11 @@ double primitive_area(const SetupRecord& record) {
     return static_cast<double>(twice) / (2.0 * (1 << 2 * SubPixelBits));
 }
 
+PieceBox piece_box(const Rectangle& box) {
+    const auto narrow = [](int at) { return static_cast<std::uint16_t>(at); };
+    return {narrow(box.x0), narrow(box.y0), narrow(box.x1), narrow(box.y1)};
+}
+
 } // namespace
 
 void FunctionalGpu::prepare_context() {
@@ -66,10 +71,20 @@ void FunctionalGpu::draw(const DrawCommand& command) {
     samples_pending_ = samples_pending_ || context_->pixels->count_samples;
 
     last_key_ = next_piece_ = 0;
-    GeometryWork work;
-    geometry_.draw(context_->state, command, *this, sink_ ? &work : nullptr);
-    if (sink_) bin_.commands().back().geometry = std::move(work);
+    draw_in_geometry(command);
     if (own_target) flush();
+}
+
+// What becomes of the draw before pixels is told where it ends, in the last bin that it reached.
+void FunctionalGpu::draw_in_geometry(const DrawCommand& command) {
+    if (!sink_) return geometry_.draw(context_->state, command, *this);
+    const auto [writes, words] = std::exchange(registers_sent_, {});
+    geometry_work_ = {};
+    geometry_.draw(context_->state, command, *this, &geometry_work_);
+    BinCommand& last = bin_.commands().back();
+    last.geometry = std::exchange(geometry_work_, {});
+    last.register_writes = writes;
+    last.register_words = words;
 }
 
 // Undefined in OpenGL, but it is to repeat, whatever the number of threads.
@@ -104,6 +119,11 @@ void FunctionalGpu::begin_command(BinCommand command) {
     }
     command.frame = frame_;
     command.context = context_;
+    if (command.kind != WorkKind::Draw) {
+        const auto [writes, words] = std::exchange(registers_sent_, {});
+        command.register_writes = writes;
+        command.register_words = words;
+    }
     bin_.add_command(std::move(command));
 }
 
@@ -146,6 +166,7 @@ void FunctionalGpu::bin_primitive(const Primitive& primitive) {
                         .registers = &context_->regs(),
                         .primitive = &primitive,
                         .record = covers ? &record : nullptr});
+    if (sink_) geometry_work_.pieces.push_back(covers ? piece_box(record.box) : PieceBox{});
     if (!covers) {
         ++primitive_statistics_.empty;
         return;
@@ -213,6 +234,8 @@ void FunctionalGpu::hand_over(std::vector<WorkTile> tiles) {
                                .number = command.number,
                                .frame = command.frame,
                                .early_depth = command.context->pixels->pipe.early_depth,
+                               .register_writes = command.register_writes,
+                               .register_words = command.register_words,
                                .state = command.context->state.registers,
                                .geometry = std::move(command.geometry),
                                .image = command.image ? *command.image : DrawImageCommand{},

@@ -52,39 +52,54 @@ struct WorkTile {
     std::vector<WorkBatch> batches;
 };
 
+enum class PrimitiveFate : std::uint8_t {
+    Drawn,      // pieces of it came to set-up
+    Outside,    // nothing was left inside the planes
+    Culled,     // by facing
+    Degenerate, // without area or length after snapping
+};
+
+// A primitive as assembled, and what became of it. A filled quad or polygon is several, its
+// triangles, of one key.
+struct PrimitiveWork {
+    std::uint32_t key = 0;         // PrimitiveKey::primitive
+    std::uint32_t last_vertex = 0; // place in GeometryWork::vertices: it is assembled after this
+    std::uint32_t pieces = 0;      // points, lines and triangles of it that came to set-up
+    std::uint8_t planes = 0;       // that it was clipped against; 0: all inside, or all outside one
+    PrimitiveFate fate = PrimitiveFate::Drawn;
+
+    bool operator==(const PrimitiveWork&) const = default;
+};
+
+// The pixels that a piece may cover: what a rasterizer has to walk. Empty: it cannot cover any.
+struct PieceBox {
+    std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0; // half open
+
+    bool empty() const { return x0 == x1; }
+    bool operator==(const PieceBox&) const = default;
+};
+
 // What became of a draw before rasterization: of the whole draw, whatever bins it was drawn in.
 struct GeometryWork {
     std::uint32_t vertex_bytes = 0;      // of one vertex in memory
     std::vector<std::uint32_t> vertices; // vertex numbers in the order of use, as indexed
     DeviceAddress vertex_address = 0;
     DeviceAddress index_address = 0;
-    std::uint8_t index_bytes = 0; // of one index; 0: none
-    // PrimitiveKey::primitive counts up to here: a filled quad or polygon is one key and several
-    // primitives.
-    std::uint32_t keys = 0;
-    std::uint32_t primitives_in = 0;
-    std::uint32_t primitives_clipped = 0;    // cut by a plane, at least one piece left
-    std::uint32_t primitives_outside = 0;    // nothing left
-    std::uint32_t primitives_culled = 0;     // by facing
-    std::uint32_t primitives_degenerate = 0; // without area after snapping
-    std::uint32_t primitives_out = 0;        // handed to triangle set-up
-    std::uint8_t lights = 0;                 // enabled lights (0: lighting off)
+    std::uint8_t index_bytes = 0;          // of one index; 0: none
+    std::uint8_t lights = 0;               // enabled lights (0: lighting off)
+    std::uint8_t interpolants = 0;         // attributes that set-up makes planes of, beside depth
+    std::vector<PrimitiveWork> primitives; // in the order of assembly
+    std::vector<PieceBox> pieces;          // of all primitives, one behind the other
 
-    // All but the vertices.
+    // All but the lists.
     template <class Self, class Visitor>
     static void for_each_number(Self& self, Visitor&& number) {
         number(self.vertex_bytes);
         number(self.vertex_address);
         number(self.index_address);
         number(self.index_bytes);
-        number(self.keys);
-        number(self.primitives_in);
-        number(self.primitives_clipped);
-        number(self.primitives_outside);
-        number(self.primitives_culled);
-        number(self.primitives_degenerate);
-        number(self.primitives_out);
         number(self.lights);
+        number(self.interpolants);
     }
 };
 
@@ -96,6 +111,8 @@ struct WorkDraw {
     std::uint32_t number = 0; // PrimitiveKey::draw
     std::uint32_t frame = 0;
     bool early_depth = false; // Depth was tested before texturing.
+    // What the host sent to set the state, since the command before.
+    std::uint32_t register_writes = 0, register_words = 0;
     std::shared_ptr<const Registers> state{};
     GeometryWork geometry{};     // Draw
     DrawImageCommand image{};    // Image

@@ -7,12 +7,16 @@ void GeometryTiming::begin(const VertexToken& vertex) {
     const PreparedDraw& draw = vertex.draw.prepared();
     const GeometryWork& work = draw.geometry;
     cycles_left_ = vertex.shade ? config_.transform_cycles + work.lights * config_.light_cycles : 1;
-    const std::uint64_t vertices = std::max<std::size_t>(work.vertices.size(), 1);
-    const std::uint64_t primitives = draw.primitives();
-    next_primitive_ = static_cast<std::uint32_t>(vertex.position * primitives / vertices);
-    end_primitive_ = static_cast<std::uint32_t>((vertex.position + 1) * primitives / vertices);
+    const std::size_t vertices = std::max<std::size_t>(work.vertices.size(), 1);
+    const auto& primitives = vertex.draw.scene->work.primitives;
+    if (vertex.position == 0) end_primitive_ = 0;
+    next_primitive_ = end_primitive_;
+    while (end_primitive_ < draw.primitive_count &&
+           primitives[draw.first_primitive + end_primitive_].last_vertex <= vertex.position)
+        ++end_primitive_;
     last_vertex_ = vertex.position + 1 == vertices;
-    ends_draw_ = last_vertex_ && primitives == 0;
+    // Behind the last vertex something has to tell the draw's end.
+    ends_draw_ = last_vertex_ && next_primitive_ == end_primitive_;
 }
 
 Activity GeometryTiming::step() {
@@ -31,7 +35,8 @@ Activity GeometryTiming::step() {
     if (!ports_.primitives_out.can_push()) return Activity::StalledOutput;
     cycles_left_ = 0;
     const bool last = last_vertex_ && (ends_draw_ || next_primitive_ + 1 == end_primitive_);
-    ports_.primitives_out.push({vertex_.draw, ends_draw_ ? ~0u : next_primitive_, last});
+    ports_.primitives_out.push(
+        {vertex_.draw, ends_draw_ ? PrimitiveToken::None : next_primitive_, last});
     if (ends_draw_) {
         ends_draw_ = false;
     } else {

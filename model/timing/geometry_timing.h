@@ -1,6 +1,6 @@
 // GeometryTiming: transform and lighting in time. A vertex that the reuse did not have keeps the
-// unit busy for the configured cycles and those of each enabled light; primitives come out evenly
-// spread over the draw's vertices.
+// unit busy for the configured cycles and those of each enabled light; primitives come out behind
+// the vertex that completes them.
 
 #pragma once
 
@@ -35,7 +35,7 @@ private:
     const Ports ports_;
     VertexToken vertex_;
     std::uint32_t cycles_left_ = 0;
-    std::uint32_t next_primitive_ = 0, end_primitive_ = 0; // to send after the current vertex
+    std::uint32_t next_primitive_ = 0, end_primitive_ = 0; // to send behind the current vertex
     bool last_vertex_ = false;
     bool ends_draw_ = false; // A draw without primitives sends one token that only ends it.
 };

@@ -4,8 +4,9 @@ namespace ffgpu::timing {
 void RasterTiming::take(const SetupToken& token) {
     scene_ = token.draw.scene;
     if (config_.architecture == Architecture::Immediate) {
-        next_ = token.begin;
-        end_ = token.end;
+        const auto& pieces = scene_->work.pieces;
+        next_ = token.begin == token.end ? 0 : pieces[token.begin].begin;
+        end_ = token.begin == token.end ? 0 : pieces[token.end - 1].end;
     } else if (token.last && ++draws_taken_ == scene_->work.draws.size()) {
         next_ = 0;
         end_ = static_cast<std::uint32_t>(scene_->work.quads.size());

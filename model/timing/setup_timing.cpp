@@ -3,39 +3,17 @@
 namespace ffgpu::timing {
 
 void SetupTiming::begin(const PrimitiveToken& token) {
-    const PreparedDraw& draw = token.draw.prepared();
-    if (token.draw.scene != current_.scene || token.draw.draw != current_.draw) {
-        current_ = token.draw;
-        next_quad_ = draw.first_quad;
-        empty_set_up_ = 0;
-    }
     working_ = true;
-    result_ = {token.draw, next_quad_, next_quad_};
-    if (config_.raster.architecture ==
-        Architecture::TileBased) { // Quads are the scene's, in its order.
-        cycles_left_ = config_.setup.triangle_cycles;
-        return;
-    }
-    const auto& quads = token.draw.scene->work.quads;
-    const std::uint32_t draw_end = draw.first_quad + draw.quad_count;
-    const std::uint32_t key_end = draw.keys_before(token.primitive + 1);
-    const auto belongs = [&](std::uint32_t quad) {
-        return quad < draw_end && (token.last || quads[quad].primitive < key_end);
-    };
-    while (belongs(result_.end))
-        ++result_.end;
-    next_quad_ = result_.end;
-    if (result_.end > result_.begin) {
-        cycles_left_ = config_.setup.triangle_cycles;
-        return;
-    }
-    const GeometryWork& work = draw.geometry;
-    const std::uint32_t empty = work.primitives_out > draw.primitives_with_quads
-                                    ? work.primitives_out - draw.primitives_with_quads
-                                    : 0;
-    const bool set_up = empty_set_up_ < empty;
-    empty_set_up_ += set_up;
-    cycles_left_ = set_up ? config_.setup.triangle_cycles : config_.setup.reject_cycles;
+    result_ = {token.draw, 0, 0};
+    cycles_left_ = config_.setup.reject_cycles;
+    if (token.primitive == PrimitiveToken::None) return;
+    const work::PreparedScene& scene = token.draw.scene->work;
+    const work::PreparedPrimitive& primitive =
+        scene.primitives[token.draw.prepared().first_primitive + token.primitive];
+    result_.begin = primitive.first_piece;
+    result_.end = primitive.first_piece + primitive.piece_count;
+    if (primitive.piece_count > 0)
+        cycles_left_ = config_.setup.triangle_cycles * primitive.piece_count;
 }
 
 Activity SetupTiming::step() {
@@ -49,7 +27,6 @@ Activity SetupTiming::step() {
     }
     if (!ports_.setups_out.can_push()) return Activity::StalledOutput;
     result_.last = ports_.primitives_in.pop().last;
-    if (result_.last) current_ = {};
     ports_.setups_out.push(result_);
     working_ = false;
     return Activity::Busy;

@@ -1,6 +1,6 @@
-// SetupTiming: clipping, culling and triangle set-up in time. A primitive that has quads costs
-// triangle_cycles, and so do those that came out of geometry without covering a pixel centre; one
-// that was culled or clipped away costs reject_cycles.
+// SetupTiming: clipping, culling and triangle set-up in time. Each piece of a primitive costs
+// triangle_cycles, whether it covers a pixel centre or not; a primitive that was culled or clipped
+// away costs reject_cycles.
 
 #pragma once
 
@@ -37,9 +37,6 @@ private:
     bool working_ = false;
     std::uint32_t cycles_left_ = 0;
     SetupToken result_;
-    std::uint32_t next_quad_ = 0;    // of the current draw, not yet given to a primitive
-    std::uint32_t empty_set_up_ = 0; // primitives of the draw set up without quads so far
-    DrawToken current_;
 };
 
 } // namespace ffgpu::timing

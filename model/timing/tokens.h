@@ -79,13 +79,15 @@ struct VertexToken {
 };
 
 struct PrimitiveToken {
+    static constexpr std::uint32_t None = ~0u; // It only ends its draw.
+
     DrawToken draw;
-    std::uint32_t primitive = 0;
-    bool last = false; // of its draw
+    std::uint32_t primitive = 0; // of its draw
+    bool last = false;           // of its draw
 };
 
-// A primitive that was set up, with its quads (immediate machines; tile-based ones take the
-// scene's).
+// A primitive that was set up, with its pieces (immediate machines; tile-based ones take the
+// scene's quads).
 struct SetupToken {
     DrawToken draw;
     std::uint32_t begin = 0, end = 0;

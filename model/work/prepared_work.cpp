@@ -1,5 +1,6 @@
 #include "model/work/prepared_work.h"
 
+#include "model/base/check.h"
 #include "model/work/traversal.h"
 
 #include <algorithm>
@@ -31,6 +32,9 @@ public:
         draw_.kind = command.draw.kind;
         draw_.number = command.draw.number;
         draw_.geometry = command.draw.geometry;
+        draw_.geometry.primitives = {};
+        draw_.geometry.pieces = {};
+        draw_.first_primitive = static_cast<std::uint32_t>(out.primitives.size());
         draw_.early_depth = command.draw.early_depth;
         draw_.first_quad = static_cast<std::uint32_t>(out.quads.size());
         draw_.quad_count = static_cast<std::uint32_t>(command.quads.size());
@@ -38,15 +42,13 @@ public:
 
     void run(AddressMap& addresses) {
         if (command_.draw.state) place(*command_.draw.state, addresses);
-        std::size_t begin = 0;
-        while (begin < command_.quads.size()) {
-            const std::size_t end = end_of_piece(begin);
-            const WorkQuad& first = command_.quads[begin];
-            draw_.primitives_with_quads +=
-                begin == 0 || command_.quads[begin - 1].primitive != first.primitive;
-            add_piece(begin, end);
-            begin = end;
+        if (command_.draw.geometry.primitives.empty()) {
+            add_untold_primitives();
+        } else {
+            add_primitives();
         }
+        draw_.primitive_count =
+            static_cast<std::uint32_t>(out_.primitives.size()) - draw_.first_primitive;
     }
 
 private:
@@ -74,24 +76,58 @@ private:
         }
     }
 
-    std::size_t end_of_piece(std::size_t begin) const {
-        const WorkQuad& first = command_.quads[begin];
-        std::size_t end = begin + 1;
-        while (end < command_.quads.size() && command_.quads[end].primitive == first.primitive &&
-               command_.quads[end].piece == first.piece)
-            ++end;
-        return end;
+    void add_primitives() {
+        const GeometryWork& geometry = command_.draw.geometry;
+        std::size_t quad = 0, piece = 0;
+        std::uint32_t key = ~0u, number = 0; // of the piece, among those of its key
+        for (const PrimitiveWork& primitive : geometry.primitives) {
+            if (primitive.key != key) number = 0;
+            key = primitive.key;
+            begin_primitive({.last_vertex = primitive.last_vertex,
+                             .planes = primitive.planes,
+                             .fate = primitive.fate});
+            for (std::uint32_t i = 0; i < primitive.pieces; ++i, ++number)
+                quad = add_piece(quad, key, number, geometry.pieces[piece++]);
+        }
+        check(quad == command_.quads.size(), "each quad belongs to a primitive");
     }
 
-    void add_piece(std::size_t begin, std::size_t end) {
+    // An image has quads, but geometry had nothing to do with it.
+    void add_untold_primitives() {
+        const std::size_t vertices = command_.draw.geometry.vertices.size();
+        const auto last = static_cast<std::uint32_t>(vertices == 0 ? 0 : vertices - 1);
+        for (std::size_t quad = 0; quad < command_.quads.size();) {
+            const WorkQuad& first = command_.quads[quad];
+            if (quad == 0 || command_.quads[quad - 1].primitive != first.primitive)
+                begin_primitive({.last_vertex = last});
+            quad = add_piece(quad, first.primitive, first.piece, {});
+        }
+    }
+
+    void begin_primitive(PreparedPrimitive primitive) {
+        primitive.first_piece = static_cast<std::uint32_t>(out_.pieces.size());
+        out_.primitives.push_back(primitive);
+    }
+
+    // Adds the piece with those of the quads from `begin` on that are its; returns the next one.
+    std::size_t
+    add_piece(std::size_t begin, std::uint32_t primitive, std::uint32_t number, PieceBox box) {
         order_.clear();
-        for (std::size_t i = begin; i < end; ++i)
-            order_.emplace_back(
-                traversal_key(config_.raster, command_.quads[i].x, command_.quads[i].y),
-                static_cast<std::uint32_t>(i));
+        std::size_t end = begin;
+        for (; end < command_.quads.size(); ++end) {
+            const WorkQuad& quad = command_.quads[end];
+            if (quad.primitive != primitive || quad.piece != number) break;
+            order_.emplace_back(traversal_key(config_.raster, quad.x, quad.y),
+                                static_cast<std::uint32_t>(end));
+        }
         std::sort(order_.begin(), order_.end());
+        PreparedPiece piece{.begin = static_cast<std::uint32_t>(out_.quads.size()), .box = box};
         for (const auto& [key, quad] : order_)
             add_quad(quad);
+        piece.end = static_cast<std::uint32_t>(out_.quads.size());
+        out_.pieces.push_back(piece);
+        ++out_.primitives.back().piece_count;
+        return end;
     }
 
     void add_quad(std::uint32_t number) {

@@ -33,10 +33,25 @@ struct PreparedQuad {
     std::uint32_t target_lines_begin = 0; // into PreparedScene::target_lines: depth, then colour
 };
 
+// A point, line or triangle that comes to set-up: its quads, in their order.
+struct PreparedPiece {
+    std::uint32_t begin = 0, end = 0; // in PreparedScene::quads
+    PieceBox box;
+};
+
+// A primitive as it leaves geometry.
+struct PreparedPrimitive {
+    std::uint32_t last_vertex = 0; // place in GeometryWork::vertices: it is assembled after this
+    std::uint32_t first_piece = 0, piece_count = 0; // in PreparedScene::pieces
+    std::uint8_t planes = 0;                        // as PrimitiveWork has them
+    PrimitiveFate fate = PrimitiveFate::Drawn;
+};
+
 struct PreparedDraw {
     WorkKind kind = WorkKind::Draw; // or an image
     std::uint32_t number = 0;       // PrimitiveKey::draw
-    GeometryWork geometry;
+    GeometryWork geometry;          // Its primitives and pieces are the scene's.
+    std::uint32_t first_primitive = 0, primitive_count = 0; // in PreparedScene::primitives
     bool early_depth = false;
     std::uint32_t first_quad = 0; // immediate machines: the draw's quads stand together
     std::uint32_t quad_count = 0;
@@ -47,24 +62,14 @@ struct PreparedDraw {
     bool writes_depth = false;
     bool reads_color = false; // blending, logic op or a partial mask
     bool writes_color = false;
-    std::uint32_t primitives_with_quads = 0;
-
-    // Primitives that reach set-up one by one. Images have no geometry work: only what they drew.
-    std::uint32_t primitives() const {
-        return std::max(geometry.primitives_in, primitives_with_quads);
-    }
-
-    // Keys up to which the quads belong to the first n of them.
-    std::uint32_t keys_before(std::uint32_t n) const {
-        return static_cast<std::uint32_t>(std::uint64_t{n} * geometry.keys /
-                                          std::max(primitives(), 1u));
-    }
 };
 
 // What streams through a machine's pipe in one go: one draw of an immediate machine; of a
 // tile-based one all draws that are sorted by screen bins together.
 struct PreparedScene {
     std::vector<PreparedDraw> draws;
+    std::vector<PreparedPrimitive> primitives;
+    std::vector<PreparedPiece> pieces; // of an immediate machine: tile-based ones walk the quads
     std::vector<PreparedQuad> quads;
     std::vector<std::uint64_t> texel_lines; // line numbers
     std::vector<std::uint64_t> target_lines;

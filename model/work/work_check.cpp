@@ -17,4 +17,25 @@ void check_draw(const WorkDraw& draw) {
     if (draw.kind == WorkKind::Image) validate(draw.image, AnyMemory);
 }
 
+void check_pieces(const WholeCommand& command) {
+    const GeometryWork& geometry = command.draw.geometry;
+    if (geometry.primitives.empty()) return;
+    auto quad = command.quads.begin();
+    std::uint32_t key = ~0u, number = 0; // of the piece
+    auto box = geometry.pieces.begin();
+    for (const PrimitiveWork& primitive : geometry.primitives) {
+        if (primitive.key != key) number = 0;
+        key = primitive.key;
+        for (std::uint32_t i = 0; i < primitive.pieces; ++i, ++number, ++box) {
+            const auto inside = [&](const WorkQuad& q) {
+                return q.x + 2 > box->x0 && q.x < box->x1 && q.y + 2 > box->y0 && q.y < box->y1;
+            };
+            for (; quad != command.quads.end() && quad->primitive == key && quad->piece == number;
+                 ++quad)
+                if (!inside(*quad)) throw InputError("a quad outside its primitive");
+        }
+    }
+    if (quad != command.quads.end()) throw InputError("a quad of no primitive");
+}
+
 } // namespace ffgpu::work

@@ -2,11 +2,15 @@
 
 #pragma once
 
-#include "model/packets/work_stream.h"
+#include "model/work/whole_command.h"
 
 namespace ffgpu::work {
 
 // Throws InputError that says what is wrong.
 void check_draw(const WorkDraw& draw);
+
+// The same: each quad belongs to a piece that geometry made, and lies in its box. A draw whose
+// primitives are not told has none.
+void check_pieces(const WholeCommand& command);
 
 } // namespace ffgpu::work

@@ -14,7 +14,7 @@
 namespace ffgpu::work {
 
 inline constexpr std::string_view WorkFileMagic = "FFGPUWRK";
-inline constexpr std::uint32_t WorkFileVersion = 1;
+inline constexpr std::uint32_t WorkFileVersion = 2;
 
 enum class BlockKind : std::uint32_t { Names = 1, Items = 2, End = 3 };
 
@@ -33,6 +33,7 @@ inline constexpr std::size_t MaxBlockBytes = std::size_t{8} << 20; // an item is
 enum class Item : std::uint8_t {
     Command,
     Vertex,
+    Primitive,
     Quad,
     HostTransfer,
     FrameEnd,
@@ -43,6 +44,10 @@ enum class Item : std::uint8_t {
 enum class Column : std::uint8_t {
     Control,   // items but quads, and their numbers
     Vertex,    // vertex numbers, as steps
+    Assembly,  // of primitives: places of the last vertices, as steps
+    Outcome,   // what became of them
+    PieceX,    // boxes of pieces: left, as a step, and width
+    PieceY,    // below, as a step, and height
     Primitive, // of quads
     Piece,
     Row,
@@ -61,6 +66,12 @@ inline constexpr std::size_t ColumnCount = static_cast<std::size_t>(Column::Coun
 
 // Bits of Column::Shape: lane in 0 and 1, TexelAccess::linear in 2 to 4.
 inline constexpr std::uint8_t ShapeForeseen = 1 << 5;
+
+// Bits of Column::Outcome: the fate in 0 and 1; whether the key is the one after that before;
+// whether a number of planes follows; and whether the number of pieces does, else it is 1 where
+// drawn.
+inline constexpr std::uint8_t OutcomeNextKey = 1 << 2, OutcomeClipped = 1 << 3,
+                              OutcomePieces = 1 << 4;
 
 // What the next access is foreseen to be, from those before it: the same in writer and reader. The
 // first lane of a quad steps on as it did from the quad before; the other lanes lie about it as

@@ -150,6 +150,8 @@ std::shared_ptr<const WholeCommand> WorkFileReader::read_command() {
     draw.number = in_.word(Column::Control);
     draw.frame = in_.word(Column::Control);
     draw.early_depth = in_.byte(Column::Control) != 0;
+    draw.register_writes = in_.word(Column::Control);
+    draw.register_words = in_.word(Column::Control);
     read_state(draw);
     if (draw.kind == WorkKind::Image) read_fields(image_places_, draw.image);
     if (draw.kind == WorkKind::Clear) read_fields(clear_places_, draw.clear);
@@ -167,6 +169,11 @@ std::shared_ptr<const WholeCommand> WorkFileReader::read_command() {
     for (std::uint64_t i = 0; i < quads; ++i) {
         need_item();
         read_quad(*whole);
+    }
+    try {
+        check_pieces(*whole);
+    } catch (const InputError& error) {
+        throw DamagedItem(error.what());
     }
     return whole;
 }
@@ -204,6 +211,44 @@ void WorkFileReader::read_geometry(GeometryWork& geometry) {
         last += static_cast<std::uint32_t>(in_.difference(Column::Vertex)) + 1;
         geometry.vertices.push_back(last);
     }
+    read_primitives(geometry);
+}
+
+void WorkFileReader::read_primitives(GeometryWork& geometry) {
+    const std::uint64_t count = in_.number(Column::Control, Most32);
+    PrimitiveWork primitive{.key = ~0u};
+    for (std::uint64_t i = 0; i < count; ++i) {
+        need_item();
+        primitive.last_vertex += in_.word(Column::Assembly);
+        const std::uint8_t outcome = in_.byte(Column::Outcome);
+        primitive.fate = static_cast<PrimitiveFate>(outcome & 3);
+        primitive.key += (outcome & OutcomeNextKey) != 0;
+        primitive.planes = (outcome & OutcomeClipped) != 0 ? in_.byte(Column::Outcome) : 0;
+        primitive.pieces = primitive.fate == PrimitiveFate::Drawn;
+        if ((outcome & OutcomePieces) != 0) primitive.pieces = in_.word(Column::Outcome);
+        if (primitive.last_vertex >= geometry.vertices.size())
+            throw DamagedItem("a primitive without its vertex");
+        if (primitive.key == ~0u) throw DamagedItem("a primitive without a key");
+        geometry.primitives.push_back(primitive);
+        for (std::uint32_t piece = 0; piece < primitive.pieces; ++piece)
+            geometry.pieces.push_back(read_piece());
+    }
+}
+
+PieceBox WorkFileReader::read_piece() {
+    const auto end = [](std::uint32_t begin, std::uint64_t size) {
+        if (begin + size > MaxSurfaceSize)
+            throw DamagedItem("a primitive lies outside any surface");
+        return static_cast<std::uint16_t>(begin + size);
+    };
+    PieceBox box;
+    box.x0 = moved(box_.x0, in_.difference(Column::PieceX));
+    box.x1 = end(box.x0, in_.number(Column::PieceX, MaxSurfaceSize));
+    box.y0 = moved(box_.y0, in_.difference(Column::PieceY));
+    box.y1 = end(box.y0, in_.number(Column::PieceY, MaxSurfaceSize));
+    if ((box.x0 == box.x1) != (box.y0 == box.y1)) throw DamagedItem("a box of pixels without area");
+    box_ = box;
+    return box;
 }
 
 void WorkFileReader::read_quad(WholeCommand& command) {

@@ -43,6 +43,8 @@ private:
     std::shared_ptr<const WholeCommand> read_command();
     void read_state(WorkDraw& draw);
     void read_geometry(GeometryWork& geometry);
+    void read_primitives(GeometryWork& geometry);
+    PieceBox read_piece();
     void read_quad(WholeCommand& command);
     void read_masks(WorkQuad& quad);
     void read_samples(WorkQuad& quad);
@@ -60,6 +62,7 @@ private:
     std::shared_ptr<const Registers> state_; // the last read
     FieldValues file_values_;                // of the file's fields of registers
     AccessForecast forecast_;
+    PieceBox box_; // the last read
 };
 
 } // namespace ffgpu::work

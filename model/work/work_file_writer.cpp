@@ -53,7 +53,7 @@ void WorkFileWriter::write_names() {
 void WorkFileWriter::begin_item(Item item) {
     if (columns_.bytes() >= BlockBytes) write_block(BlockKind::Items);
     ++items_;
-    if (item != Item::Quad && item != Item::Vertex)
+    if (item != Item::Quad && item != Item::Vertex && item != Item::Primitive)
         columns_.byte(Column::Control, static_cast<std::uint8_t>(item));
 }
 
@@ -96,6 +96,8 @@ void WorkFileWriter::command(std::shared_ptr<const WholeCommand> command) {
     columns_.number(Column::Control, draw.number);
     columns_.number(Column::Control, draw.frame);
     columns_.byte(Column::Control, draw.early_depth);
+    columns_.number(Column::Control, draw.register_writes);
+    columns_.number(Column::Control, draw.register_words);
     write_state(draw.state);
     if (draw.kind == WorkKind::Image) write_fields(draw.image);
     if (draw.kind == WorkKind::Clear) write_fields(draw.clear);
@@ -141,6 +143,38 @@ void WorkFileWriter::write_geometry(const GeometryWork& geometry) {
         columns_.difference(Column::Vertex, static_cast<std::int32_t>(vertex - last - 1u));
         last = vertex;
     }
+    write_primitives(geometry);
+}
+
+void WorkFileWriter::write_primitives(const GeometryWork& geometry) {
+    columns_.number(Column::Control, geometry.primitives.size());
+    PrimitiveWork before{.key = ~0u};
+    auto piece = geometry.pieces.begin();
+    for (const PrimitiveWork& primitive : geometry.primitives) {
+        check(primitive.key - before.key <= 1, "keys count the primitives");
+        begin_item(Item::Primitive);
+        columns_.number(Column::Assembly, primitive.last_vertex - before.last_vertex);
+        const bool clipped = primitive.planes != 0;
+        const bool usual = primitive.pieces == (primitive.fate == PrimitiveFate::Drawn ? 1u : 0u);
+        columns_.byte(Column::Outcome,
+                      static_cast<std::uint8_t>(static_cast<unsigned>(primitive.fate) |
+                                                (primitive.key != before.key ? OutcomeNextKey : 0) |
+                                                (clipped ? OutcomeClipped : 0) |
+                                                (usual ? 0 : OutcomePieces)));
+        if (clipped) columns_.byte(Column::Outcome, primitive.planes);
+        if (!usual) columns_.number(Column::Outcome, primitive.pieces);
+        for (std::uint32_t i = 0; i < primitive.pieces; ++i)
+            write_piece(*piece++);
+        before = primitive;
+    }
+}
+
+void WorkFileWriter::write_piece(const PieceBox& box) {
+    columns_.difference(Column::PieceX, box.x0 - box_.x0);
+    columns_.number(Column::PieceX, box.x1 - box.x0);
+    columns_.difference(Column::PieceY, box.y0 - box_.y0);
+    columns_.number(Column::PieceY, box.y1 - box.y0);
+    box_ = box;
 }
 
 void WorkFileWriter::write_quads(const WholeCommand& command) {

@@ -37,6 +37,8 @@ private:
     void write_names();
     void write_state(const std::shared_ptr<const Registers>& state);
     void write_geometry(const GeometryWork& geometry);
+    void write_primitives(const GeometryWork& geometry);
+    void write_piece(const PieceBox& box);
     void write_quads(const WholeCommand& command);
     void write_quad(const WholeCommand& command, std::size_t number);
     void write_fate(const WorkQuad& quad);
@@ -54,6 +56,7 @@ private:
     std::shared_ptr<const Registers> state_; // the last written
     FieldValues state_values_, values_;
     AccessForecast forecast_;
+    PieceBox box_; // the last written
 };
 
 } // namespace ffgpu::work

@@ -127,7 +127,7 @@ TEST_CASE("facing follows the winding, the front register turns it round, cullin
     CHECK(scene.draw(PrimitiveType::Triangles).size() == 1);
     scene.registers.primitive.cull_back = true;
     CHECK(scene.draw(PrimitiveType::Triangles).empty());
-    CHECK(scene.work.primitives_culled == 1);
+    CHECK(count_fate(scene.work, PrimitiveFate::Culled) == 1);
     CHECK(scene.draw(PrimitiveType::LineLoop).size() == 3); // Lines have no back.
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("a triangle without area after snapping is dropped as degenerate") {
     scene.words[9] = scene.words[0] + 0x1p-18f; // The second vertex snaps onto the first.
     scene.words[10] = scene.words[1];
     CHECK(scene.draw(PrimitiveType::Triangles).empty());
-    CHECK(scene.work.primitives_degenerate == 1);
+    CHECK(count_fate(scene.work, PrimitiveFate::Degenerate) == 1);
 }
 
 TEST_CASE("a polygon in line mode is drawn as its outline, quads without their diagonal") {

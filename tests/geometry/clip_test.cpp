@@ -51,7 +51,7 @@ TEST_CASE("a viewport smaller than the scissor clips exactly") {
     Scene scene = colored_square(3);
     scene.registers.scissor.width = 257;
     const auto pieces = scene.draw(PrimitiveType::Quads);
-    CHECK(scene.work.primitives_clipped == 2);
+    CHECK(count_clipped(scene.work) == 2);
     CHECK(area(pieces) == 2.0 * 256 * 256);
     for (const KeptPrimitive& piece : pieces)
         for (unsigned v = 0; v < 3; ++v)
@@ -63,10 +63,10 @@ TEST_CASE("a scissor larger than the target does not force exact clipping") {
     scene.registers.scissor = {.x = -10, .y = -10, .width = 5000, .height = 5000};
     scene.registers.targets.color[0] = {.format = Format::Rgba8, .width = 256, .height = 256};
     scene.draw(PrimitiveType::Quads);
-    CHECK(scene.work.primitives_clipped == 0);
+    CHECK(count_clipped(scene.work) == 0);
     scene.registers.targets.color[0].width = 257;
     scene.draw(PrimitiveType::Quads);
-    CHECK(scene.work.primitives_clipped == 2);
+    CHECK(count_clipped(scene.work) == 2);
 }
 
 TEST_CASE("beyond the guard band triangles are cut to it") {
@@ -75,7 +75,7 @@ TEST_CASE("beyond the guard band triangles are cut to it") {
         for (std::size_t c = 0; c < 2; ++c)
             scene.words[8 * vertex + c] *= 1000;
     const auto pieces = scene.draw(PrimitiveType::Quads);
-    CHECK(scene.work.primitives_clipped == 2);
+    CHECK(count_clipped(scene.work) == 2);
     const double side = 2 * (GuardBand - 1);
     CHECK(std::fabs(area(pieces) / (2 * side * side) - 1) < 1e-5);
     for (const KeptPrimitive& piece : pieces)
@@ -92,7 +92,7 @@ TEST_CASE("what lies outside one plane as a whole is rejected") {
         for (std::size_t vertex = 0; vertex < 4; ++vertex)
             scene.words[8 * vertex + axis] += offset;
         CHECK(scene.draw(PrimitiveType::Quads).empty());
-        CHECK(scene.work.primitives_outside == 2);
+        CHECK(count_fate(scene.work, PrimitiveFate::Outside) == 2);
         CHECK(scene.draw(PrimitiveType::LineLoop).empty());
     }
 }
@@ -270,7 +270,7 @@ TEST_CASE("lines are clipped to the view volume, guard band or not, and interpol
     CHECK(kept[0][1].x == 65536);
     CHECK(std::fabs(kept[0][0].attributes[0] - 1 / 3.0) < 1e-6);
     CHECK(std::fabs(kept[0][1].attributes[0] - 2 / 3.0) < 1e-6);
-    CHECK(scene.work.primitives_clipped == 1);
+    CHECK(count_clipped(scene.work) == 1);
     scene.registers.primitive.flat_shading = true;
     CHECK(scene.draw(PrimitiveType::Lines)[0][0].attributes[0] == 1);
 }
@@ -280,7 +280,7 @@ TEST_CASE("a line that passes a corner of the view volume outside is rejected") 
     scene.vertex({-2.25f, 0, 0, 1});
     scene.vertex({0, 2.25f, 0, 1});
     CHECK(scene.draw(PrimitiveType::Lines).empty());
-    CHECK(scene.work.primitives_outside == 1);
+    CHECK(count_fate(scene.work, PrimitiveFate::Outside) == 1);
 }
 
 TEST_CASE("a point is drawn if its centre is inside, the boundary included") {
@@ -289,7 +289,7 @@ TEST_CASE("a point is drawn if its centre is inside, the boundary included") {
     for (const float x : {-1.0f, 1.0f, 1.0000001f, -1.0000001f})
         scene.vertex({x, 0, 0, 1});
     CHECK(scene.draw(PrimitiveType::Points).size() == 2);
-    CHECK(scene.work.primitives_outside == 2);
+    CHECK(count_fate(scene.work, PrimitiveFate::Outside) == 2);
 }
 
 TEST_CASE("in line mode the edges that clipping makes are drawn, and cut edges keep their flags") {

@@ -81,7 +81,7 @@ TEST_CASE("primitives wholly before the near plane are drawn whole, at its depth
         CHECK(pieces.size() == (type == PrimitiveType::Quads       ? 2
                                 : type == PrimitiveType::LineStrip ? 3
                                                                    : 4));
-        CHECK(scene.work.primitives_clipped == 0);
+        CHECK(count_clipped(scene.work) == 0);
         for (const KeptPrimitive& piece : pieces)
             CHECK(piece[0].depth == 0.25f);
     }

@@ -5,6 +5,7 @@
 
 #include "model/geometry/geometry_unit.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -110,6 +111,21 @@ struct Scene {
     std::vector<std::byte> memory;
     GeometryWork work;
 };
+
+inline std::size_t count_fate(const GeometryWork& work, PrimitiveFate fate) {
+    return static_cast<std::size_t>(
+        std::count_if(work.primitives.begin(), work.primitives.end(), [&](const PrimitiveWork& p) {
+            return p.fate == fate;
+        }));
+}
+
+// Cut by a plane, with something left.
+inline std::size_t count_clipped(const GeometryWork& work) {
+    return static_cast<std::size_t>(
+        std::count_if(work.primitives.begin(), work.primitives.end(), [](const PrimitiveWork& p) {
+            return p.planes > 0 && p.fate != PrimitiveFate::Outside;
+        }));
+}
 
 // Uniform in [low, high), from raw draws of the generator.
 class Random {

@@ -27,8 +27,10 @@ class Frame {
 public:
     // Quads of the lowest rows, as many as wanted; `dead`: no fragment of theirs passes.
     void draw(unsigned quads, bool dead = false) {
-        add(WorkKind::Draw).geometry = {
-            .vertex_bytes = 16, .vertices = {0, 1, 2}, .keys = 1, .primitives_in = 1};
+        add(WorkKind::Draw).geometry = {.vertex_bytes = 16,
+                                        .vertices = {0, 1, 2},
+                                        .primitives = {{.last_vertex = 2, .pieces = 1}},
+                                        .pieces = {{0, 0, Size, Size}}};
         if (quads == 0) return;
         if (bin.tiles.empty()) bin.tiles.emplace_back();
         WorkBatch& batch = bin.tiles[0].batches.emplace_back();

@@ -258,7 +258,7 @@ TEST_CASE("a vertex that the host rewrites is fetched again, its neighbours are 
         draw.geometry.vertex_bytes = 64;
         draw.geometry.vertex_address = 4096;
         draw.geometry.vertices = {0, 1, 2};
-        draw.geometry.primitives_in = 1;
+        draw.geometry.primitives = {{.last_vertex = 0, .fate = PrimitiveFate::Culled}};
         bin.transfers.push_back({.at = 4096 + 64, .bytes = 64});
         assembler.bin(std::make_shared<const WorkBin>(bin));
     }

@@ -17,7 +17,9 @@ WorkBin culled_triangles(std::uint32_t count) {
     draw.geometry.vertex_address = 1 << 16;
     for (std::uint32_t i = 0; i < 3 * count; ++i)
         draw.geometry.vertices.push_back(i);
-    draw.geometry.primitives_in = draw.geometry.primitives_culled = count;
+    for (std::uint32_t i = 0; i < count; ++i)
+        draw.geometry.primitives.push_back(
+            {.key = i, .last_vertex = 3 * i + 2, .fate = PrimitiveFate::Culled});
     return bin;
 }
 

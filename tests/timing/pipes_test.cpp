@@ -90,7 +90,13 @@ TEST_CASE("A draw that is bound by geometry takes the same cycles on 1 and on 16
     geometry.vertex_bytes = 16;
     for (std::uint32_t i = 0; i < 3000; ++i)
         geometry.vertices.push_back(i);
-    geometry.keys = geometry.primitives_in = geometry.primitives_out = 1000;
+    for (std::uint32_t i = 0; i < 1000; ++i)
+        geometry.primitives.push_back(
+            {.key = i,
+             .last_vertex = 3 * i + 2,
+             .pieces = i == 0 ? 1u : 0u,
+             .fate = i == 0 ? PrimitiveFate::Drawn : PrimitiveFate::Culled});
+    geometry.pieces = {{0, 0, 8, 8}};
     const auto cycles = [&](std::uint32_t pipes) {
         return static_cast<double>(run(wide_machine(pipes), bin).at("total_cycles"));
     };

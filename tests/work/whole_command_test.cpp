@@ -1,6 +1,8 @@
 // Whole commands: nothing of the host is left in them, and every fragment has a name of its own.
 
+#include "model/base/input_error.h"
 #include "model/work/fragment_key.h"
+#include "model/work/work_check.h"
 #include "tests/work/recorded_work.h"
 
 #include <bit>
@@ -51,6 +53,34 @@ TEST_CASE("Quads stand in the canonical order") {
     }
     CHECK(quads > 10000);
     CHECK(pieces > 1000); // There were clipped primitives, quads, outlines.
+}
+
+TEST_CASE("Each quad belongs to a piece that geometry told of, and lies in its box") {
+    const CommandList list = recorded({.tile_size = 16, .bin_bytes = std::size_t{2} << 10});
+    std::size_t told = 0, drawn = 0, outside = 0;
+    for (const auto& command : list.commands) {
+        const GeometryWork& geometry = command->draw.geometry;
+        if (command->draw.kind != WorkKind::Draw) continue;
+        CHECK(command->draw.register_words >= command->draw.register_writes);
+        std::size_t pieces = 0;
+        for (const PrimitiveWork& primitive : geometry.primitives)
+            pieces += primitive.pieces;
+        CHECK(pieces == geometry.pieces.size());
+        CHECK_NOTHROW(check_pieces(*command));
+        told += pieces;
+        drawn += command->quads.size();
+        WholeCommand other = *command;
+        if (other.quads.empty()) continue;
+        other.quads.back().piece += 1000;
+        CHECK_THROWS_AS(check_pieces(other), InputError);
+        other = *command;
+        other.quads.back().x = other.quads.back().y = 4000;
+        outside += 1;
+        CHECK_THROWS_AS(check_pieces(other), InputError);
+    }
+    CHECK(told > 500);
+    CHECK(drawn > 10000);
+    CHECK(outside > 20);
 }
 
 // The names of all fragments, or samples; fails where one is there already.

@@ -42,7 +42,11 @@ void check_equal(const WholeCommand& a, const WholeCommand& b) {
     CHECK((a.draw.state != nullptr) == (b.draw.state != nullptr));
     if (a.draw.state) CHECK(*a.draw.state == *b.draw.state);
     CHECK(a.draw.geometry.vertices == b.draw.geometry.vertices);
-    CHECK(a.draw.geometry.primitives_in == b.draw.geometry.primitives_in);
+    CHECK((a.draw.geometry.primitives == b.draw.geometry.primitives));
+    CHECK((a.draw.geometry.pieces == b.draw.geometry.pieces));
+    CHECK(a.draw.geometry.interpolants == b.draw.geometry.interpolants);
+    CHECK(a.draw.register_writes == b.draw.register_writes);
+    CHECK(a.draw.register_words == b.draw.register_words);
     CHECK(a.draw.geometry.vertex_address == b.draw.geometry.vertex_address);
     CHECK(a.draw.clear.color_value == b.draw.clear.color_value);
     CHECK(a.draw.copy.destination == b.draw.copy.destination);
@@ -131,7 +135,7 @@ TEST_CASE("A file of a newer version is refused in one line") {
     std::string bytes = file_of(CommandList{});
     bytes[WorkFileMagic.size()] = static_cast<char>(WorkFileVersion + 1);
     CHECK_THAT(complaint(bytes),
-               Contains("byte 8: is a work file of version 2, but this program reads version 1"));
+               Contains("byte 8: is a work file of version 3, but this program reads version 2"));
     CHECK_THAT(complaint("FFGPUWRX" + bytes.substr(8)), Contains("byte 0: is no work file"));
     CHECK_THAT(complaint("FF"), Contains("byte 0: is no work file"));
 }
