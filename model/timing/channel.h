@@ -1,7 +1,7 @@
 // Channel: the only way two units talk: a delay line and the queue at its end. What is pushed in
 // cycle n can be popped from cycle n + latency on; a place that is freed in cycle n can be taken
 // from n + 1 on. Both ends see the channel as it stood when the cycle began, so the order in which
-// SystemC calls the units cannot be seen in a result.
+// the units are called cannot be seen in a result.
 //
 // Latency is not throughput: the delay line has a place for every item that is on its way, `width`
 // a cycle, beside the queue's own. An item holds its place from the cycle of its push to that of
@@ -20,7 +20,7 @@
 namespace ffgpu::timing {
 
 template <class T>
-class Channel {
+class Channel : public Link {
 public:
     // `queue`: places at the end; `width`: items that may enter the delay line in a cycle.
     Channel(const Clock& clock, std::size_t queue, Cycle latency = 1, std::size_t width = 1)
@@ -35,21 +35,25 @@ public:
     void connect(Unit& producer, Unit& consumer) {
         producer_ = &producer;
         consumer_ = &consumer;
+        consumer.add_input(*this);
     }
 
-    bool can_push() const { return taken_at_start() < items_.size(); }
-    // At least n places.
-    bool can_push(std::size_t n) const { return taken_at_start() + n <= items_.size(); }
+    // At least n places. Who is refused is woken when there is one more.
+    bool can_push(std::size_t n = 1) const {
+        if (taken_at_start() + n <= items_.size()) return true;
+        refuse();
+        return false;
+    }
     void push(const T& item) {
         check(can_push(), "push into a full channel");
         std::size_t last = first_ + count_;
         if (last >= items_.size()) last -= items_.size();
         items_[last] = {clock_.now() + latency_, item};
-        ++count_;
-        if (consumer_) consumer_->wake();
+        if (count_++ == 0) arrival_ = items_[last].ready_at;
+        if (consumer_) consumer_->wake(items_[last].ready_at);
     }
 
-    bool can_pop() const { return count_ > 0 && items_[first_].ready_at <= clock_.now(); }
+    bool can_pop() const { return arrival_ <= clock_.now(); }
     const T& front() const {
         check(can_pop(), "front of an empty channel");
         return items_[first_].value;
@@ -58,13 +62,14 @@ public:
         check(can_pop(), "pop from an empty channel");
         T value = items_[first_].value;
         if (++first_ == items_.size()) first_ = 0;
-        --count_;
+        arrival_ = --count_ > 0 ? items_[first_].ready_at : Never;
         if (last_pop_ != clock_.now()) {
             last_pop_ = clock_.now();
             popped_now_ = 0;
         }
         ++popped_now_;
-        if (producer_) producer_->wake();
+        if (refused_ && producer_) producer_->wake();
+        refused_ = false;
         return value;
     }
 
@@ -83,12 +88,19 @@ private:
         return count_ + (last_pop_ == clock_.now() ? popped_now_ : 0);
     }
 
+    // A place that was freed in this cycle is one in the next.
+    void refuse() const {
+        refused_ = true;
+        if (last_pop_ == clock_.now() && popped_now_ > 0 && producer_) producer_->wake();
+    }
+
     const Clock& clock_;
     std::vector<Item> items_;
     Cycle latency_;
     std::size_t first_ = 0, count_ = 0;
     Cycle last_pop_ = 0;
     std::size_t popped_now_ = 0;
+    mutable bool refused_ = false; // the producer, since the last pop
     Unit* producer_ = nullptr;
     Unit* consumer_ = nullptr;
 };

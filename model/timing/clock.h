@@ -1,50 +1,78 @@
-// Clock: one rising edge a cycle for all units, and the cycle's number.
+// Clock: the cycle's number, and the one SystemC method that walks the units in it.
 //
-// The edge is one SystemC event that Clock fires once a nanosecond; a unit that sleeps does not see
-// it. Before a cycle begins the clock asks whether the command processor waits for the host: then
-// the simulation pauses with time standing still, so that the host's pace is never part of a
-// result.
+// A unit is stepped in the cycles that it is due in (unit.h). Before a cycle begins the clock asks
+// whether the command processor waits for the host: then the simulation pauses with time standing
+// still, so that the host's pace is never part of a result.
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <systemc>
+#include <vector>
 
 namespace ffgpu::timing {
 
 using Cycle = std::uint64_t;
+inline constexpr Cycle Never = ~Cycle{0};
+
+class Unit;
+
+// How the clock goes through time. No figure depends on it.
+enum class Pace {
+    EveryCycle, // each unit in each cycle, whether it is due or not: what the others must equal
+    Lockstep,   // each cycle, the units that are due; SystemC's time goes along, the edge is fired
+    Decoupled,  // from one cycle in which a unit is due to the next; SystemC's time follows behind
+};
+
+struct Evaluation {
+    Evaluation(std::uint32_t seed = 0, Pace how = Pace::Decoupled)
+        : order(seed)
+        , pace(how) {}
+
+    std::uint32_t order; // a seed by which the units are shuffled; 0: in the order of the pipe
+    Pace pace;
+};
 
 class Clock : public sc_core::sc_module {
 public:
     // `must_wait`: true while the machine has to wait for the host (the simulation then pauses).
-    Clock(sc_core::sc_module_name name, std::function<bool()> must_wait)
-        : sc_module(name)
-        , must_wait_(std::move(must_wait)) {
-        SC_HAS_PROCESS(Clock);
-        SC_METHOD(on_tick);
-    }
+    Clock(sc_core::sc_module_name name,
+          std::function<bool()> must_wait,
+          Pace pace = Pace::Lockstep);
+
+    // Decoupled only where every process that takes part is a unit of this clock.
+    void set_pace(Pace pace) { pace_ = pace; }
 
     Cycle now() const { return now_; }
+    // For processes that are not units: once a cycle, after the units. Not fired when decoupled.
     const sc_core::sc_event& edge() const { return edge_; }
 
-private:
-    void on_tick() {
-        if (must_wait_()) {
-            sc_core::sc_pause();
-            next_trigger(resume_);
-            resume_.notify(sc_core::SC_ZERO_TIME);
-            return;
-        }
-        ++now_;
-        edge_.notify();
-        next_trigger(1, sc_core::SC_NS);
+    // The units, in the order in which they are evaluated; returns the unit's place. Units know
+    // the clock as one that they cannot change: when they are due is not its time.
+    std::size_t attach(Unit& unit) const;
+    void wake(std::size_t place, Cycle at) const {
+        if (at < due_[place]) due_[place] = at;
     }
 
+private:
+    void on_tick();
+    // False where the simulation pauses before it.
+    bool run_cycle();
+    bool run_ahead();
+    bool paused();
+    void walk();
+
     std::function<bool()> must_wait_;
+    Pace pace_;
     sc_core::sc_event edge_;
     sc_core::sc_event resume_;
     Cycle now_ = 0;
+    Cycle systemc_now_ = 0; // the cycle that SystemC's time stands at
+    mutable std::vector<Unit*> units_;
+    mutable std::vector<Cycle> due_; // of each unit
+    std::vector<Unit*> walked_;      // in this cycle
 };
 
 } // namespace ffgpu::timing

@@ -71,9 +71,4 @@ Activity ColorTiming::step() {
     return worked ? Activity::Busy : reason;
 }
 
-bool ColorTiming::may_sleep() const {
-    return parked_.empty() && ports_.quads_in.holds_nothing() &&
-           ports_.responses_in.holds_nothing() && ports_.cache.all_complete();
-}
-
 } // namespace ffgpu::timing

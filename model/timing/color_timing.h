@@ -30,7 +30,7 @@ public:
 
 private:
     Activity step() override;
-    bool may_sleep() const override;
+    bool may_sleep() const override { return true; }
     bool look_up(Activity& reason);
     bool retire(Activity& reason);
 

@@ -14,11 +14,15 @@ CommandProcessor::CommandProcessor(sc_core::sc_module_name name,
     , config_(config)
     , ports_(ports)
     , in_flight_(in_flight)
-    , memory_in_flight_(memory_in_flight) {}
+    , memory_in_flight_(memory_in_flight) {
+    in_flight.connect(*this);
+    memory_in_flight.connect(*this);
+}
 
 void CommandProcessor::enqueue(TimedScene& scene) {
     for (std::uint32_t i = 0; i < scene.work.draws.size(); ++i)
         commands_.push_back(DrawToken{&scene, i});
+    wake();
 }
 
 void CommandProcessor::enqueue(work::PreparedTransfer&& transfer) {
@@ -26,10 +30,12 @@ void CommandProcessor::enqueue(work::PreparedTransfer&& transfer) {
         transfer.kind == WorkKind::Clear ? CommandKind::Clear : CommandKind::Copy;
     const std::size_t entry = ports_.ledger.open(kind, transfer.number, 1);
     commands_.push_back(Transfer{std::move(transfer), entry});
+    wake();
 }
 
 void CommandProcessor::enqueue_frame_end() {
     commands_.push_back(FrameEnd{});
+    wake();
 }
 
 Activity CommandProcessor::step() {
@@ -47,12 +53,9 @@ Activity CommandProcessor::step() {
 Activity CommandProcessor::draw(const DrawToken& draw) {
     if (!decoding_) {
         decoding_ = true;
-        decode_cycles_left_ = config_.command_processor.draw_cycles - 1;
+        decoded_at_ = now() + config_.command_processor.draw_cycles - 1;
     }
-    if (decode_cycles_left_ > 0) {
-        --decode_cycles_left_;
-        return Activity::Busy;
-    }
+    if (now() < decoded_at_) return Activity::Busy;
     if (!ports_.draws_out.can_push()) return Activity::StalledOutput;
     in_flight_.enter();
     ports_.draws_out.push(draw);

@@ -50,9 +50,10 @@ private:
     using Command = std::variant<DrawToken, Transfer, FrameEnd>;
 
     Activity step() override;
-    bool may_sleep() const override {
-        return false;
-    } // The clock stops where there is nothing to do.
+    bool may_sleep() const override { return true; }
+    Cycle next_work(Activity last) const override {
+        return now() < decoded_at_ ? decoded_at_ : Unit::next_work(last);
+    }
     Activity draw(const DrawToken& draw);
     // The pipe is empty.
     Activity begin(const work::PreparedTransfer& transfer);
@@ -71,7 +72,7 @@ private:
     bool written_back_ = false; // at the end of a frame: only the memory has to finish
     std::deque<Command> commands_;
     std::deque<MemoryRequest> requests_; // of clears, copies and write-backs, a line each
-    std::uint32_t decode_cycles_left_ = 0;
+    Cycle decoded_at_ = 0;
     bool decoding_ = false;
 };
 

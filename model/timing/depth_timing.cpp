@@ -96,10 +96,4 @@ Activity DepthTiming::step() {
     return worked ? Activity::Busy : reason;
 }
 
-bool DepthTiming::may_sleep() const {
-    return early_.empty() && late_.empty() && ports_.early_in.holds_nothing() &&
-           ports_.late_in.holds_nothing() && ports_.responses_in.holds_nothing() &&
-           ports_.cache.all_complete();
-}
-
 } // namespace ffgpu::timing

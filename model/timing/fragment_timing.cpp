@@ -6,11 +6,16 @@
 
 namespace ffgpu::timing {
 
+bool FragmentTiming::can_distribute() const {
+    if (!ports_.quads_in.can_pop()) return false;
+    const Pipe& pipe = pipes_[fragment_pipe(config_, ports_.quads_in.front().quad())];
+    return pipe.waiting.size() < config_.fragment.pipe_queue;
+}
+
 // In the order in which they came: a quad whose pipe's queue is full holds up those behind it.
 void FragmentTiming::distribute() {
-    for (std::size_t i = 0; i < pipes_.size() && ports_.quads_in.can_pop(); ++i) {
+    for (std::size_t i = 0; i < pipes_.size() && can_distribute(); ++i) {
         Pipe& pipe = pipes_[fragment_pipe(config_, ports_.quads_in.front().quad())];
-        if (pipe.waiting.size() == config_.fragment.pipe_queue) return;
         pipe.waiting.push_back(ports_.quads_in.pop());
     }
 }
@@ -44,13 +49,6 @@ Activity FragmentTiming::step() {
         return Activity::Busy;
     }
     return stalled ? Activity::StalledOutput : Activity::Idle;
-}
-
-bool FragmentTiming::may_sleep() const {
-    return ports_.quads_in.holds_nothing() &&
-           std::all_of(pipes_.begin(), pipes_.end(), [](const Pipe& pipe) {
-               return pipe.cycles_left == 0 && pipe.waiting.empty();
-           });
 }
 
 } // namespace ffgpu::timing

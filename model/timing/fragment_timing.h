@@ -37,7 +37,8 @@ private:
     };
 
     Activity step() override;
-    bool may_sleep() const override;
+    bool may_sleep() const override { return !can_distribute(); }
+    bool can_distribute() const;
     void distribute();
     Activity step(Pipe& pipe);
 

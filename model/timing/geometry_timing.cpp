@@ -6,7 +6,10 @@ void GeometryTiming::begin(const VertexToken& vertex) {
     vertex_ = vertex;
     const PreparedDraw& draw = vertex.draw.prepared();
     const GeometryWork& work = draw.geometry;
-    cycles_left_ = vertex.shade ? config_.transform_cycles + work.lights * config_.light_cycles : 1;
+    const Cycle cycles =
+        vertex.shade ? config_.transform_cycles + work.lights * config_.light_cycles : 1;
+    shading_ = true;
+    shaded_at_ = now() + std::max<Cycle>(cycles, 1) - 1;
     const std::size_t vertices = std::max<std::size_t>(work.vertices.size(), 1);
     const auto& primitives = vertex.draw.scene->work.primitives;
     if (vertex.position == 0) end_primitive_ = 0;
@@ -20,20 +23,17 @@ void GeometryTiming::begin(const VertexToken& vertex) {
 }
 
 Activity GeometryTiming::step() {
-    if (cycles_left_ == 0 && next_primitive_ == end_primitive_ && !ends_draw_) {
+    if (!shading_ && next_primitive_ == end_primitive_ && !ends_draw_) {
         if (!ports_.vertices_in.can_pop()) return Activity::Idle;
         begin(ports_.vertices_in.pop());
     }
-    if (cycles_left_ > 1) {
-        --cycles_left_;
-        return Activity::Busy;
-    }
+    if (now() < shaded_at_) return Activity::Busy;
     if (next_primitive_ == end_primitive_ && !ends_draw_) {
-        cycles_left_ = 0;
+        shading_ = false;
         return Activity::Busy;
     }
     if (!ports_.primitives_out.can_push()) return Activity::StalledOutput;
-    cycles_left_ = 0;
+    shading_ = false;
     const bool last = last_vertex_ && (ends_draw_ || next_primitive_ + 1 == end_primitive_);
     ports_.primitives_out.push(
         {vertex_.draw, ends_draw_ ? PrimitiveToken::None : next_primitive_, last});
@@ -43,11 +43,6 @@ Activity GeometryTiming::step() {
         ++next_primitive_;
     }
     return Activity::Busy;
-}
-
-bool GeometryTiming::may_sleep() const {
-    return cycles_left_ == 0 && next_primitive_ == end_primitive_ && !ends_draw_ &&
-           ports_.vertices_in.holds_nothing();
 }
 
 } // namespace ffgpu::timing

@@ -28,13 +28,17 @@ public:
 
 private:
     Activity step() override;
-    bool may_sleep() const override;
+    bool may_sleep() const override { return true; }
+    Cycle next_work(Activity last) const override {
+        return now() < shaded_at_ ? shaded_at_ : Unit::next_work(last);
+    }
     void begin(const VertexToken& vertex);
 
     const VertexConfig config_;
     const Ports ports_;
     VertexToken vertex_;
-    std::uint32_t cycles_left_ = 0;
+    bool shading_ = false;
+    Cycle shaded_at_ = 0;                                  // the last cycle that the vertex takes
     std::uint32_t next_primitive_ = 0, end_primitive_ = 0; // to send behind the current vertex
     bool last_vertex_ = false;
     bool ends_draw_ = false; // A draw without primitives sends one token that only ends it.

@@ -13,12 +13,12 @@ __attribute__((visibility("default"))) int sc_main(int, char**) {
 namespace ffgpu::timing {
 
 GpuTiming::GpuTiming(const TimingConfig& config,
-                     std::uint32_t evaluation_order,
+                     const Evaluation& evaluation,
                      const MakeMemory& make_memory)
     : context_(std::make_unique<SimulationContext>()) {
     check_memory_lines(config);
     const SimulationContext::Scope scope(*context_);
-    machine_ = std::make_unique<Machine>(*context_, config, evaluation_order, make_memory);
+    machine_ = std::make_unique<Machine>(*context_, config, evaluation, make_memory);
 }
 
 GpuTiming::~GpuTiming() {

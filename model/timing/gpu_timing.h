@@ -41,12 +41,11 @@ class SimulationContext;
 
 class GpuTiming final : public work::CommandSink {
 public:
-    // `evaluation_order`: a seed by which the units' order of evaluation is shuffled; for the test
-    // that proves it invisible.
+    // `evaluation`: for the tests that prove it invisible.
     // `make_memory`: a memory of one's own behind the TLM-2.0 socket; none: MemoryController.
     // Throws InputError for a configuration whose parts do not fit together.
     explicit GpuTiming(const TimingConfig& config,
-                       std::uint32_t evaluation_order = 0,
+                       const Evaluation& evaluation = {},
                        const MakeMemory& make_memory = {});
     ~GpuTiming() override;
 

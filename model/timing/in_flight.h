@@ -4,7 +4,7 @@
 #pragma once
 
 #include "model/base/check.h"
-#include "model/timing/clock.h"
+#include "model/timing/unit.h"
 
 namespace ffgpu::timing {
 
@@ -21,12 +21,16 @@ public:
         check(count_ >= n, "more work left than entered");
         count_ -= n;
         changed_ = clock_.now();
+        if (count_ == 0 && waiter_) waiter_->wake();
     }
+    // The unit that asks was_empty().
+    void connect(Unit& waiter) { waiter_ = &waiter; }
     // Of the cycles before this one, so that the order of evaluation within a cycle is invisible.
     bool was_empty() const { return count_ == 0 && changed_ < clock_.now(); }
 
 private:
     const Clock& clock_;
+    Unit* waiter_ = nullptr;
     std::uint64_t count_ = 0;
     Cycle changed_ = 0;
 };

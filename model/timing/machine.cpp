@@ -21,12 +21,13 @@ CacheConfig vertex_cache(const VertexConfig& config) {
 
 Machine::Machine(const SimulationContext& kernel,
                  const TimingConfig& wanted,
-                 std::uint32_t evaluation_order,
+                 const Evaluation& evaluation,
                  const MakeMemory& make_memory)
     : context(kernel)
     , config(wanted)
     , order(config.work(), *this)
-    , clock("clock", [this] { return must_wait(); })
+    , clock(
+          "clock", [this] { return must_wait(); }, evaluation.pace)
     , in_flight(clock)
     , memory_in_flight(clock)
     , command_requests(clock, config.memory.client_queue, memory_in_flight)
@@ -119,7 +120,9 @@ Machine::Machine(const SimulationContext& kernel,
     , memory(make_memory ? make_memory(clock, config.memory)
                          : std::make_unique<MemoryController>("memory", clock, config.memory)) {
     connect_links();
-    attach_units(evaluation_order);
+    attach_units(evaluation.order);
+    // A memory whose processes are its own sees each cycle.
+    if (!memory->unit() && evaluation.pace == Pace::Decoupled) clock.set_pace(Pace::Lockstep);
 }
 
 void Machine::connect_links() {
@@ -221,8 +224,10 @@ bool Machine::must_wait() {
 void Machine::check_progress() {
     constexpr Cycle Interval = 1'000'000;
     Cycle busy = 0;
-    for (Unit* unit : units())
+    for (Unit* unit : units()) {
+        unit->settle();
         busy += unit->account().cycles(Activity::Busy);
+    }
     check(busy != busy_at_last_check || clock.now() == 0, "the timed machine is stuck");
     busy_at_last_check = busy;
     next_progress_check = clock.now() + Interval;

@@ -40,7 +40,7 @@ public:
     // As GpuTiming's constructor has them.
     Machine(const SimulationContext& kernel,
             const TimingConfig& wanted,
-            std::uint32_t evaluation_order,
+            const Evaluation& evaluation,
             const MakeMemory& make_memory);
 
     // MachineSink

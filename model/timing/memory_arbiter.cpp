@@ -54,13 +54,6 @@ Activity MemoryArbiter::step() {
     return waiting ? Activity::StalledOutput : Activity::Idle;
 }
 
-bool MemoryArbiter::may_sleep() const {
-    for (const Channel<MemoryRequest>* requests : ports_.requests_in) {
-        if (!requests->holds_nothing()) return false;
-    }
-    return true;
-}
-
 tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,
                                               tlm::tlm_phase& phase,
                                               sc_core::sc_time&) {
@@ -69,6 +62,7 @@ tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,
         const std::uint32_t channel = memory_channel(config_, request.address);
         pending_[channel] = nullptr;
         taken_at_[channel] = now();
+        wake();
         return tlm::TLM_ACCEPTED;
     }
     statistics_.on_done(request, now());

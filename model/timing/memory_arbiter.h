@@ -43,7 +43,7 @@ public:
 
 private:
     Activity step() override;
-    bool may_sleep() const override;
+    bool may_sleep() const override { return true; }
     tlm::tlm_sync_enum
     on_backward(tlm::tlm_generic_payload& payload, tlm::tlm_phase& phase, sc_core::sc_time& delay);
 

@@ -43,9 +43,9 @@ tlm::tlm_sync_enum MemoryController::on_forward(tlm::tlm_generic_payload& payloa
                                                 sc_core::sc_time&) {
     check(phase == tlm::BEGIN_REQ, "the arbiter only begins requests");
     Lane& lane = lanes_[memory_channel(config_, payload.get_address())];
-    wake();
     if (!lane.arrivals->can_push()) {
         lane.refused = &payload;
+        wake();
         return tlm::TLM_ACCEPTED;
     }
     lane.arrivals->push(&payload);
@@ -106,11 +106,30 @@ void MemoryController::settle() {
     statistics_.set_bus_cycles(end * config_.channels);
 }
 
-bool MemoryController::may_sleep() const {
-    return std::ranges::all_of(lanes_, [](const Lane& lane) {
-        return !lane.dram->has_waiting() && lane.dram->served().empty() && lane.responses.empty() &&
-               lane.arrivals->holds_nothing() && !lane.refused;
+Cycle MemoryController::next_work(Activity last) const {
+    const bool moves_on = std::ranges::any_of(lanes_, [this](const Lane& lane) {
+        return !lane.dram->served().empty() &&
+               lane.dram->served().front().data.begin < memory_time(now());
     });
+    if (last == Activity::Busy && !moves_on) return now() + 1; // to say that it is not any more
+    Cycle next = Never;
+    for (const Lane& lane : lanes_)
+        next = std::min(next, next_work(lane));
+    return std::max(next, now() + 1);
+}
+
+// Refreshes of a channel that nobody waits for are made up for when somebody does.
+Cycle MemoryController::next_work(const Lane& lane) const {
+    if (lane.arrivals->can_pop() && lane.dram->has_room()) return now() + 1;
+    if (lane.refused && !lane.arrivals->is_full()) return now() + 1;
+    Cycle next = lane.responses.empty() ? Never : lane.responses.front().at;
+    if (lane.dram->has_waiting()) next = std::min(next, core_time(lane.dram->next_work() + 1));
+    if (!lane.dram->served().empty()) {
+        const DataBurst& data = lane.dram->served().front().data;
+        const bool moves = data.begin < memory_time(now());
+        next = std::min(next, core_time(moves ? data.end : data.begin + 1));
+    }
+    return next;
 }
 
 } // namespace ffgpu::timing

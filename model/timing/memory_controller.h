@@ -46,7 +46,8 @@ private:
     };
 
     Activity step() override;
-    bool may_sleep() const override;
+    Cycle next_work(Activity last) const override;
+    Cycle next_work(const Lane& lane) const;
     tlm::tlm_sync_enum
     on_forward(tlm::tlm_generic_payload& payload, tlm::tlm_phase& phase, sc_core::sc_time& delay);
     void accept_arrivals(Lane& lane, MemoryCycle at);
@@ -54,6 +55,10 @@ private:
     // Memory cycles that are over when core cycle `now` is.
     MemoryCycle memory_time(Cycle now) const {
         return now * config_.memory_clocks / config_.core_clocks;
+    }
+    // The first core cycle that is not over before memory cycle `end` is.
+    Cycle core_time(MemoryCycle end) const {
+        return (end * config_.core_clocks + config_.memory_clocks - 1) / config_.memory_clocks;
     }
 
     const MemoryConfig config_;

@@ -42,8 +42,4 @@ Activity RasterTiming::step() {
     return Activity::Busy;
 }
 
-bool RasterTiming::may_sleep() const {
-    return next_ == end_ && ports_.setups_in.holds_nothing();
-}
-
 } // namespace ffgpu::timing

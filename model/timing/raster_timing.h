@@ -31,7 +31,7 @@ public:
 
 private:
     Activity step() override;
-    bool may_sleep() const override;
+    bool may_sleep() const override { return true; }
     void take(const SetupToken& token);
 
     const RasterConfig config_;

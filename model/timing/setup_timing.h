@@ -29,13 +29,17 @@ public:
 
 private:
     Activity step() override;
-    bool may_sleep() const override;
-    void begin(const PrimitiveToken& primitive);
+    bool may_sleep() const override { return true; }
+    Cycle next_work(Activity last) const override {
+        return now() < set_up_at_ ? set_up_at_ : Unit::next_work(last);
+    }
+    // Returns the cycles that the primitive takes.
+    std::uint32_t begin(const PrimitiveToken& primitive);
 
     const TimingConfig& config_;
     const Ports ports_;
     bool working_ = false;
-    std::uint32_t cycles_left_ = 0;
+    Cycle set_up_at_ = 0; // the last cycle that the primitive takes
     SetupToken result_;
 };
 

@@ -16,11 +16,15 @@ TextureTiming::TextureTiming(sc_core::sc_module_name name,
     , pipes_(config.raster.quads_per_cycle,
              TexturePipe(config.texel_cache, config.fragment.pipe_queue)) {}
 
+bool TextureTiming::can_distribute() const {
+    return ports_.quads_in.can_pop() &&
+           pipes_[fragment_pipe(config_, ports_.quads_in.front().quad())].can_take();
+}
+
 // In the order in which they came: a quad whose pipe's queue is full holds up those behind it.
 void TextureTiming::distribute() {
-    for (std::size_t i = 0; i < pipes_.size() && ports_.quads_in.can_pop(); ++i) {
+    for (std::size_t i = 0; i < pipes_.size() && can_distribute(); ++i) {
         TexturePipe& pipe = pipes_[fragment_pipe(config_, ports_.quads_in.front().quad())];
-        if (!pipe.can_take()) return;
         pipe.take(ports_.quads_in.pop());
     }
 }
@@ -40,14 +44,6 @@ Activity TextureTiming::step() {
     if (!worked) return reason;
     first_ = (first_ + 1) % pipes_.size();
     return Activity::Busy;
-}
-
-bool TextureTiming::may_sleep() const {
-    return std::all_of(pipes_.begin(),
-                       pipes_.end(),
-                       [](const TexturePipe& pipe) { return pipe.holds_nothing(); }) &&
-           ports_.quads_in.holds_nothing() && ports_.responses_in.holds_nothing() &&
-           ports_.cache.all_complete();
 }
 
 } // namespace ffgpu::timing

@@ -30,7 +30,8 @@ public:
 
 private:
     Activity step() override;
-    bool may_sleep() const override;
+    bool may_sleep() const override { return !can_distribute(); }
+    bool can_distribute() const;
     void distribute();
 
     const TimingConfig& config_;

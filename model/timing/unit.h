@@ -1,12 +1,25 @@
 // Unit: a clocked hardware unit. step() does one cycle's work and says what the cycle was; the base
-// keeps the account and puts a unit that cannot work to sleep until a channel wakes it.
+// keeps the account, and has step() called only in the cycles in which the unit is due.
+//
+// A unit is due in every cycle unless it says more (may_sleep, next_work). Whatever it says, it is
+// due again
+//   - when an item of a channel of which it is the consumer arrives,
+//   - one cycle after a place came free in a channel of which it is the producer and in which
+//     can_push() refused it,
+//   - when somebody calls wake().
+// A cycle may be left out if step() would have changed nothing in it and said what it said last;
+// one that is called too often does no harm. Clock's Pace::EveryCycle calls all of them: a unit
+// that sleeps too long shows as a figure that differs from it (tests/timing/pace_test.cpp).
 
 #pragma once
 
 #include "model/timing/account.h"
 #include "model/timing/clock.h"
+#include "model/timing/link.h"
 
+#include <algorithm>
 #include <systemc>
+#include <vector>
 
 namespace ffgpu::timing {
 
@@ -14,27 +27,36 @@ class Unit : public sc_core::sc_module {
 public:
     const Account& account() const { return account_; }
 
-    // Accounts the cycles slept through up to and including the current one.
-    void settle() {
-        const Cycle now = clock_.now();
-        if (now > accounted_) account_.add(last_, now - accounted_);
-        accounted_ = now;
-    }
+    // Accounts all cycles up to and including the current one.
+    void settle() { account_until(clock_.now()); }
 
-    // A channel's other end did something: the unit runs again from the next cycle on.
-    void wake() {
-        if (asleep_) wake_.notify(sc_core::SC_ZERO_TIME);
+    // The unit is due at cycle `at`, if not before.
+    void wake(Cycle at) {
+        if (attached_) clock_.wake(place_, at);
     }
+    void wake() { wake(clock_.now() + 1); }
 
-    // Makes the unit a method of the clock's edge. Units are called in the order in which they were
-    // attached; no result depends on it.
+    // Units are evaluated in the order in which they were attached; no result depends on it.
     void attach() {
-        sc_core::sc_spawn_options options;
-        options.spawn_method();
-        options.dont_initialize();
-        options.set_sensitivity(&clock_.edge());
-        sc_core::sc_spawn([this] { on_edge(); }, sc_core::sc_gen_unique_name("on_edge"), &options);
+        place_ = clock_.attach(*this);
+        attached_ = true;
     }
+
+    // By the clock: a cycle in which the unit is due.
+    void run_cycle() {
+        const Activity activity = step();
+        if (activity != last_) {
+            account_until(clock_.now() - 1);
+            last_ = activity;
+        }
+        Cycle due = next_work(activity);
+        for (const Link* const input : inputs_)
+            if (input->arrival() > clock_.now()) due = std::min(due, input->arrival());
+        clock_.wake(place_, due);
+    }
+
+    // By a channel that is connected to the unit.
+    void add_input(const Link& input) { inputs_.push_back(&input); }
 
 protected:
     Unit(sc_core::sc_module_name name, const Clock& clock)
@@ -45,41 +67,32 @@ protected:
     // One cycle. Reads channels as they stood when the cycle began.
     virtual Activity step() = 0;
 
-    // True where nothing can happen before a channel or the memory wakes the unit: its inputs hold
-    // nothing at all, or its outputs are full for good. A unit with work in flight says false.
-    virtual bool may_sleep() const = 0;
+    // Asked after a cycle that was not Busy: true where nothing changes in the unit before a
+    // channel or wake() calls it.
+    virtual bool may_sleep() const { return false; }
+
+    // Asked after each cycle, with what it was: the next one in which step() may do something, or
+    // say something else, without being called by a channel or wake(). For units that count cycles;
+    // the count must be kept as the cycle of its end, since the unit may be called before.
+    virtual Cycle next_work(Activity last) const {
+        return last != Activity::Busy && may_sleep() ? Never : now() + 1;
+    }
 
     Cycle now() const { return clock_.now(); }
 
 private:
-    void on_edge() {
-        if (asleep_) { // Woken during a cycle; the next edge is the first to work in.
-            settle();
-            asleep_ = false;
-            return;
-        }
-        settle_before_step();
-        last_ = step();
-        account_.add(last_, 1);
-        accounted_ = clock_.now();
-        if (last_ != Activity::Busy && may_sleep()) {
-            asleep_ = true;
-            sc_core::next_trigger(wake_);
-        }
-    }
-
-    void settle_before_step() {
-        const Cycle before = clock_.now() - 1;
-        if (before > accounted_) account_.add(last_, before - accounted_);
-        accounted_ = before;
+    void account_until(Cycle end) {
+        if (end > accounted_) account_.add(last_, end - accounted_);
+        accounted_ = end;
     }
 
     const Clock& clock_;
     Account account_;
-    sc_core::sc_event wake_;
-    Activity last_ = Activity::Idle;
+    std::vector<const Link*> inputs_;
+    Activity last_ = Activity::Idle; // of all cycles since accounted_
     Cycle accounted_ = 0;
-    bool asleep_ = false;
+    std::size_t place_ = 0; // in the clock's walk
+    bool attached_ = false;
 };
 
 } // namespace ffgpu::timing

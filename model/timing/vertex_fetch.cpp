@@ -102,9 +102,4 @@ Activity VertexFetch::step() {
     return reason != Activity::Idle ? reason : issue_reason;
 }
 
-bool VertexFetch::may_sleep() const {
-    return !in_draw_ && waiting_.empty() && ports_.draws_in.holds_nothing() &&
-           ports_.responses_in.holds_nothing() && ports_.cache.all_complete();
-}
-
 } // namespace ffgpu::timing

@@ -43,7 +43,7 @@ private:
     };
 
     Activity step() override;
-    bool may_sleep() const override;
+    bool may_sleep() const override { return true; }
     bool issue(Activity& reason);
     bool forward(Activity& reason);
     bool reuse(std::uint32_t vertex);

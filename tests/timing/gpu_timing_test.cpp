@@ -11,8 +11,8 @@
 namespace ffgpu::timing {
 namespace {
 
-Figures run(const TimingConfig& config, const Scene& scene, std::uint32_t evaluation_order = 0) {
-    return run(config, make_bin(scene), evaluation_order);
+Figures run(const TimingConfig& config, const Scene& scene, const Evaluation& evaluation = {}) {
+    return run(config, make_bin(scene), evaluation);
 }
 
 double miss_percent(const Figures& figures) {

@@ -30,8 +30,8 @@ inline Figures figures_of(const GpuTiming& timing) {
 }
 
 inline Figures
-run(const TimingConfig& config, const WorkBin& bin, std::uint32_t evaluation_order = 0) {
-    GpuTiming timing(config, evaluation_order);
+run(const TimingConfig& config, const WorkBin& bin, const Evaluation& evaluation = {}) {
+    GpuTiming timing(config, evaluation);
     work::CommandAssembler assembler(timing);
     assembler.bin(std::make_shared<const WorkBin>(bin));
     assembler.end_frame(0);

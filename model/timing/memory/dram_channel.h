@@ -32,6 +32,8 @@ public:
     std::deque<ServedRequest>& served() { return served_; }
     const std::deque<ServedRequest>& served() const { return served_; }
 
+    // Nothing happens before that cycle unless something is pushed.
+    MemoryCycle next_work() const { return next_work_; }
     bool has_waiting() const { return !waiting_.empty(); }
     // Charges the bus's cycles before `end` that nothing was charged with yet.
     void settle(MemoryCycle end);
