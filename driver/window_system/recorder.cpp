@@ -1,5 +1,6 @@
 #include "driver/window_system/recorder.h"
 
+#include "driver/window_system/build_id.h"
 #include "driver/window_system/run_mark.h"
 #include "driver/window_system/turn.h"
 #include "model/base/float_environment.h"
@@ -7,6 +8,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 
 #include <dlfcn.h>
@@ -20,6 +22,13 @@ constexpr int BadInput = 2;
 [[noreturn]] void fail(const std::string& message) {
     std::fprintf(stderr, "ffgpu: %s\n", message.c_str());
     std::_Exit(BadInput);
+}
+
+template <class Function>
+Function find_function(void* library, const char* name) {
+    const auto function = reinterpret_cast<Function>(::dlsym(library, name));
+    if (!function) fail(std::string("the recorder is none: ") + ::dlerror());
+    return function;
 }
 
 Recorder* recorder = nullptr;
@@ -52,10 +61,13 @@ std::unique_ptr<Recorder> open_recorder() {
     const std::size_t colon = text.find(':');
     if (colon == std::string::npos)
         fail("FFGPU_RECORD is " + text + ": expected RECORDER.so:SETTINGS.json");
-    void* const library = ::dlopen(text.substr(0, colon).c_str(), RTLD_NOW | RTLD_LOCAL);
+    const std::string path = text.substr(0, colon);
+    void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library) fail(std::string("the recorder cannot be loaded: ") + ::dlerror());
-    const auto open = reinterpret_cast<OpenRecorder>(::dlsym(library, "ffgpu_open_recorder"));
-    if (!open) fail(std::string("the recorder is none: ") + ::dlerror());
+    const auto recorder_id = find_function<RecorderBuildId>(library, "ffgpu_recorder_build_id");
+    if (std::strcmp(recorder_id(), build_id()) != 0)
+        fail(path + " and the library that loads it are of different builds: build both anew");
+    const auto open = find_function<OpenRecorder>(library, "ffgpu_open_recorder");
     recorder = open(text.substr(colon + 1).c_str(), in_turn);
     if (!recorder) std::_Exit(BadInput);
     std::atexit(finish_recorder);

@@ -36,8 +36,11 @@ using InTurn = void (*)(const std::function<void()>& call);
 // said why on stderr.
 using OpenRecorder = Recorder* (*)(const char* settings_path, InTurn in_turn);
 
+// Exported under the name "ffgpu_recorder_build_id": build_id() of the recorder.
+using RecorderBuildId = const char* (*)();
+
 // The recorder that the environment asks for; null also where another process is recorded. Where
-// one is asked for but does not start, the process ends with status 2.
+// one is asked for but does not start, or is of another build, the process ends with status 2.
 std::unique_ptr<Recorder> open_recorder();
 
 } // namespace ffgpu::gl

@@ -60,10 +60,14 @@ void CaptureReader::read_header() {
     std::memcpy(&header.memory_bytes, bytes.data() + 12, 8);
     std::memcpy(&header.first_frame, bytes.data() + 20, 4);
     if (header.version < OldestVersion || header.version > Version)
-        throw InputError(file_.path() + ": capture version " + std::to_string(header.version) +
-                         "; versions " + std::to_string(OldestVersion) + " to " +
-                         std::to_string(Version) + " can be read");
-    if (found < bytes.size()) throw InputError(file_.path() + ": the header is cut off");
+        throw InputError(file_.path() + ": byte 8: capture version " +
+                         std::to_string(header.version) + "; versions " +
+                         std::to_string(OldestVersion) + " to " + std::to_string(Version) +
+                         " can be read");
+    if (found < bytes.size())
+        throw InputError(file_.path() + ": byte " + std::to_string(found) +
+                         ": the header is cut off: expected " + std::to_string(bytes.size()) +
+                         " bytes");
     constexpr std::uint64_t Most = std::uint64_t{1} << 32;
     if (header.memory_bytes > Most)
         throw InputError(file_.path() + ": byte 12: expected a memory of at most " +
@@ -71,6 +75,7 @@ void CaptureReader::read_header() {
                          std::to_string(header.memory_bytes));
     memory_size_ = header.memory_bytes;
     first_frame_ = header.first_frame;
+    next_frame_ = header.first_frame;
     in_snapshot_ = header.version > OldestVersion;
 }
 
@@ -121,6 +126,11 @@ void CaptureReader::take_snapshot_end() {
     first_draw_ = file_.take_u32();
 }
 
+void CaptureReader::expect_frames() const {
+    if (next_frame_ == first_frame_)
+        file_.damaged("expected a frame (a record of kind 5), found the capture's end");
+}
+
 void CaptureReader::play_write(Device& device) {
     const std::uint32_t address = file_.take_u32();
     const std::uint32_t bytes = file_.take_u32();
@@ -163,6 +173,10 @@ void CaptureReader::play_translated(Device& device) {
 
 void CaptureReader::take_shown() {
     shown_.frame = file_.take_u32();
+    if (shown_.frame < next_frame_)
+        file_.damaged("expected frame " + std::to_string(next_frame_) + " or a later one, found " +
+                      std::to_string(shown_.frame));
+    next_frame_ = std::uint64_t{shown_.frame} + 1;
     file_.take_words(translator_->surface_words(), words_);
     at_place([&] {
         shown_.picture = translator_->surface(words_);

@@ -46,6 +46,10 @@ public:
     // Plays up to the end of the next frame; nothing at the end of the capture.
     std::optional<ShownPicture> play_frame(Device& device);
 
+    // Throws InputError unless a frame was played since the beginning: behind the last one, tells a
+    // capture without any.
+    void expect_frames() const;
+
     // Back to the first frame, for a device in its initial state.
     void rewind();
 
@@ -69,6 +73,7 @@ private:
     ChunkReader file_;
     std::uint64_t memory_size_ = 0;
     std::uint32_t first_frame_ = 0;
+    std::uint64_t next_frame_ = 0; // Numbers rise.
     std::uint32_t first_draw_ = 0;
     bool in_snapshot_ = false; // Its end record is to come.
     ShownPicture shown_;       // of the last record of that kind

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <initializer_list>
 #include <limits>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -88,23 +89,56 @@ private:
         if (kind == "enumeration") return parse_enumeration();
         if (kind == "field") return parse_field();
         if (kind == "register") {
-            result_.registers.push_back(parse_packed(MaxRegisters));
-            register_count_ += result_.registers.back().count;
+            begin_packed(result_.registers.emplace_back(parse_packed(MaxRegisters)));
+            register_count_ += packed_->count;
             if (register_count_ > MaxRegisters) fail("fewer registers", "more");
-            packed_ = &result_.registers.back();
+            take_addresses(registers_seen_, "a register of another address");
         } else if (kind == "command") {
-            result_.commands.push_back(parse_packed(MaxOpcode));
-            packed_ = &result_.commands.back();
+            begin_packed(result_.commands.emplace_back(parse_packed(MaxOpcode)));
+            take_addresses(commands_seen_, "a command of another opcode");
         } else if (kind == "surface") {
+            if (!result_.surface.name.empty()) fail("one surface", "another");
             result_.surface = parse_packed(0);
-            packed_ = &result_.surface;
+            begin_packed(result_.surface);
         } else {
             fail("enumeration, register, command, surface or field", kind);
         }
     }
 
+    // The fields that follow are its.
+    void begin_packed(PackedEntry& packed) {
+        packed_ = &packed;
+        bits_seen_.assign(packed.words, 0);
+        elements_seen_.clear();
+    }
+
+    void take_addresses(std::vector<bool>& seen, const char* expected) const {
+        for (unsigned i = 0; i < packed_->count; ++i) {
+            if (seen[packed_->address + i]) fail(expected, packed_->name);
+            seen[packed_->address + i] = true;
+        }
+    }
+
+    // A bit belongs to one field, and a field of one name and index stands once.
+    void take_field(const FieldEntry& field) {
+        const std::uint32_t bits = field_mask(field.width) << field.lsb;
+        for (unsigned i = 0; i < field.elements(); ++i) {
+            std::uint32_t& seen = bits_seen_[field.word + i];
+            if ((seen & bits) != 0) fail("a field of bits of its own", field.name);
+            seen |= bits;
+            if (!elements_seen_.emplace(field.name, field.index + i).second)
+                fail("a field of another name or index", field.name);
+        }
+    }
+
+    static std::uint32_t field_mask(unsigned width) {
+        return std::numeric_limits<std::uint32_t>::max() >> (32 - width);
+    }
+
     void parse_enumeration() {
         EnumerationEntry entry{name(1), {}};
+        if (!enumerations_seen_.insert(entry.name).second)
+            fail("an enumeration of another name", entry.name);
         for (std::size_t i = 2; i < words_.size(); ++i)
             entry.values.push_back(name(i));
         result_.enumerations.push_back(std::move(entry));
@@ -128,13 +162,13 @@ private:
         field.lsb = number(4, 0, 31);
         field.width = number(5, 1, 32 - field.lsb);
         parse_type(field);
-        const std::uint32_t most = std::numeric_limits<std::uint32_t>::max() >> (32 - field.width);
         for (std::size_t i = 7; i < words_.size(); ++i)
-            field.resets.push_back(number(i, 0, most, 16));
+            field.resets.push_back(number(i, 0, field_mask(field.width), 16));
         if (field.resets.empty()) word(7);
         if (field.elements() > 1 && field.width != 32) fail("one reset value", "more");
         if (field.word + field.elements() > packed_->words)
             fail("a field within its register", field.name);
+        take_field(field);
         packed_->fields.push_back(std::move(field));
     }
 
@@ -193,6 +227,13 @@ private:
     Description result_;
     unsigned register_count_ = 0;
     PackedEntry* packed_ = nullptr; // whose fields follow
+
+    // What no second line may state.
+    std::set<std::string> enumerations_seen_;
+    std::vector<bool> registers_seen_ = std::vector<bool>(MaxRegisters + 1);
+    std::vector<bool> commands_seen_ = std::vector<bool>(MaxOpcode + 1);
+    std::vector<std::uint32_t> bits_seen_;                     // of *packed_, a word each
+    std::set<std::pair<std::string, unsigned>> elements_seen_; // of *packed_: name and index
 };
 
 } // namespace

@@ -218,9 +218,57 @@ TEST_CASE("A capture of another version is refused") {
     std::string bytes = bytes_of(file.path());
     for (const char version : {char{1}, char{2}, static_cast<char>(Version + 1)}) {
         bytes[8] = version;
-        CHECK_THAT(outcome(bytes), Contains("capture version " + std::to_string(version)));
+        CHECK_THAT(outcome(bytes), Contains("byte 8: capture version " + std::to_string(version)));
         CHECK_THAT(outcome(bytes.substr(0, 12)), Contains("capture version")); // Shorter headers.
     }
+}
+
+TEST_CASE("A capture's beginning that is cut off is told with the byte") {
+    const TemporaryFile file("", ".ffc");
+    MemoryDevice original;
+    record(original, file.path());
+    const std::string bytes = bytes_of(file.path());
+    CHECK_THAT(outcome(""), Contains("byte 0: not a capture"));
+    CHECK_THAT(outcome(bytes.substr(0, 11)), Contains("byte 0: not a capture"));
+    CHECK_THAT(outcome(bytes.substr(0, 12)), Contains("byte 12: the header is cut off"));
+    CHECK_THAT(outcome(bytes.substr(0, 23)), Contains("byte 23: the header is cut off"));
+    CHECK_THAT(outcome(bytes.substr(0, 24)), Contains("byte 24: the file is cut off"));
+}
+
+// A capture of the frames with these numbers.
+std::string capture_of(std::uint32_t first, const std::vector<std::uint32_t>& frames) {
+    const TemporaryFile file("", ".ffc");
+    MemoryDevice device;
+    CaptureWriter writer(device);
+    writer.begin(file.path(), first);
+    for (const std::uint32_t frame : frames)
+        writer.frame_shown(frame, {});
+    writer.end();
+    return bytes_of(file.path());
+}
+
+TEST_CASE("The frames of a capture count up from its first") {
+    CHECK(outcome(capture_of(3, {3, 4, 6})).empty());
+    CHECK_THAT(outcome(capture_of(3, {2})), Contains("expected frame 3 or a later one, found 2"));
+    CHECK_THAT(outcome(capture_of(3, {3, 3})), Contains("expected frame 4 or a later one"));
+    CHECK(outcome(capture_of(~0u, {~0u})).empty());
+    CHECK_THAT(outcome(capture_of(0, {~0u, ~0u})), Contains("expected frame 4294967296"));
+}
+
+TEST_CASE("A capture without a frame is told of with its end's place") {
+    const std::string bytes = capture_of(5, {});
+    const TemporaryFile file(bytes, ".ffc");
+    MemoryDevice device;
+    CaptureReader reader(file.path());
+    CHECK(!reader.play_frame(device));
+    CHECK_THROWS_WITH(reader.expect_frames(),
+                      Contains("byte " + std::to_string(bytes.size() - 8)) &&
+                          Contains("expected a frame"));
+    const TemporaryFile one(capture_of(5, {5}), ".ffc");
+    CaptureReader other(one.path());
+    while (other.play_frame(device)) {
+    }
+    CHECK_NOTHROW(other.expect_frames());
 }
 
 } // namespace

@@ -58,6 +58,31 @@ TEST_CASE("A damaged description is one line that names the line") {
     CHECK_THAT(with("paint", "pa\x01nt"), Contains("a name"));
 }
 
+TEST_CASE("What a description states twice is refused") {
+    const std::string paint = "field color 0 0 0 2 Color 1\n";
+    const std::string good = "enumeration Color Red Green\nregister paint 4 2 2\n" + paint +
+                             "field gloss 0 0 2 3 unsigned 0\ncommand fill 7 1 1\n" + paint +
+                             "surface surface 0 1 1\n" + paint;
+    CHECK(complaint(good).empty()); // What is of another register may have the name.
+    const auto with = [&](const std::string& before, const std::string& line) {
+        std::string text = good;
+        text.insert(text.find(before), line + '\n');
+        return complaint(text);
+    };
+    CHECK_THAT(with("field gloss", "field color 0 0 0 2 Color 1"), Contains("line 4: expected"));
+    CHECK_THAT(with("field gloss", "field tint 0 0 1 1 unsigned 0"), Contains("bits of its own"));
+    CHECK_THAT(with("field gloss", "field color 0 1 0 2 Color 1"), Contains("another name"));
+    CHECK(with("field gloss", "field color 1 1 0 2 Color 1").empty());
+    CHECK(with("field gloss", "field tint 0 0 5 1 unsigned 0").empty());
+    CHECK_THAT(with("field gloss", "field tint 0 0 4 1 unsigned 0"), Contains("found gloss"));
+    CHECK_THAT(with("command", "register brush 5 1 1"), Contains("line 5: expected a register of"));
+    CHECK(with("command", "register brush 6 1 1").empty());
+    CHECK_THAT(with("surface", "command line 7 1 1"), Contains("a command of another opcode"));
+    CHECK(with("surface", "command line 8 1 1").empty());
+    CHECK_THAT(with("surface", "surface surface 0 1 1"), Contains("expected one surface"));
+    CHECK_THAT(with("register", "enumeration Color Red"), Contains("line 2: expected an enum"));
+}
+
 TEST_CASE("A description of many large registers is refused before it is made") {
     std::string text;
     for (int i = 0; i < 2; ++i)

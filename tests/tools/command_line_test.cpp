@@ -1,6 +1,8 @@
 // The command line as its users meet it, in this process.
 
 #include "model/base/input_error.h"
+#include "model/capture/capture_writer.h"
+#include "model/gpu/functional_gpu.h"
 #include "tests/support/temporary_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/tool.h"
@@ -21,6 +23,15 @@ using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 namespace fs = std::filesystem;
 
+std::string capture_without_frames() {
+    const TemporaryFile file("", ".ffc");
+    FunctionalGpu gpu({.memory_bytes = 1 << 20});
+    capture::CaptureWriter writer(gpu);
+    writer.begin(file.path(), 5);
+    writer.end();
+    return content(file.path());
+}
+
 TEST_CASE("Each bad input is one clear line and exit status 2") {
     const TemporaryFolder folder;
     const auto replay_error = [&](const std::string& bytes) -> std::string {
@@ -40,7 +51,8 @@ TEST_CASE("Each bad input is one clear line and exit status 2") {
         return "no error";
     };
     CHECK(run({"replay", folder / "missing.trace", "-o", folder / "out"}) == 2);
-    CHECK_THAT(replay_error(""), Contains("is empty"));
+    CHECK_THAT(replay_error(""), Contains("byte 0: is empty"));
+    CHECK_THAT(replay_error(capture_without_frames()), Contains("expected a frame"));
     CHECK_THAT(replay_error("Some text.\n"), Contains("not a trace"));
     CHECK_THAT(replay_error(trace::in_snappy(trace::TraceWriter(7).bytes)), Contains("version 7"));
     const std::string whole = clears(3);

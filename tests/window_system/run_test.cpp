@@ -140,6 +140,18 @@ TEST_CASE("a program that never drew on ffgpu is told of") {
     CHECK(run.text.find("/bin/true made no OpenGL context on ffgpu") != std::string::npos);
 }
 
+TEST_CASE("a recorder of another build than the library that loads it is refused") {
+    Display* const display = tests::XServer::display();
+    if (!display) return;
+    ::setenv("DISPLAY", DisplayString(display), 1);
+    const Outcome run = shell("timeout 60 env LD_LIBRARY_PATH=" FFGPU_LIBRARY_FOLDER
+                              " FFGPU_RECORD=" FFGPU_STALE_RECORDER ":none " FFGPU_FORKS);
+    INFO(run.text);
+    CHECK(run.status == 2);
+    CHECK(count_of(run.text, FFGPU_STALE_RECORDER) == 1);
+    CHECK(count_of(run.text, "of different builds") == 1);
+}
+
 // `ffgpu run -- PROGRAM SECONDS`, which gets `signal` after a while; its wait status.
 int run_and_signal(const char* seconds, int signal) {
     const pid_t process = ::fork();

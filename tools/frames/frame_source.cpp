@@ -54,7 +54,10 @@ public:
 
     std::optional<Frame> next() override {
         const auto shown = reader_.play_frame(device_);
-        if (!shown) return std::nullopt;
+        if (!shown) {
+            reader_.expect_frames();
+            return std::nullopt;
+        }
         return Frame{shown->frame, shown->picture, 0};
     }
 

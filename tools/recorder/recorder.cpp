@@ -3,6 +3,7 @@
 
 #include "driver/window_system/recorder.h"
 
+#include "driver/window_system/build_id.h"
 #include "model/base/input_error.h"
 #include "tools/record/recording_arguments.h"
 
@@ -129,4 +130,8 @@ ffgpu_open_recorder(const char* settings_path, ffgpu::gl::InTurn in_turn) {
         std::fprintf(stderr, "ffgpu: %s\n", error.what());
         return nullptr;
     }
+}
+
+extern "C" __attribute__((visibility("default"))) const char* ffgpu_recorder_build_id() {
+    return ffgpu::gl::build_id();
 }

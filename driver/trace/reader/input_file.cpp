@@ -16,7 +16,8 @@ InputFile::InputFile(const std::string& path)
     if (std::filesystem::is_directory(path, ignored))
         throw InputError(path + ": is a directory; a trace file was expected");
     const int first = std::fgetc(file_.get());
-    if (first == EOF) throw InputError(path + ": is empty; a trace was expected");
+    if (first == EOF)
+        throw InputError(path + ": byte 0: is empty; a trace or a capture was expected");
     std::ungetc(first, file_.get());
 }
 
