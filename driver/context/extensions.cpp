@@ -5,7 +5,7 @@
 namespace ffgpu::gl {
 
 const char* extension_string() {
-    static const std::string All = [] {
+    static const std::string names = [] {
         std::string all;
         for (const std::string_view name : Extensions) {
             all += name;
@@ -13,7 +13,7 @@ const char* extension_string() {
         }
         return all;
     }();
-    return All.c_str();
+    return names.c_str();
 }
 
 } // namespace ffgpu::gl

@@ -10,7 +10,7 @@
 namespace ffgpu::gl {
 namespace {
 
-constexpr auto by_name = [](const StateVariable& a, const StateVariable& b) {
+constexpr auto ByName = [](const StateVariable& a, const StateVariable& b) {
     return a.name < b.name;
 };
 
@@ -28,21 +28,21 @@ std::vector<StateVariable> merge() {
                             miscellaneous_variables(),
                             limit_variables()})
         all.insert(all.end(), part.begin(), part.end());
-    std::sort(all.begin(), all.end(), by_name);
+    std::sort(all.begin(), all.end(), ByName);
     return all;
 }
 
 } // namespace
 
 std::span<const StateVariable> state_variables() {
-    static const std::vector<StateVariable> All = merge();
-    return All;
+    static const std::vector<StateVariable> all = merge();
+    return all;
 }
 
 StateValue find_state(Context& context, GLenum name) {
     const std::span all = state_variables();
     const auto found =
-        std::lower_bound(all.begin(), all.end(), StateVariable{name, nullptr}, by_name);
+        std::lower_bound(all.begin(), all.end(), StateVariable{name, nullptr}, ByName);
     if (found != all.end() && found->name == name) return found->get(context);
     if (const Capability* const capability = find_capability(name))
         return values::boolean(capability_flag(*capability, context.state, name));

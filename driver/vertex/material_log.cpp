@@ -36,11 +36,11 @@ void MaterialLog::repeat(std::uint32_t original, std::uint32_t vertex) {
 
 void MaterialLog::keep_vertices(std::uint32_t count) {
     if (changes_.empty() || changes_.back().vertex <= count) return;
-    MaterialChange latest = std::move(changes_.back());
+    MaterialChange latest = changes_.back();
     latest.vertex = count;
     const auto is_gone = [count](const MaterialChange& change) { return change.vertex >= count; };
     changes_.erase(std::find_if(changes_.begin(), changes_.end(), is_gone), changes_.end());
-    if (count != 0) changes_.push_back(std::move(latest));
+    if (count != 0) changes_.push_back(latest);
 }
 
 void MaterialLog::select(std::span<const std::uint32_t> kept) {

@@ -39,6 +39,25 @@ void StageTap::begin(const BinCommand& command, std::span<const BatchRun> runs) 
                   .registers = &command.context->regs(),
                   .runs = runs_,
                   .fragments = &batch_};
+    count_pieces();
+    tap_.batch.pieces = pieces_;
+}
+
+// An image has no runs: the n-th of its quads at one place is piece n.
+void StageTap::count_pieces() {
+    pieces_.resize(batch_.quad_count);
+    if (runs_.empty()) {
+        const std::array<std::uint32_t, 3> tile{tap_.batch.draw, batch_.tile_x, batch_.tile_y};
+        if (std::exchange(image_tile_, tile) != tile) image_quads_.clear();
+        for (unsigned quad = 0; quad < batch_.quad_count; ++quad)
+            pieces_[quad] = image_quads_[{batch_.y[quad], batch_.x[quad]}]++;
+        return;
+    }
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+        const unsigned end = i + 1 < runs_.size() ? runs_[i + 1].first_quad : batch_.quad_count;
+        for (unsigned quad = runs_[i].first_quad; quad < end; ++quad)
+            pieces_[quad] = runs_[i].record->piece;
+    }
 }
 
 void StageTap::coverage() {

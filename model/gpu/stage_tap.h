@@ -9,7 +9,10 @@
 #include "model/packets/stage_probe.h"
 #include "model/raster/interpolator.h"
 
+#include <array>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ffgpu {
@@ -34,12 +37,17 @@ public:
     const ProbeTap& pipe() const { return tap_; }
 
 private:
+    void count_pieces();
     void plane_values(int first, unsigned count, std::span<probed::Lanes<double>> out) const;
 
     const FragmentBatch& batch_;
     ProbeTap tap_;
     FragmentMask covered_; // of the batch, before any test
     std::vector<probed::Run> runs_;
+    std::vector<std::uint32_t> pieces_; // of each quad
+    // Of an image in a tile: quads that came so far, by their place.
+    std::map<std::pair<std::uint16_t, std::uint16_t>, std::uint32_t> image_quads_;
+    std::array<std::uint32_t, 3> image_tile_{}; // draw, tile
     SamplingLog sampling_;
     probed::Coverage coverage_{};
     probed::Perspective perspective_{};

@@ -19,6 +19,7 @@
 #pragma once
 
 #include "model/packets/fragment_batch.h"
+#include "model/packets/fragment_key.h"
 #include "model/packets/interpolants.h"
 #include "model/packets/texel_footprint.h"
 #include "model/packets/window_vertex.h"
@@ -41,7 +42,6 @@ using Lanes = std::array<T, BatchFragments>;
 using Rgba = std::array<std::uint8_t, 4>; // 0 .. 255
 
 // --- Whose values
-// ---------------------------------------------------------------------------------
 
 // The quads of one primitive: from first_quad on, up to the next run's.
 struct Run {
@@ -54,30 +54,23 @@ struct Batch {
     std::uint32_t frame = 0;
     const Registers* registers = nullptr;
     std::span<const Run> runs{};              // Of drawn pixels none: they have no primitives.
+    std::span<const std::uint32_t> pieces{};  // of each quad, as fragment_key.h counts them
     const FragmentBatch* fragments = nullptr; // as it is behind the stage
 };
 
-// Names a fragment.
-struct Key {
-    std::uint32_t draw, primitive;
-    std::uint16_t x, y; // pixel of the window
-    std::uint16_t lane;
-
-    auto operator<=>(const Key&) const = default;
-};
-
-inline Key key_of(const Batch& batch, unsigned lane) {
+// The fragment's name, or its sample's: as in the work stream, and so the same whatever batches the
+// host made.
+inline FragmentKey key_of(const Batch& batch, unsigned lane, unsigned sample = 0) {
     const FragmentBatch& fragments = *batch.fragments;
     const unsigned quad = lane / 4;
-    return {batch.draw,
-            fragments.primitive[quad],
-            static_cast<std::uint16_t>(fragments.x[quad] + (lane & 1)),
-            static_cast<std::uint16_t>(fragments.y[quad] + (lane >> 1 & 1)),
-            static_cast<std::uint16_t>(lane)};
+    const struct {
+        std::uint32_t piece;
+        std::uint16_t x, y;
+    } place{batch.pieces[quad], fragments.x[quad], fragments.y[quad]};
+    return {batch.draw, fragments.primitive[quad], fragment_sequence(place, lane % 4, sample)};
 }
 
 // --- Set-up, coverage, interpolation
-// --------------------------------------------------------------
 
 struct SetUp {
     std::uint32_t draw = 0, frame = 0;
@@ -112,8 +105,7 @@ struct TexCoords {
 };
 
 // --- The texture unit
-// ----------------------------------------------------------------------------- Of live lanes. All
-// of it is the scalar specification's account of the stage.
+// Of live lanes. All of it is the scalar specification's account of the stage.
 
 // What a quad chose; its fragments share it.
 struct QuadLevels {
@@ -172,7 +164,6 @@ struct Sampling {
 };
 
 // --- The fragment pipe
-// ----------------------------------------------------------------------------
 
 struct Environment {
     unsigned unit = 0;

@@ -1,7 +1,7 @@
 #include "model/work/command_assembler.h"
 
 #include "model/base/check.h"
-#include "model/work/fragment_key.h"
+#include "model/packets/fragment_key.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // WholeCommand: a command that touches pixels, with all that became of it, in the canonical order
-// (fragment_key.h). Nothing tells any more in which bins and tiles the host drew it. What reads
-// work in order reads these; they are never changed, and are shared between readers.
+// (model/packets/fragment_key.h). Nothing tells any more in which bins and tiles the host drew it.
+// What reads work in order reads these; they are never changed, and are shared between readers.
 
 #pragma once
 

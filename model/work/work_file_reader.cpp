@@ -1,7 +1,7 @@
 #include "model/work/work_file_reader.h"
 
 #include "model/base/input_error.h"
-#include "model/work/fragment_key.h"
+#include "model/packets/fragment_key.h"
 #include "model/work/quad_fate.h"
 #include "model/work/work_check.h"
 

@@ -36,8 +36,10 @@ struct PixelProbe : StageProbe {
 
     std::optional<unsigned> lane_of(const probed::Batch& batch) const {
         for (unsigned lane = 0; lane < batch.fragments->lanes(); ++lane) {
-            const probed::Key named = probed::key_of(batch, lane);
-            if (named.x == x && named.y == y && seen_live.test(lane)) return lane;
+            const FragmentBatch& fragments = *batch.fragments;
+            const bool is_it = fragments.x[lane / 4] + (lane & 1) == x &&
+                               fragments.y[lane / 4] + (lane >> 1 & 1) == y;
+            if (is_it && seen_live.test(lane)) return lane;
         }
         return std::nullopt;
     }
@@ -166,7 +168,7 @@ struct PixelProbe : StageProbe {
     FragmentMask seen_live; // behind coverage
     unsigned inside_disagrees = 0;
     WindowVertex first_vertex;
-    probed::Key key{};
+    FragmentKey key{};
     std::uint32_t record_key = ~0u, depth_value = 0, stored_depth = 0, new_depth = 0;
     std::array<std::int64_t, 4> edges{};
     double inverse_w = 0, inverse_w_left = 0, fog_over_w = 0, s_over_w = 0;

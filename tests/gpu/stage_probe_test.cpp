@@ -87,9 +87,9 @@ TEST_CASE("the probe tells each stage's values of a fragment as calculated by ha
     CHECK(told.inside_disagrees == 0);
     CHECK(told.key.draw == 0);
     CHECK(told.key.primitive == told.record_key);
-    CHECK(told.key.x == 9);
-    CHECK(told.key.lane % 4 == 3);
-    CHECK(told.depth_value == 4194304); // 1/4 of 2^24 - 1, to nearest
+    CHECK((told.key.sequence >> 4 & 0x1fff) == 9 / 2);
+    CHECK((told.key.sequence >> 2 & 3) == 3); // the lane in its quad
+    CHECK(told.depth_value == 4194304);       // 1/4 of 2^24 - 1, to nearest
 
     CHECK(told.inverse_w_left / told.inverse_w == Approx((1 - left / 2) / (1 - u / 2)));
     CHECK(told.w * told.inverse_w == Approx(1));

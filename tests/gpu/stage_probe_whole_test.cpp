@@ -27,10 +27,10 @@ public:
         covered += batch.fragments->live.count();
         begin("coverage");
         live(batch, [&](unsigned lane) {
-            const probed::Key key = probed::key_of(batch, lane);
+            const FragmentKey key = probed::key_of(batch, lane);
             add(key.draw);
             add(key.primitive);
-            add(key.x * 65536u + key.y);
+            add(key.sequence);
             for (const auto& edge : told.edges)
                 add(static_cast<std::uint64_t>(edge[lane]));
         });

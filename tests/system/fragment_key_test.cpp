@@ -1,8 +1,8 @@
 // The name of a fragment on real traces: no two fragments share one, nor two samples.
 
 #include "model/gpu/functional_gpu.h"
+#include "model/packets/fragment_key.h"
 #include "model/work/command_assembler.h"
-#include "model/work/fragment_key.h"
 #include "tests/system/trace_run.h"
 #include "tools/frames/frame_source.h"
 
@@ -41,15 +41,15 @@ private:
     void add(const WorkQuad& quad, std::uint32_t draw) {
         for (unsigned lane = 0; lane < 4; ++lane) {
             if ((quad.covered >> lane & 1) != 0)
-                fragments_.push_back({draw, quad.primitive, work::fragment_sequence(quad, lane)});
+                fragments_.push_back({draw, quad.primitive, fragment_sequence(quad, lane)});
             for (unsigned sample = 0; sample < MaxSamples; ++sample)
                 if ((quad.samples_covered >> (4 * lane + sample) & 1) != 0)
                     samples_.push_back(
-                        {draw, quad.primitive, work::fragment_sequence(quad, lane, sample)});
+                        {draw, quad.primitive, fragment_sequence(quad, lane, sample)});
         }
     }
 
-    static std::uint64_t repeated(std::vector<work::FragmentKey>& names) {
+    static std::uint64_t repeated(std::vector<FragmentKey>& names) {
         std::sort(names.begin(), names.end());
         std::uint64_t count = 0;
         for (std::size_t i = 1; i < names.size(); ++i)
@@ -57,7 +57,7 @@ private:
         return count;
     }
 
-    std::vector<work::FragmentKey> fragments_, samples_; // of the command in work
+    std::vector<FragmentKey> fragments_, samples_; // of the command in work
     std::uint32_t last_draw_ = 0;
     bool first_ = true;
 };

@@ -1,7 +1,8 @@
 // Whole commands: nothing of the host is left in them, and every fragment has a name of its own.
 
 #include "model/base/input_error.h"
-#include "model/work/fragment_key.h"
+#include "model/packets/fragment_key.h"
+#include "model/packets/stage_probe.h"
 #include "model/work/work_check.h"
 #include "tests/work/recorded_work.h"
 
@@ -101,6 +102,44 @@ std::set<FragmentKey> names_of(const CommandList& list, bool samples) {
                                 .second);
                 }
     return names;
+}
+
+// The names that a stage probe gives; fails where one is there already.
+struct NamesOfProbe : StageProbe {
+    bool samples = false;
+    std::set<FragmentKey> names;
+
+    void coverage(const probed::Batch& batch, const probed::Coverage&) override {
+        const FragmentBatch& fragments = *batch.fragments;
+        for (unsigned lane = 0; lane < fragments.lanes(); ++lane)
+            for (unsigned sample = 0; sample < (samples ? MaxSamples : 1); ++sample)
+                if ((samples ? fragments.samples[sample] : fragments.live).test(lane))
+                    REQUIRE(names.insert(probed::key_of(batch, lane, sample)).second);
+    }
+};
+
+TEST_CASE("A stage probe names fragments as the work stream does") {
+    const bool samples = GENERATE(false, true);
+    for (const FunctionalGpu::Config& host :
+         {FunctionalGpu::Config{}, {.tile_size = 16, .bin_bytes = SmallBin}}) {
+        test::Scene scene(150, 100, host);
+        set_samples(scene, samples ? MaxSamples : 1);
+        CommandList list;
+        CommandAssembler assembler(list);
+        NamesOfProbe probe;
+        probe.samples = samples;
+        scene.gpu.set_work_sink(&assembler);
+        scene.gpu.set_stage_probe(&probe);
+        draw_varied(scene);
+        CHECK(probe.names == names_of(list, samples));
+        CHECK(probe.names.size() > 40000);
+        // Where samples are covered, several of an image's pixels touch one quad.
+        bool pieces_of_image = false;
+        for (const auto& command : list.commands)
+            for (const WorkQuad& quad : command->quads)
+                pieces_of_image |= command->draw.kind == WorkKind::Image && quad.piece > 0;
+        CHECK(pieces_of_image == samples);
+    }
 }
 
 std::uint64_t counted(test::Scene& scene, const char* name) {

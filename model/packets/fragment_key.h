@@ -23,7 +23,7 @@
 #include <compare>
 #include <cstdint>
 
-namespace ffgpu::work {
+namespace ffgpu {
 
 struct FragmentKey {
     std::uint32_t draw = 0;
@@ -33,8 +33,9 @@ struct FragmentKey {
     auto operator<=>(const FragmentKey&) const = default;
 };
 
-constexpr std::uint64_t
-fragment_sequence(const WorkQuad& quad, unsigned lane, unsigned sample = 0) {
+// Of a quad: anything with a piece and the window pixel (x, y) of its lane 0.
+template <class Quad>
+constexpr std::uint64_t fragment_sequence(const Quad& quad, unsigned lane, unsigned sample = 0) {
     const std::uint64_t row = quad.y / 2u, column = quad.x / 2u;
     return std::uint64_t{quad.piece} << 32 | row << 17 | column << 4 | lane << 2 | sample;
 }
@@ -45,4 +46,4 @@ constexpr bool comes_before(const WorkQuad& a, const WorkQuad& b) {
     return fragment_sequence(a, 0) < fragment_sequence(b, 0);
 }
 
-} // namespace ffgpu::work
+} // namespace ffgpu
