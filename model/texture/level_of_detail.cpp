@@ -1,22 +1,65 @@
+// The level of detail of one quad, its specification.
+
 #include "model/texture/level_of_detail.h"
+
+#include "model/texture/sampling_batch.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-namespace ffgpu {
+namespace ffgpu::one_quad {
 namespace {
 
-std::uint32_t squared_length(const TextureUnit& unit, const std::array<float, 3>& step) {
-    float sum = 0;
-    for (unsigned axis = 0; axis < unit.dimensions; ++axis) {
-        const float texels =
-            std::clamp(std::fabs(step[axis] * unit.density[axis]), LeastStep, LargestStep);
-        const float square = texels * texels;
-        sum = axis == 0 ? square : sum + square;
-    }
-    return std::bit_cast<std::uint32_t>(sum);
+using Floats = float;
+using Integers = std::int32_t;
+
+Floats splat(float value) {
+    return value;
 }
+Integers splat_integer(std::int32_t value) {
+    return value;
+}
+Floats absolute(Floats a) {
+    return std::fabs(a);
+}
+template <class Number>
+Number minimum(Number a, Number b) {
+    return std::min(a, b);
+}
+template <class Number>
+Number maximum(Number a, Number b) {
+    return std::max(a, b);
+}
+Integers bits_of(Floats a) {
+    return std::bit_cast<Integers>(a);
+}
+template <int Bits>
+Integers shift_left(Integers a) {
+    return a * (Integers{1} << Bits);
+}
+template <int Bits>
+Integers shift_right(Integers a) {
+    return a >> Bits;
+}
+Integers log2_entry(Integers at) {
+    return Log2Table[static_cast<std::size_t>(at)];
+}
+Integers where_greater(Integers a, Integers b, Integers yes, Integers no) {
+    return a > b ? yes : no;
+}
+Integers one_more_where_greater(Integers value, Integers a, Integers b) {
+    return a > b ? value + 1 : value;
+}
+
+} // namespace
+} // namespace ffgpu::one_quad
+
+#define FFGPU_LANES one_quad
+#include "model/texture/level_of_detail.inl"
+
+namespace ffgpu {
+namespace {
 
 CoordinateSteps coordinate_steps(const std::array<TexCoord, 4>& lanes) {
     const auto difference = [](const TexCoord& a, const TexCoord& b) {
@@ -25,49 +68,37 @@ CoordinateSteps coordinate_steps(const std::array<TexCoord, 4>& lanes) {
     return {difference(lanes[1], lanes[0]), difference(lanes[2], lanes[0])};
 }
 
+std::int32_t logarithm(std::uint32_t bits) {
+    return one_quad::logarithm(static_cast<std::int32_t>(bits));
+}
+
 } // namespace
 
-// GL 1.5, equation 3.17, squared.
 PixelFootprint pixel_footprint(const TextureUnit& unit, const CoordinateSteps& steps) {
-    return {squared_length(unit, steps.x), squared_length(unit, steps.y)};
+    const auto square = [&unit](const std::array<float, 3>& step) {
+        return static_cast<std::uint32_t>(one_quad::squared_length(unit, step.data()));
+    };
+    return {square(steps.x), square(steps.y)};
 }
 
 unsigned count_probes(const PixelFootprint& footprint, unsigned most) {
-    const std::int32_t x = log2_fixed8_bits(footprint.x), y = log2_fixed8_bits(footprint.y);
-    const std::int32_t longer = std::max(x, y) - std::max(std::min(x, y), 0);
-    unsigned probes = 1;
-    while (probes < most && longer > ProbeLogarithms[probes])
-        ++probes;
-    return probes;
+    return static_cast<unsigned>(
+        one_quad::probes_between(logarithm(footprint.x), logarithm(footprint.y), most));
 }
 
 std::int32_t
 level_of_detail(const TextureUnit& unit, const PixelFootprint& footprint, unsigned probes) {
-    const std::int32_t longer = log2_fixed8_bits(std::max(footprint.x, footprint.y));
-    // Half of the square's logarithm, rounded down.
-    const std::int32_t lambda = ((longer - ProbeLogarithms[probes]) >> 1) + unit.sampler.bias;
-    return std::min<std::int32_t>(std::max<std::int32_t>(lambda, unit.sampler.min_lod),
-                                  unit.sampler.max_lod);
+    const std::int32_t longer = logarithm(std::max(footprint.x, footprint.y));
+    return one_quad::lambda_of(unit, longer - ProbeLogarithms[probes]);
 }
 
-// GL 1.5, 3.8.8 and 3.8.9.
 QuadSampling choose_levels(const TextureUnit& unit, std::int32_t lambda) {
+    const auto choice = static_cast<std::uint32_t>(one_quad::choice_of(unit, lambda));
     QuadSampling result;
-    const auto last = static_cast<std::int32_t>(unit.last_level);
-    const bool magnifies = lambda <= unit.magnify_limit;
-    result.linear = magnifies ? unit.sampler.magnify_linear : unit.sampler.minify_linear;
-    if (magnifies || unit.sampler.mip_filter == MipFilter::None) return result;
-
-    if (unit.sampler.mip_filter == MipFilter::Nearest) {
-        // ceil(lambda + 1/2) - 1: halves go to the finer level.
-        const std::int32_t nearest = (lambda + 127) >> 8;
-        result.level = static_cast<std::uint8_t>(std::clamp(nearest, 0, last));
-        return result;
-    }
-    const std::int32_t level = std::clamp(lambda >> 8, 0, last);
-    result.level = static_cast<std::uint8_t>(level);
-    result.next_level = static_cast<std::uint8_t>(std::min(level + 1, last));
-    if (level < last) result.weight = static_cast<std::uint8_t>(lambda & 0xff);
+    result.level = static_cast<std::uint8_t>(choice);
+    result.next_level = static_cast<std::uint8_t>(choice >> 8);
+    result.weight = static_cast<std::uint8_t>(choice >> 16);
+    result.linear = (choice & SamplingBatch::LinearBit) != 0;
     return result;
 }
 

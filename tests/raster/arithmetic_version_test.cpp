@@ -1,15 +1,14 @@
-// Ties the frozen arithmetic to its version: a hash over what its specifications give for seeded
-// inputs stands in docs/arithmetic.md beside the version. A change of results is a new version.
+// Ties the frozen arithmetic of planes and texels to its version: a hash over what its
+// specifications give for seeded inputs stands in docs/arithmetic.md beside the version. A change
+// of results is a new version. The fragment units: tests/fragment/arithmetic_version_test.cpp.
 
 #include "model/raster/attribute_setup.h"
 #include "model/raster/interpolator.h"
 #include "model/texture/texture_unit.h"
 #include "tests/raster/raster_helpers.h"
+#include "tests/support/seal.h"
 
-#include <bit>
-#include <cstdio>
-#include <fstream>
-#include <iterator>
+#include <memory>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -18,17 +17,6 @@ using namespace ffgpu;
 using namespace ffgpu::test;
 
 namespace {
-
-// 64-bit FNV-1a.
-struct Seal {
-    std::uint64_t hash = 0xcbf29ce484222325;
-
-    void add(std::uint64_t value) {
-        for (int i = 0; i < 8; ++i)
-            hash = (hash ^ (value >> (8 * i) & 0xff)) * 0x100000001b3;
-    }
-    void add(float value) { add(std::uint64_t{std::bit_cast<std::uint32_t>(value)}); }
-};
 
 InterpolantLayout sealed_layout() {
     InterpolantLayout layout;
@@ -72,7 +60,7 @@ void seal_batch(Random& random, const SetupRecord& record, const TextureUnit& un
     }
 }
 
-std::uint64_t seal_of_this_build() {
+std::string seal_of_this_build() {
     Random random(2);
     Seal seal;
     SetupContext setup = context();
@@ -105,19 +93,13 @@ std::uint64_t seal_of_this_build() {
         seal_batch(
             random, buffer.record(), compile_texture_unit({shape, 0}, sampler, texels), seal);
     }
-    return seal.hash;
+    return seal.text();
 }
 
 } // namespace
 
 TEST_CASE("the frozen arithmetic gives the results that its version is sealed with") {
-    std::ifstream file(std::string(FFGPU_SOURCE_DIR) + "/docs/arithmetic.md");
-    const std::string page{std::istreambuf_iterator<char>(file), {}};
-    char seal[64];
-    std::snprintf(seal,
-                  sizeof seal,
-                  "Arithmetic 2, sealed %016llx",
-                  static_cast<unsigned long long>(seal_of_this_build()));
+    const std::string seal = "Arithmetic 2, sealed " + seal_of_this_build();
     INFO("this build: " << seal);
-    CHECK(page.find(seal) != std::string::npos);
+    CHECK(arithmetic_page().find(seal) != std::string::npos);
 }
