@@ -15,7 +15,7 @@
 #include "model/device/register_file.h"
 #include "model/geometry/geometry_unit.h"
 #include "model/gpu/bin.h"
-#include "model/gpu/page_set.h"
+#include "model/gpu/range_set.h"
 #include "model/gpu/raster_statistics.h"
 #include "model/gpu/stages.h"
 #include "model/gpu/thread_pool.h"
@@ -105,12 +105,12 @@ private:
 
     Bin bin_;
     Targets bin_targets_; // what the bin draws into
-    PageSet bin_reads_, bin_writes_;
+    RangeSet bin_reads_, bin_writes_;
     bool bin_serial_ = false; // A draw reads what it writes: one thread, so that it repeats.
     std::shared_ptr<const DrawContext> context_; // of the registers, where it is valid
     bool context_valid_ = false;
     bool pixels_valid_ = false; // context_->pixels is, though geometry's registers changed
-    std::shared_ptr<const PixelContext> binned_pixels_; // the last whose pages are in the sets
+    std::shared_ptr<const PixelContext> binned_pixels_; // the last whose textures are in the sets
 
     // With a work sink.
     std::vector<HostTransfer> transfers_; // since the last bin was handed over
