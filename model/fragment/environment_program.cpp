@@ -67,9 +67,11 @@ compile_argument(const Source& source, CombineOperand operand, unsigned result_c
     return argument;
 }
 
-UnitProgram
-compile_unit(const Combiner& combiner, std::uint8_t sampled_units, const ColorPlanes& previous) {
-    UnitProgram unit;
+void compile_unit(const Combiner& combiner,
+                  std::uint8_t sampled_units,
+                  const ColorPlanes& previous,
+                  UnitProgram& unit) {
+    unit.combiner = combiner;
     unit.alpha_from_dot = combiner.rgb.op == CombineOp::Dot3Rgba;
     unit.dot_product = unit.alpha_from_dot || combiner.rgb.op == CombineOp::Dot3Rgb;
     for (unsigned channel = 0; channel < 4; ++channel) {
@@ -85,7 +87,6 @@ compile_unit(const Combiner& combiner, std::uint8_t sampled_units, const ColorPl
                                  channel);
         }
     }
-    return unit;
 }
 
 } // namespace
@@ -94,14 +95,16 @@ EnvironmentProgram compile_environments(std::span<const Combiner, TextureUnits> 
                                         std::uint8_t sampled_units) {
     EnvironmentProgram program;
     program.sampled_units = sampled_units;
+    const auto enabled = std::count_if(
+        combiners.begin(), combiners.end(), [](const Combiner& combiner) { return combiner.enable; });
+    program.units.reserve(static_cast<std::size_t>(enabled));
     for (const Combiner& combiner : combiners) {
         if (!combiner.enable) continue;
         const ColorPlanes& previous =
-            program.count == 0 ? batch_layout().primary : batch_layout().color;
-        UnitProgram& unit = program.units[program.count++];
-        unit = compile_unit(combiner, sampled_units, previous);
+            program.units.empty() ? batch_layout().primary : batch_layout().color;
+        UnitProgram& unit = program.units.emplace_back();
+        compile_unit(combiner, sampled_units, previous, unit);
         unit.unit = static_cast<std::uint8_t>(&combiner - combiners.data());
-        unit.combiner = combiner;
     }
     return program;
 }

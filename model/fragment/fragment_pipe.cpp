@@ -49,8 +49,8 @@ void early_depth_test(const FragmentPipe& pipe, FragmentBatch& batch, const Prob
 void shade(const FragmentPipe& pipe, FragmentBatch& batch, const ProbeTap* tap) {
     const FragmentStages& stages = *pipe.stages;
     ShadeTap told(tap);
-    if (pipe.environments.count == 0) batch.color = batch.primary;
-    for (unsigned i = 0; i < pipe.environments.count; ++i) {
+    if (pipe.environments.units.empty()) batch.color = batch.primary;
+    for (unsigned i = 0; i < pipe.environments.units.size(); ++i) {
         told.enters(i == 0 ? batch.primary : batch.color);
         stages.run_environment(pipe.environments, i, batch);
         told.environment(pipe.environments.units[i].unit);

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace ffgpu {
 
@@ -54,9 +55,8 @@ struct UnitProgram {
 
 // The enabled units in order. The first takes the primary colour as the previous one.
 struct EnvironmentProgram {
-    unsigned count = 0;
     std::uint8_t sampled_units = 0; // a bit each; the others read as UnsampledTexture
-    std::array<UnitProgram, TextureUnits> units;
+    std::vector<UnitProgram> units; // Large: most draws have none, or one.
 };
 
 EnvironmentProgram compile_environments(std::span<const Combiner, TextureUnits> combiners,

@@ -71,10 +71,21 @@ BlockMask classify_block(const TileWalk& walk, const EdgeOffsets& offsets, const
     return full ? FullBlock : cover_block(walk, offsets, e);
 }
 
+// What a small primitive touches: up to two blocks each way. All their pixels are evaluated: to
+// ask first which edges cross which block would take longer.
+bool is_small(const TileWalk& walk) {
+    return walk.blocks.width() <= 2 * BlockSize && walk.blocks.height() <= 2 * BlockSize;
+}
+
 void CoverTile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
     coverage.count = 0;
     TileWalk walk;
-    if (!begin_walk(edges, tile, walk)) return;
+    if (!begin_area(edges, tile, walk)) return;
+    const bool small = is_small(walk);
+    if (small)
+        add_all_edges(edges, walk);
+    else if (!add_crossing_edges(edges, walk))
+        return;
     EdgeOffsets offsets;
     prepare_offsets(walk, offsets);
     for (int y = walk.blocks.y0; y < walk.blocks.y1; y += BlockSize)
@@ -83,7 +94,8 @@ void CoverTile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& covera
             for (unsigned i = 0; i < walk.edge_count; ++i)
                 e[i] = walk.edges[i].e + walk.edges[i].a * (x - walk.blocks.x0) +
                        walk.edges[i].b * (y - walk.blocks.y0);
-            BlockMask mask = classify_block(walk, offsets, e);
+            BlockMask mask =
+                small ? cover_block(walk, offsets, e) : classify_block(walk, offsets, e);
             if (!walk.holds(x, y)) mask &= rectangle_mask(walk.area, x, y);
             if (mask != 0)
                 coverage.blocks[coverage.count++] = {

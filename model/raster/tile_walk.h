@@ -29,8 +29,8 @@ struct TileWalk {
     }
 };
 
-// Returns false where the primitive covers nothing of the tile.
-inline bool begin_walk(const EdgeSet& set, const Rectangle& tile, TileWalk& walk) {
+// Returns false where the primitive's box lies beside the tile.
+inline bool begin_area(const EdgeSet& set, const Rectangle& tile, TileWalk& walk) {
     const Rectangle area = walk.area = intersect(set.box, tile);
     if (area.empty()) return false;
     constexpr int Mask = ~(BlockSize - 1);
@@ -38,6 +38,12 @@ inline bool begin_walk(const EdgeSet& set, const Rectangle& tile, TileWalk& walk
                    area.y0 & Mask,
                    (area.x1 + BlockSize - 1) & Mask,
                    (area.y1 + BlockSize - 1) & Mask};
+    return true;
+}
+
+// Returns false where the area lies outside an edge.
+inline bool add_crossing_edges(const EdgeSet& set, TileWalk& walk) {
+    const Rectangle& area = walk.area;
     for (const Edge& edge : set.edges) {
         const int right = area.x1 - 1, top = area.y1 - 1;
         const std::int64_t most = edge.at(edge.a > 0 ? right : area.x0, edge.b > 0 ? top : area.y0);
@@ -50,6 +56,17 @@ inline bool begin_walk(const EdgeSet& set, const Rectangle& tile, TileWalk& walk
             edge.a, edge.b, static_cast<std::int32_t>(edge.at(walk.blocks.x0, walk.blocks.y0))};
     }
     return true;
+}
+
+// For areas of up to two blocks each way. E may lie far off where an edge does not cross them:
+// beyond 2^30 its sign is the same in all, as steps are below 2^23.
+inline void add_all_edges(const EdgeSet& set, TileWalk& walk) {
+    constexpr std::int64_t Far = std::int64_t{1} << 30;
+    for (const Edge& edge : set.edges) {
+        const std::int64_t e = edge.at(walk.blocks.x0, walk.blocks.y0);
+        walk.edges[walk.edge_count++] = {
+            edge.a, edge.b, static_cast<std::int32_t>(std::clamp(e, -Far, Far))};
+    }
 }
 
 } // namespace ffgpu
