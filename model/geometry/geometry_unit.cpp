@@ -163,6 +163,7 @@ void GeometryUnit::make_slots(const ElementReader& elements) {
 
 void GeometryUnit::shade_vertices(const std::byte* vertices) {
     const std::span<const std::uint32_t> numbers = numbers_;
+    batch_->whole_chunk = numbers.size() <= BatchVertices;
     for (std::uint32_t slot = 0; slot < numbers.size(); slot += BatchVertices) {
         const std::size_t count = std::min<std::size_t>(BatchVertices, numbers.size() - slot);
         fetch_.fetch(vertices, numbers.subspan(slot, count), *batch_);

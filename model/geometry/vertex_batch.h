@@ -25,6 +25,7 @@ using Planes4 = std::array<Plane, 4>;
 
 struct VertexBatch {
     unsigned count = 0;
+    bool whole_chunk = false; // Its vertices' primitives have no others.
 
     std::array<Planes4, Attributes> in; // as fetched; constants where the vertices have none
 

@@ -6,6 +6,7 @@
 #include "model/arith/power.h"
 #include "model/arith/range.h"
 
+#include <cstring>
 #include <tuple>
 
 #define FFGPU_LANES scalar_lanes

@@ -75,12 +75,25 @@ move_to_records(const VertexSetup& setup, const VertexBatch& batch, const Vertex
     move_interpolants(setup, batch, records.window);
 }
 
+// Whether no primitive of the vertices is drawn: all lie beyond one plane.
+inline bool all_outside(const VertexBatch& batch) {
+    ClipCode common = clip_code::Outside | clip_code::SmallW;
+    for (unsigned lane = 0; lane < batch.count; ++lane)
+        common &= batch.codes[lane];
+    return common != 0;
+}
+
+// What leaves nothing to draw needs no colours: whole objects beside the picture are common.
 void shade_vertices(const VertexSetup& setup, VertexBatch& batch, const VertexRecords& records) {
     transform_stage(setup, batch);
+    window_stage(setup, batch);
+    if (batch.whole_chunk && all_outside(batch)) {
+        std::memcpy(records.codes, batch.codes.data(), batch.count * sizeof(ClipCode));
+        return;
+    }
     color_stage(setup, batch);
     tex_coord_stage(setup, batch);
     distance_stage(setup, batch);
-    window_stage(setup, batch);
     move_to_records(setup, batch, records);
 }
 

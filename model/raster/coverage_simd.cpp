@@ -71,21 +71,65 @@ BlockMask classify_block(const TileWalk& walk, const EdgeOffsets& offsets, const
     return full ? FullBlock : cover_block(walk, offsets, e);
 }
 
-// What a small primitive touches: up to two blocks each way. All their pixels are evaluated: to
-// ask first which edges cross which block would take longer.
-bool is_small(const TileWalk& walk) {
-    return walk.blocks.width() <= 2 * BlockSize && walk.blocks.height() <= 2 * BlockSize;
+bool is_small(const Rectangle& blocks) {
+    return blocks.width() <= 2 * BlockSize && blocks.height() <= 2 * BlockSize;
 }
 
-void CoverTile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
-    coverage.count = 0;
-    TileWalk walk;
-    if (!begin_area(edges, tile, walk)) return;
-    const bool small = is_small(walk);
-    if (small)
-        add_all_edges(edges, walk);
-    else if (!add_crossing_edges(edges, walk))
-        return;
+void add_block(int x, int y, BlockMask mask, TileCoverage& coverage) {
+    if (mask == 0) return;
+    coverage.blocks[coverage.count++] = {
+        static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), mask};
+}
+
+// An edge over the lanes of a row of quads.
+struct RowEdge {
+    hn::Vec<Lanes> at, up; // `up`: what the next row has more
+};
+
+// Pixels outside an edge: those of a block's rows of quads, as many as a vector has lanes.
+template <std::size_t Count>
+HWY_INLINE BlockMask rows_outside(std::array<RowEdge, Count>& edges) {
+    const Lanes d;
+    BlockMask mask = 0;
+    for (unsigned row = 0; row < BlockQuadsAcross; ++row) {
+        auto outside = edges[0].at; // The sign bits of all edges.
+        for (std::size_t i = 1; i < Count; ++i)
+            outside = hn::Or(outside, edges[i].at);
+        std::uint8_t bytes[8] = {};
+        hn::StoreMaskBits(d, hn::Lt(outside, hn::Zero(d)), bytes);
+        mask |= static_cast<BlockMask>(bytes[0] | bytes[1] << 8) << (row * QuadRow);
+        for (RowEdge& edge : edges)
+            edge.at = hn::Add(edge.at, edge.up);
+    }
+    return mask;
+}
+
+// Of a small primitive all blocks' pixels are evaluated, up to two blocks each way: to ask first
+// which edge crosses which block would take longer.
+template <std::size_t Count>
+HWY_INLINE void cover_small(const TileWalk& walk, TileCoverage& coverage) {
+    const Lanes d;
+    for (int y = walk.blocks.y0; y < walk.blocks.y1; y += BlockSize)
+        for (int x = walk.blocks.x0; x < walk.blocks.x1; x += BlockSize) {
+            BlockMask outside = 0;
+            for (std::size_t lane = 0; lane < QuadRow; lane += hn::Lanes(d)) {
+                std::array<RowEdge, Count> edges;
+                for (std::size_t i = 0; i < Count; ++i) {
+                    const TileEdge& edge = walk.edges[i];
+                    const std::int32_t e =
+                        edge.e + edge.a * (x - walk.blocks.x0) + edge.b * (y - walk.blocks.y0);
+                    const auto in_row =
+                        hn::Add(hn::Mul(hn::Set(d, edge.a), hn::Load(d, LaneX + lane)),
+                                hn::Mul(hn::Set(d, edge.b), hn::Load(d, LaneY + lane)));
+                    edges[i] = {hn::Add(hn::Set(d, e), in_row), hn::Set(d, 2 * edge.b)};
+                }
+                outside |= rows_outside(edges) << lane;
+            }
+            add_block(x, y, rectangle_mask(walk.area, x, y) & ~outside, coverage);
+        }
+}
+
+void cover_large(const TileWalk& walk, TileCoverage& coverage) {
     EdgeOffsets offsets;
     prepare_offsets(walk, offsets);
     for (int y = walk.blocks.y0; y < walk.blocks.y1; y += BlockSize)
@@ -94,13 +138,22 @@ void CoverTile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& covera
             for (unsigned i = 0; i < walk.edge_count; ++i)
                 e[i] = walk.edges[i].e + walk.edges[i].a * (x - walk.blocks.x0) +
                        walk.edges[i].b * (y - walk.blocks.y0);
-            BlockMask mask =
-                small ? cover_block(walk, offsets, e) : classify_block(walk, offsets, e);
+            BlockMask mask = classify_block(walk, offsets, e);
             if (!walk.holds(x, y)) mask &= rectangle_mask(walk.area, x, y);
-            if (mask != 0)
-                coverage.blocks[coverage.count++] = {
-                    static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), mask};
+            add_block(x, y, mask, coverage);
         }
+}
+
+void CoverTile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
+    coverage.count = 0;
+    TileWalk walk;
+    if (!begin_area(edges, tile, walk)) return;
+    if (edges.edges.size() == 3 && is_small(walk.blocks)) {
+        add_all_edges(edges, walk);
+        cover_small<3>(walk, coverage);
+    } else if (add_crossing_edges(edges, walk)) {
+        cover_large(walk, coverage);
+    }
 }
 
 } // namespace HWY_NAMESPACE
