@@ -36,13 +36,20 @@ HWY_INLINE VD constant(double x) {
     return hn::Set(Doubles(), x);
 }
 
-HWY_INLINE VD rounded(VD x) {
-    return hn::Sub(hn::Add(x, constant(Rounder)), constant(Rounder));
-}
+// A number rounded to an integer, as binary64.
+struct Rounded {
+    VD shifted; // by Rounder
 
-HWY_INLINE VW to_integers(VD whole) {
-    const VW bits = hn::BitCast(Words(), hn::Add(whole, constant(Rounder)));
-    return hn::Sub(bits, hn::BitCast(Words(), constant(Rounder)));
+    explicit HWY_INLINE Rounded(VD x)
+        : shifted(hn::Add(x, constant(Rounder))) {}
+    HWY_INLINE VD value() const { return hn::Sub(shifted, constant(Rounder)); }
+    HWY_INLINE VW bits() const {
+        return hn::Sub(hn::BitCast(Words(), shifted), hn::BitCast(Words(), constant(Rounder)));
+    }
+};
+
+HWY_INLINE VD rounded(VD x) {
+    return Rounded(x).value();
 }
 
 // The constants of a primitive, spread.
@@ -64,16 +71,18 @@ HWY_INLINE Frame spread(const AttributeFrame& frame) {
 
 // A gradient, and how far it is from where its rounding could be in doubt: not positive if it is.
 struct Gradient {
-    VD estimate, value, margin;
+    VD estimate;
+    Rounded rounded;
+    VD margin;
 };
 
 HWY_INLINE Gradient gradient(VD numerator, VD factor) {
     const VD estimate = hn::Mul(numerator, factor);
-    const VD value = rounded(estimate);
+    const Rounded rounded(estimate);
     // Two roundings are 2^-52 of it, and little more.
     const VD error = hn::Mul(hn::Abs(estimate), constant(0x1.4p-52));
-    const VD margin = hn::Sub(hn::Sub(constant(0.5), hn::Abs(hn::Sub(estimate, value))), error);
-    return {estimate, value, margin};
+    const VD off = hn::Abs(hn::Sub(estimate, rounded.value()));
+    return {estimate, rounded, hn::Sub(hn::Sub(constant(0.5), off), error)};
 }
 
 HWY_INLINE VD largest_of(VD a, VD b, VD c) {
@@ -110,48 +119,38 @@ HWY_INLINE std::array<VD, 3> load_values(const AttributeValues& values, unsigned
     return {at(0), at(1), at(2)};
 }
 
-// Planes on their way into a record, as two blocks of 16 bytes each.
-struct PlaneBlocks {
-    static constexpr std::size_t Capacity = (MaxInterpolants + 8) & ~std::size_t{7};
-
-    alignas(64) std::array<std::uint32_t, 4 * Capacity> first, second;
-};
-
-// StoredPlane, of vectors; `scale` is the bits of a binary32.
-HWY_INLINE void store(VW c, VW dx, VW dy, VW scale, unsigned at, PlaneBlocks& blocks) {
+// StoredPlane, of vectors: its 32 bytes as four words of 64 bits. `scale` is the bits of a binary32.
+HWY_INLINE void store(VW c, VW dx, VW dy, VW scale, StoredPlane* to) {
     constexpr int Low = StoredPlane::LowBits, High = Low + StoredPlane::MiddleBits;
     const Words d;
-    const hn::Rebind<std::uint32_t, Words> narrow;
     const VW half = hn::Set(d, AttributePlane::Half);
     const VW low_mask = hn::Set(d, StoredPlane::LowMask);
-    const auto word = [&](VW x) HWY_ATTR { return hn::TruncateTo(narrow, x); };
-    const auto pair = [&](VW x, VW y, std::uint64_t mask) HWY_ATTR {
-        const VW bits = hn::Set(d, mask);
-        return word(hn::Or(hn::And(x, bits), hn::ShiftLeft<16>(hn::And(y, bits))));
+    const VW upper_word = hn::Set(d, ~std::uint64_t{0} << 32);
+    const VW middle_mask = hn::Set(d, std::uint64_t{StoredPlane::MiddleMask} << 32);
+    const VW top_mask = hn::Set(d, 0xffff);
+    // Without guard bits, in the upper word.
+    const auto above = [&](VW x) HWY_ATTR { return hn::And(hn::ShiftLeft<32 - Low>(x), upper_word); };
+    const auto low_and_middle = [&](VW x) HWY_ATTR {
+        return hn::OrAnd(hn::And(x, low_mask), hn::ShiftLeft<32 - Low>(x), middle_mask);
     };
-    const auto rounded_off = [&](VW x)
-                                 HWY_ATTR { return word(hn::ShiftRight<Low>(hn::Add(x, half))); };
-    const VW to_round = hn::Add(c, half);
-    hn::StoreInterleaved4(
-        word(hn::Or(hn::And(to_round, low_mask), scale)),
-        word(hn::ShiftRight<Low>(to_round)),
-        pair(dx, dy, StoredPlane::LowMask),
-        pair(hn::ShiftRight<Low>(dx), hn::ShiftRight<Low>(dy), StoredPlane::MiddleMask),
-        narrow,
-        blocks.first.data() + 4 * at);
-    hn::StoreInterleaved4(pair(hn::ShiftRight<High>(dx), hn::ShiftRight<High>(dy), 0xffff),
-                          rounded_off(dx),
-                          rounded_off(dy),
-                          rounded_off(hn::Add(dx, dy)),
-                          narrow,
-                          blocks.second.data() + 4 * at);
+    const auto high = [&](VW x) HWY_ATTR { return hn::And(hn::ShiftRight<High>(x), top_mask); };
+    const auto pair = [&](VW x, VW y) HWY_ATTR { return hn::Or(x, hn::ShiftLeft<16>(y)); };
+
+    const VW whole = hn::Add(c, half), right = hn::Add(dx, half), up = hn::Add(dy, half);
+    const VW up_only = hn::ShiftRight<32>(above(up));
+    hn::StoreInterleaved4(hn::OrAnd(hn::Or(scale, above(whole)), whole, low_mask),
+                          pair(low_and_middle(dx), low_and_middle(dy)),
+                          hn::Or(pair(high(dx), high(dy)), above(right)),
+                          hn::Or(up_only, above(hn::Add(right, dy))),
+                          d,
+                          reinterpret_cast<std::uint64_t*>(to));
 }
 
 // Attributes `first` and on; returns a bit for each that the specification has to set up.
 HWY_INLINE std::uint64_t set_up_lanes(const AttributeValues& values,
                                       unsigned first,
                                       const Frame& frame,
-                                      PlaneBlocks& blocks) {
+                                      StoredPlane* planes) {
     const Doubles d;
     const Integers di;
     const auto [a0, a1, a2] = load_values(values, first);
@@ -171,16 +170,16 @@ HWY_INLINE std::uint64_t set_up_lanes(const AttributeValues& values,
         gradient(hn::Add(hn::Mul(e1, frame.y1), hn::Mul(e2, frame.y2)), frame.factor);
 
     // Halves go up: the sum has no more than 8 fraction bits.
-    const VD way = hn::Add(hn::Mul(x.value, frame.offset_x), hn::Mul(y.value, frame.offset_y));
+    const VD way = hn::Add(hn::Mul(x.rounded.value(), frame.offset_x),
+                           hn::Mul(y.rounded.value(), frame.offset_y));
     const VD to_reference = rounded(hn::Add(hn::Mul(way, constant(0x1p-8)), constant(0x1p-10)));
     const VD c = hn::Add(hn::Mul(q0, constant(1 << AttributePlane::GuardBits)), to_reference);
     const VI exponent = hn::Sub(field, hn::Set(di, 1022 - 127 + values.base_exponent()));
-    store(to_integers(c),
-          to_integers(x.value),
-          to_integers(y.value),
+    store(Rounded(c).bits(),
+          x.rounded.bits(),
+          y.rounded.bits(),
           hn::BitCast(Words(), hn::ShiftLeft<23>(exponent)),
-          first,
-          blocks);
+          planes + first);
 
     const VD steps = hn::Add(hn::Abs(x.estimate), hn::Abs(y.estimate));
     const VD reached = hn::Add(largest_of(q0, q1, q2), hn::Mul(steps, frame.reach));
@@ -195,16 +194,9 @@ std::uint64_t
 SetUpPlanes(const AttributeValues& values, const AttributeFrame& frame, StoredPlane* planes) {
     const Frame spread_frame = spread(frame);
     const unsigned count = values.count();
-    PlaneBlocks blocks;
     std::uint64_t left = 0;
     for (unsigned i = 0; i < count; i += static_cast<unsigned>(hn::Lanes(Doubles())))
-        left |= set_up_lanes(values, i, spread_frame, blocks) << i;
-    const hn::FixedTag<std::uint32_t, 4> block;
-    for (unsigned i = 0; i < count; ++i) {
-        auto* const to = reinterpret_cast<std::uint32_t*>(planes + i);
-        hn::Store(hn::Load(block, blocks.first.data() + 4 * i), block, to);
-        hn::Store(hn::Load(block, blocks.second.data() + 4 * i), block, to + 4);
-    }
+        left |= set_up_lanes(values, i, spread_frame, planes) << i;
     return left & ((std::uint64_t{1} << count) - 1);
 }
 

@@ -103,6 +103,6 @@ struct alignas(StoredPlane) SetupRecord {
     }
 };
 
-constexpr std::size_t MaxSetupRecordBytes = SetupRecord::bytes_for(MaxInterpolants + 1);
+constexpr std::size_t MaxSetupRecordBytes = SetupRecord::bytes_for(PlaneRoom);
 
 } // namespace ffgpu

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "model/packets/interpolants.h"
 #include "model/raster/attribute_plane.h"
 
 #include <bit>
@@ -60,5 +61,8 @@ private:
     }
 };
 static_assert(sizeof(StoredPlane) == 32);
+
+// Set-up writes a primitive's planes by vectors of up to 8: this many behind each other may change.
+constexpr unsigned PlaneRoom = (MaxInterpolants + 1 + 7) & ~7u;
 
 } // namespace ffgpu
