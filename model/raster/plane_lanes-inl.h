@@ -72,50 +72,37 @@ constexpr std::array<std::int32_t, 64> make_quad_of_lane() {
 }
 alignas(64) constexpr std::array<std::int32_t, 64> QuadOfLane = make_quad_of_lane();
 
-// A plane, spread over lanes.
-class RunPlane {
-public:
-    HWY_INLINE void spread(const StoredPlane& plane) {
-        alignas(16) static constexpr std::int32_t AllButFirst[4] = {0, -1, -1, -1};
-        const Ints d;
-        low_ = pairs(plane.low);
-        middle_ = pairs(plane.middle);
-        high_ = pairs(plane.high);
-        const auto fraction = hn::Set(Words(), plane.fraction_and_scale);
-        fraction_ = hn::BitCast(d, hn::And(fraction, hn::Set(Words(), StoredPlane::LowMask)));
-        whole_ = hn::Set(d, plane.whole);
-        const auto* const last = reinterpret_cast<const std::int32_t*>(&plane.high);
-        offsets_ = hn::And(hn::LoadDup128(d, last), hn::LoadDup128(d, AllButFirst));
-    }
+// Of each pair of halves with another, summed.
+HWY_INLINE VI products(hn::Vec<Halves> a, hn::Vec<Halves> b) {
+    VI other = hn::Zero(Ints());
+    const VI sum = hn::ReorderWidenMulAccumulate(Ints(), a, b, hn::Zero(Ints()), other);
+    return hn::RearrangeToOddPlusEven(sum, other);
+}
 
-    // The corners of the quads at these pairs, relative to the reference pixel.
-    HWY_INLINE VI corners(hn::Vec<Halves> at) const {
-        constexpr int Low = StoredPlane::LowBits, Middle = StoredPlane::MiddleBits;
-        const VI carried = hn::ShiftRight<Low>(hn::Add(products(low_, at), fraction_));
-        const VI upper = hn::ShiftLeft<Middle>(products(high_, at));
-        return hn::Add(hn::Add(products(middle_, at), upper), hn::Add(whole_, carried));
-    }
-    // The integers of those of their lanes whose quads have these numbers.
-    template <class Numbers>
-    HWY_INLINE VI lanes(VI corners, Numbers quads) const {
-        return hn::Add(hn::TableLookupLanes(corners, quads), offsets_);
-    }
+HWY_INLINE hn::Vec<Halves> spread_pair(std::uint32_t pair) {
+    return hn::BitCast(Halves(), hn::Set(Words(), pair));
+}
 
-    static HWY_INLINE hn::Vec<Halves> pairs(std::uint32_t pair) {
-        return hn::BitCast(Halves(), hn::Set(Words(), pair));
-    }
+// A plane at the corners of the quads at these pairs, relative to the reference pixel. Its parts
+// come from the record each time: kept in registers those of four planes would not fit.
+HWY_INLINE VI corners_at(const StoredPlane& plane, hn::Vec<Halves> at) {
+    constexpr int Low = StoredPlane::LowBits, Middle = StoredPlane::MiddleBits;
+    const auto fraction = hn::And(hn::Set(Words(), plane.fraction_and_scale),
+                                  hn::Set(Words(), StoredPlane::LowMask));
+    const VI carried = hn::ShiftRight<Low>(
+        hn::Add(products(spread_pair(plane.low), at), hn::BitCast(Ints(), fraction)));
+    const VI upper = hn::ShiftLeft<Middle>(products(spread_pair(plane.high), at));
+    return hn::Add(hn::Add(products(spread_pair(plane.middle), at), upper),
+                   hn::Add(hn::Set(Ints(), plane.whole), carried));
+}
 
-private:
-    // Of each pair with another, summed.
-    static HWY_INLINE VI products(hn::Vec<Halves> a, hn::Vec<Halves> b) {
-        VI other = hn::Zero(Ints());
-        const VI sum = hn::ReorderWidenMulAccumulate(Ints(), a, b, hn::Zero(Ints()), other);
-        return hn::RearrangeToOddPlusEven(sum, other);
-    }
-
-    hn::Vec<Halves> low_, middle_, high_;
-    VI fraction_, whole_, offsets_;
-};
+// What the lanes of a quad have more than its corner.
+HWY_INLINE VI offsets_of(const StoredPlane& plane) {
+    alignas(16) static constexpr std::int32_t AllButFirst[4] = {0, -1, -1, -1};
+    const Ints d;
+    const auto* const last = reinterpret_cast<const std::int32_t*>(&plane.high);
+    return hn::And(hn::LoadDup128(d, last), hn::LoadDup128(d, AllButFirst));
+}
 
 // For vectors that cover the run: calls begin(lane), then body(what that gave, i, integers, lane)
 // with the integers of planes first + i from `lane` on.
@@ -127,24 +114,25 @@ HWY_INLINE void for_integers(const LaneRun& run,
                              Body&& body) {
     constexpr std::size_t N = hn::MaxLanes(Floats());
     const SetupRecord& record = run.record;
-    const auto reference = RunPlane::pairs(static_cast<std::uint32_t>(record.x_reference & 0xffff) |
-                                           static_cast<std::uint32_t>(record.y_reference) << 16);
-    RunPlane plane[Count];
-    for (unsigned i = 0; i < Count; ++i)
-        plane[i].spread(record.planes()[first_plane + i]);
+    const auto reference = spread_pair(static_cast<std::uint32_t>(record.x_reference & 0xffff) |
+                                       static_cast<std::uint32_t>(record.y_reference) << 16);
+    const StoredPlane* const stored = record.planes() + first_plane;
     for (std::size_t first = run.first; first < run.end; first += 4 * N) {
         const auto places = hn::LoadU(Words(), planes.places.data() + first / 4);
         const auto at = hn::Sub(hn::BitCast(Halves(), places), reference);
         VI corners[Count];
         for (unsigned i = 0; i < Count; ++i)
-            corners[i] = plane[i].corners(at);
+            corners[i] = corners_at(stored[i], at);
         for (std::size_t quarter = 0; quarter < 4; ++quarter) {
             const std::size_t lane = first + quarter * N;
             if (lane >= run.end) break;
             const auto quads = hn::SetTableIndices(Ints(), QuadOfLane.data() + quarter * N);
             const auto shared = begin(lane);
             for (unsigned i = 0; i < Count; ++i)
-                body(shared, i, plane[i].lanes(corners[i], quads), lane);
+                body(shared,
+                     i,
+                     hn::Add(hn::TableLookupLanes(corners[i], quads), offsets_of(stored[i])),
+                     lane);
         }
     }
 }
