@@ -93,8 +93,9 @@ struct FragmentBatch {
     std::uint16_t tile_x = 0, tile_y = 0; // the tile's lower left pixel
 
     // Per quad.
-    alignas(64) std::array<std::uint16_t, BatchQuads> x; // window pixel of lane 0, even
-    alignas(64) std::array<std::uint16_t, BatchQuads> y;
+    // Window pixel of lane 0, even. Vectors of quads may run over the end.
+    static constexpr unsigned PaddedQuads = BatchQuads + 32;
+    alignas(64) std::array<std::uint16_t, PaddedQuads> x, y;
     std::array<std::uint32_t, BatchQuads> primitive;         // PrimitiveKey::primitive
     std::array<std::uint64_t, BatchQuads / 64> front_facing; // one bit a quad
 

@@ -18,6 +18,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // clang-format off: after foreach_target.h
+#include "model/raster/depth_lanes-inl.h"
 #include "model/raster/plane_lanes-inl.h"
 // clang-format on
 
@@ -57,37 +58,12 @@ void color_run(const LaneRun& run,
                              HWY_ATTR { store_color(value, out[i], lane); });
 }
 
-// At the point that lies `position` (1/256 pixel) beside each centre.
 HWY_INLINE void depth_beside(SubPixelPoint position,
                              std::span<const BatchRun> runs,
                              const FragmentBatch& batch,
                              std::uint32_t* out) {
-    const hn::CappedTag<std::int64_t, 4> d;
-    const hn::RebindToUnsigned<decltype(d)> wide;
-    const hn::Rebind<std::uint32_t, decltype(d)> narrow;
-    constexpr auto Half = std::int64_t{1} << (DepthPlane::FractionBits - 1);
     for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
-        const SetupRecord& record = run.record;
-        const DepthPlane& plane = record.depth;
-        const std::int64_t base_offset = Half + plane.beside(position);
-        alignas(32) const std::int64_t offsets[4] = {base_offset,
-                                                     base_offset + plane.dx,
-                                                     base_offset + plane.dy,
-                                                     base_offset + plane.dx + plane.dy};
-        const auto lowest = hn::Set(d, std::int64_t{record.depth_min});
-        const auto highest = hn::Set(d, std::int64_t{record.depth_max});
-        for (std::size_t lane = run.first; lane < run.end; lane += 4) {
-            const auto base = hn::Set(d,
-                                      plane.at(batch.x[lane / 4] - record.x_reference,
-                                               batch.y[lane / 4] - record.y_reference));
-            for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
-                const auto sum = hn::Add(base, hn::Load(d, offsets + i));
-                const auto depth = hn::ShiftRight<DepthPlane::FractionBits>(sum);
-                const auto clamped = hn::Min(hn::Max(depth, lowest), highest);
-                hn::StoreU(
-                    hn::TruncateTo(narrow, hn::BitCast(wide, clamped)), narrow, out + lane + i);
-            }
-        }
+        depth_run(position, run, batch, out);
     });
 }
 

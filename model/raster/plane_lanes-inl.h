@@ -64,13 +64,14 @@ HWY_INLINE void store_lanes(D d, hn::Vec<D> value, hn::TFromD<D>* plane, std::si
 }
 
 // The lanes of a vector's quads, a vector a quarter of them: the number of each lane's quad.
-constexpr std::array<std::int32_t, 64> make_quad_of_lane() {
-    std::array<std::int32_t, 64> numbers{};
-    for (unsigned i = 0; i < numbers.size(); ++i)
-        numbers[i] = static_cast<std::int32_t>(i / 4);
+template <class Number, std::size_t Lanes>
+constexpr std::array<Number, Lanes> quad_of_lane() {
+    std::array<Number, Lanes> numbers{};
+    for (std::size_t i = 0; i < Lanes; ++i)
+        numbers[i] = static_cast<Number>(i / 4);
     return numbers;
 }
-alignas(64) constexpr std::array<std::int32_t, 64> QuadOfLane = make_quad_of_lane();
+alignas(64) constexpr std::array<std::int32_t, 64> QuadOfLane = quad_of_lane<std::int32_t, 64>();
 
 // Of each pair of halves with another, summed.
 HWY_INLINE VI products(hn::Vec<Halves> a, hn::Vec<Halves> b) {
