@@ -26,12 +26,17 @@ HWY_BEFORE_NAMESPACE();
 namespace ffgpu {
 namespace HWY_NAMESPACE {
 
+// Adding it leaves a small integer in the lower bits; rounding down first is quicker than to convert
+// with care for numbers that do not fit.
+constexpr float ToLowerBits = 0x1p23f;
+
 HWY_INLINE void store_color(VF value, std::uint16_t* plane, std::size_t lane) {
     const Floats d;
-    const auto clamped = hn::Min(hn::Max(value, hn::Zero(d)), hn::Set(d, 255.0f));
     const hn::Rebind<std::uint16_t, Floats> halves;
-    const auto rounded = hn::ConvertTo(Ints(), hn::Add(clamped, hn::Set(d, 0.5f)));
-    store_lanes(halves, hn::DemoteTo(halves, rounded), plane, lane);
+    const VF clamped = hn::Min(hn::Max(value, hn::Zero(d)), hn::Set(d, 255.0f));
+    const VF rounded = hn::Floor(hn::Add(clamped, hn::Set(d, 0.5f)));
+    const auto bits = hn::BitCast(Words(), hn::Add(rounded, hn::Set(d, ToLowerBits)));
+    store_lanes(halves, hn::TruncateTo(halves, bits), plane, lane);
 }
 
 void fill(std::uint16_t* plane, std::size_t first, std::size_t end, std::uint16_t value) {
