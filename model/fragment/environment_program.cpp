@@ -95,8 +95,9 @@ EnvironmentProgram compile_environments(std::span<const Combiner, TextureUnits> 
                                         std::uint8_t sampled_units) {
     EnvironmentProgram program;
     program.sampled_units = sampled_units;
-    const auto enabled = std::count_if(
-        combiners.begin(), combiners.end(), [](const Combiner& combiner) { return combiner.enable; });
+    const auto enabled = std::count_if(combiners.begin(),
+                                       combiners.end(),
+                                       [](const Combiner& combiner) { return combiner.enable; });
     program.units.reserve(static_cast<std::size_t>(enabled));
     for (const Combiner& combiner : combiners) {
         if (!combiner.enable) continue;

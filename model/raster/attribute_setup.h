@@ -68,8 +68,8 @@ struct AttributeValues {
     std::array<double, 3> at(unsigned i) const;
 };
 
-// Sets up count() planes; there is room for PlaneRoom. Returns the exponent that is taken off those of all: k's with
-// perspective, otherwise ValueBits.
+// Sets up count() planes; there is room for PlaneRoom. Returns the exponent that is taken off those
+// of all: k's with perspective, otherwise ValueBits.
 int set_up_attributes(const AttributeValues& values,
                       const AttributeFrame& frame,
                       StoredPlane* planes);

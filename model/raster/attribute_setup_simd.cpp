@@ -119,7 +119,8 @@ HWY_INLINE std::array<VD, 3> load_values(const AttributeValues& values, unsigned
     return {at(0), at(1), at(2)};
 }
 
-// StoredPlane, of vectors: its 32 bytes as four words of 64 bits. `scale` is the bits of a binary32.
+// StoredPlane, of vectors: its 32 bytes as four words of 64 bits. `scale` is the bits of a
+// binary32.
 HWY_INLINE void store(VW c, VW dx, VW dy, VW scale, StoredPlane* to) {
     constexpr int Low = StoredPlane::LowBits, High = Low + StoredPlane::MiddleBits;
     const Words d;
@@ -129,7 +130,8 @@ HWY_INLINE void store(VW c, VW dx, VW dy, VW scale, StoredPlane* to) {
     const VW middle_mask = hn::Set(d, std::uint64_t{StoredPlane::MiddleMask} << 32);
     const VW top_mask = hn::Set(d, 0xffff);
     // Without guard bits, in the upper word.
-    const auto above = [&](VW x) HWY_ATTR { return hn::And(hn::ShiftLeft<32 - Low>(x), upper_word); };
+    const auto above = [&](VW x)
+                           HWY_ATTR { return hn::And(hn::ShiftLeft<32 - Low>(x), upper_word); };
     const auto low_and_middle = [&](VW x) HWY_ATTR {
         return hn::OrAnd(hn::And(x, low_mask), hn::ShiftLeft<32 - Low>(x), middle_mask);
     };

@@ -1,5 +1,5 @@
-// The exact depth plane over the lanes of a run: the corners of 2 to 8 quads at once, a lane a quad,
-// then their lanes, all modulo 2^64. Included once for each instruction set.
+// The exact depth plane over the lanes of a run: the corners of 2 to 8 quads at once, a lane a
+// quad, then their lanes, all modulo 2^64. Included once for each instruction set.
 
 #if defined(FFGPU_MODEL_RASTER_DEPTH_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FFGPU_MODEL_RASTER_DEPTH_LANES_INL_H
@@ -16,7 +16,8 @@ namespace {
 using Longs = hn::CappedTag<std::int64_t, 8>;
 using VL = hn::Vec<Longs>;
 
-alignas(64) constexpr std::array<std::int64_t, 32> LongQuadOfLane = quad_of_lane<std::int64_t, 32>();
+alignas(64) constexpr std::array<std::int64_t, 32> LongQuadOfLane =
+    quad_of_lane<std::int64_t, 32>();
 
 // A plane's step in one direction, for products with pixels' places.
 class DepthStep {
@@ -75,8 +76,8 @@ HWY_INLINE void depth_run(SubPixelPoint position,
             const std::size_t lane = first + part * N;
             if (lane >= run.end) break;
             const auto quads = hn::SetTableIndices(d, LongQuadOfLane.data() + part * N);
-            const auto sum = hn::Add(hn::TableLookupLanes(corners, quads),
-                                     hn::LoadU(d, offsets + part * N % 4));
+            const auto sum =
+                hn::Add(hn::TableLookupLanes(corners, quads), hn::LoadU(d, offsets + part * N % 4));
             const auto depth = hn::ShiftRight<DepthPlane::FractionBits>(sum);
             const auto clamped = hn::Min(hn::Max(depth, lowest), highest);
             store_lanes(narrow, hn::TruncateTo(narrow, hn::BitCast(wide, clamped)), out, lane);

@@ -26,8 +26,8 @@ HWY_BEFORE_NAMESPACE();
 namespace ffgpu {
 namespace HWY_NAMESPACE {
 
-// Adding it leaves a small integer in the lower bits; rounding down first is quicker than to convert
-// with care for numbers that do not fit.
+// Adding it leaves a small integer in the lower bits; rounding down first is quicker than to
+// convert with care for numbers that do not fit.
 constexpr float ToLowerBits = 0x1p23f;
 
 HWY_INLINE void store_color(VF value, std::uint16_t* plane, std::size_t lane) {
@@ -67,9 +67,8 @@ HWY_INLINE void depth_beside(SubPixelPoint position,
                              std::span<const BatchRun> runs,
                              const FragmentBatch& batch,
                              std::uint32_t* out) {
-    for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
-        depth_run(position, run, batch, out);
-    });
+    for_runs(
+        runs, batch, [&](const LaneRun& run) HWY_ATTR { depth_run(position, run, batch, out); });
 }
 
 void InterpolateDepth(std::span<const BatchRun> runs, FragmentBatch& batch) {

@@ -88,8 +88,8 @@ HWY_INLINE hn::Vec<Halves> spread_pair(std::uint32_t pair) {
 // come from the record each time: kept in registers those of four planes would not fit.
 HWY_INLINE VI corners_at(const StoredPlane& plane, hn::Vec<Halves> at) {
     constexpr int Low = StoredPlane::LowBits, Middle = StoredPlane::MiddleBits;
-    const auto fraction = hn::And(hn::Set(Words(), plane.fraction_and_scale),
-                                  hn::Set(Words(), StoredPlane::LowMask));
+    const auto fraction =
+        hn::And(hn::Set(Words(), plane.fraction_and_scale), hn::Set(Words(), StoredPlane::LowMask));
     const VI carried = hn::ShiftRight<Low>(
         hn::Add(products(spread_pair(plane.low), at), hn::BitCast(Ints(), fraction)));
     const VI upper = hn::ShiftLeft<Middle>(products(spread_pair(plane.high), at));

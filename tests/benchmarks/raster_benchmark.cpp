@@ -12,8 +12,8 @@ namespace {
 constexpr unsigned Triangles = 256;
 
 struct Carried {
-    bool flat = false;      // one colour a triangle
-    unsigned textures = 0;  // two coordinates each
+    bool flat = false;     // one colour a triangle
+    unsigned textures = 0; // two coordinates each
     bool fog = false;
     bool perspective = true;
 };
@@ -43,7 +43,8 @@ struct Scene {
         vertices.resize(3 * Triangles);
         primitives.resize(Triangles);
         for (unsigned i = 0; i < Triangles; ++i) {
-            const int x = random.below((240 - pixels) * 256), y = random.below((240 - pixels) * 256);
+            const int x = random.below((240 - pixels) * 256),
+                      y = random.below((240 - pixels) * 256);
             const int size = pixels * 256;
             WindowVertex* const v = vertices.data() + 3 * i;
             v[0] = vertex(x + random.below(100), y + random.below(100));

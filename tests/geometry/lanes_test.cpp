@@ -191,6 +191,40 @@ TEST_CASE("vectors of each instruction set give the scalar lanes' bits in every 
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
+TEST_CASE("vertices that leave nothing to draw are not lit, unless others share their primitives") {
+    Registers registers;
+    registers.viewport = {.width = 64, .height = 64};
+    InterpolantLayout layout;
+    layout.color = 0;
+    layout.count = 4;
+    const VertexSetup setup = make_vertex_setup(registers, layout, {});
+    auto batch = std::make_unique<VertexBatch>();
+    batch->count = 3;
+    for (unsigned vertex = 0; vertex < 3; ++vertex) {
+        batch->in[0][0].lanes[vertex] = -2; // left of the view
+        batch->in[0][3].lanes[vertex] = 1;
+        for (Plane& plane : batch->in[static_cast<unsigned>(Attribute::Color)])
+            plane.lanes[vertex] = 0.5f;
+    }
+    const auto color_of_last = [&](ShadeVertices shade) {
+        auto shaded = std::make_unique<Shaded>();
+        shaded->window[2].attributes[0] = -1;
+        shade(setup, *batch, shaded->records());
+        CHECK((shaded->codes[0] & clip_code::Left) != 0);
+        return shaded->window[2].attributes[0];
+    };
+    for (const ShadeVertices shade : {shade_vertices_scalar, shade_vertices_simd}) {
+        batch->in[0][0].lanes[2] = -2;
+        batch->whole_chunk = true;
+        CHECK(color_of_last(shade) == -1);
+        batch->whole_chunk = false;
+        CHECK(color_of_last(shade) == 0.5f);
+        batch->whole_chunk = true;
+        batch->in[0][0].lanes[2] = 0;
+        CHECK(color_of_last(shade) == 0.5f);
+    }
+}
+
 TEST_CASE("interpolants are finite, whatever goes in") {
     Random random(8);
     auto batch = std::make_unique<VertexBatch>();
