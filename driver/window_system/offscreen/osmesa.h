@@ -47,8 +47,10 @@ extern "C" {
 #define OSMESA_CONTEXT_MAJOR_VERSION 0x36
 #define OSMESA_CONTEXT_MINOR_VERSION 0x37
 
+// NOLINTBEGIN(modernize-*): C programs include this.
 typedef struct osmesa_context* OSMesaContext;
 typedef void (*OSMESAproc)(void);
+// NOLINTEND(modernize-*)
 
 OSMesaContext OSMesaCreateContext(GLenum format, OSMesaContext sharelist);
 OSMesaContext OSMesaCreateContextExt(
