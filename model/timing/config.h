@@ -9,6 +9,7 @@
 #include "model/timing/config/fragment.h"
 #include "model/timing/config/raster.h"
 #include "model/timing/config/setup.h"
+#include "model/timing/config/texture.h"
 #include "model/timing/config/vertex.h"
 #include "model/timing/memory/config.h"
 #include "model/work/config.h"
@@ -22,6 +23,7 @@ struct TimingConfig {
     VertexConfig vertex;
     SetupConfig setup;
     RasterConfig raster;
+    TextureConfig texture;
     TexelCacheConfig texel_cache;
     DepthCacheConfig depth_cache;
     ColorCacheConfig color_cache;
@@ -46,6 +48,7 @@ struct TimingConfig {
         each(self.vertex);
         each(self.setup);
         each(self.raster);
+        each(self.texture);
         each(self.texel_cache);
         each(self.depth_cache);
         each(self.color_cache);

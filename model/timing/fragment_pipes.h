@@ -1,18 +1,82 @@
-// Which of the parallel fragment pipes a quad takes: one for each quad that the rasterizer makes a
-// cycle. A pixel always goes through the same pipe, so that its fragments stay in order.
+// The parallel fragment pipes: which of them a quad takes, one for each quad that the rasterizer
+// makes a cycle, and how quads leave a unit that all pipes have.
+//
+// Where the window is shared out, a pixel always goes through the same pipe, and its fragments stay
+// in order by themselves. Where primitives take turns they may not: then the quads leave in the
+// order in which they came, whatever pipe they took.
 
 #pragma once
 
+#include "model/timing/channel.h"
 #include "model/timing/config.h"
 #include "model/timing/tokens.h"
 
+#include <deque>
+#include <vector>
+
 namespace ffgpu::timing {
 
-inline std::uint32_t fragment_pipe(const TimingConfig& config, const PreparedQuad& quad) {
+inline std::uint32_t fragment_pipe(const TimingConfig& config, const QuadToken& token) {
+    const PreparedQuad& quad = token.quad();
     const std::uint32_t width = config.fragment.distribution_width;
-    const bool tiles = config.fragment.distribution == Distribution::Tiles;
-    const std::uint32_t place = quad.y / width + (tiles ? quad.x / width : 0);
-    return place % config.raster.quads_per_cycle;
+    const std::uint32_t pipes = config.raster.quads_per_cycle;
+    switch (config.fragment.distribution) {
+    case Distribution::Tiles:
+        return (quad.y / width + quad.x / width) % pipes;
+    case Distribution::Scanlines:
+        return quad.y / width % pipes;
+    case Distribution::Triangles:
+        break;
+    }
+    return (token.draw().number + quad.primitive) % pipes; // Draws of one primitive, too.
 }
+
+// A unit's way out for the quads of all its pipes.
+class PipeExit {
+public:
+    PipeExit(const TimingConfig& config, Channel<QuadToken>& out)
+        : out_(out)
+        , width_(config.raster.quads_per_cycle)
+        , in_order_(config.fragment.distribution == Distribution::Triangles)
+        , places_(config.fragment.pipe_queue)
+        , finished_(width_) {}
+
+    // A quad came in and takes `pipe`.
+    void enter(std::uint32_t pipe) {
+        if (in_order_) order_.push_back(pipe);
+    }
+
+    bool can_push(std::size_t pipe) const {
+        return in_order_ ? finished_[pipe].size() < places_ : out_.can_push();
+    }
+    void push(std::size_t pipe, const QuadToken& quad) {
+        in_order_ ? finished_[pipe].push_back(quad) : out_.push(quad);
+    }
+
+    // Once a cycle, when all pipes have worked: quads whose turn it is leave. Tells whether any
+    // did.
+    bool advance() {
+        bool any = false;
+        for (std::size_t i = 0; i < width_ && !order_.empty(); ++i) {
+            std::deque<QuadToken>& pipe = finished_[order_.front()];
+            if (pipe.empty() || !out_.can_push()) break;
+            out_.push(pipe.front());
+            pipe.pop_front();
+            order_.pop_front();
+            any = true;
+        }
+        return any;
+    }
+
+    bool is_empty() const { return order_.empty(); }
+
+private:
+    Channel<QuadToken>& out_;
+    std::size_t width_;
+    bool in_order_;
+    std::size_t places_; // of each pipe, for quads whose turn has not come
+    std::deque<std::uint32_t> order_;
+    std::vector<std::deque<QuadToken>> finished_;
+};
 
 } // namespace ffgpu::timing

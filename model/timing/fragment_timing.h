@@ -4,9 +4,7 @@
 
 #pragma once
 
-#include "model/timing/channel.h"
-#include "model/timing/config.h"
-#include "model/timing/tokens.h"
+#include "model/timing/fragment_pipes.h"
 #include "model/timing/unit.h"
 
 #include <deque>
@@ -28,6 +26,7 @@ public:
         : Unit(name, clock)
         , config_(config)
         , ports_(ports)
+        , exit_(config, ports.quads_out)
         , pipes_(config.raster.quads_per_cycle) {}
 
 private:
@@ -40,10 +39,11 @@ private:
     bool may_sleep() const override { return !can_distribute(); }
     bool can_distribute() const;
     void distribute();
-    Activity step(Pipe& pipe);
+    Activity step(std::size_t number);
 
     const TimingConfig& config_;
     const Ports ports_;
+    PipeExit exit_;
     std::vector<Pipe> pipes_;
     std::size_t first_ = 0; // pipe at the way out
 };

@@ -4,65 +4,70 @@
 
 namespace ffgpu::timing {
 
-void TexturePipe::begin(TextureStatistics& statistics) {
+bool TexturePipe::begin(TextureStatistics& statistics, Activity& reason) {
+    if (waiting_.empty()) return false;
+    if (parked_.is_full()) {
+        blame(reason, Activity::StalledMemory);
+        return false;
+    }
     current_ = waiting_.front();
     waiting_.pop_front();
     comparing_ = true;
-    next_line_ = 0;
     ticket_ = 0;
-    statistics.texel_reads += current_.quad().texel_reads;
-    statistics.samples += current_.quad().filter_steps;
-    statistics.quads += current_.quad().filter_steps > 0;
+    const PreparedQuad& quad = current_.quad();
+    share_.begin(current_.scene->work, quad);
+    statistics.texel_reads += quad.texel_reads;
+    statistics.samples += quad.filter_steps;
+    statistics.quads += quad.filter_steps > 0;
+    return true;
 }
 
-bool TexturePipe::compare_tags(LineCache& cache, TextureStatistics& statistics, Activity& reason) {
-    if (!comparing_) {
-        if (waiting_.empty()) return false;
-        if (parked_.is_full()) {
-            blame(reason, Activity::StalledMemory);
-            return false;
-        }
-        begin(statistics);
-    }
+bool TexturePipe::compare_tags(TextureStatistics& statistics, Activity& reason) {
+    if (miss_cycles_left_ > 0 && --miss_cycles_left_ > 0) return true;
+    if (!comparing_ && !begin(statistics, reason)) return false;
     const auto lines = current_.scene->work.lines_of(current_.quad());
-    for (std::uint32_t i = 0; i < config_.lookups_per_cycle && next_line_ < lines.size(); ++i) {
-        const LookupResult result = cache.look_up({.number = lines[next_line_]});
+    share_.begin_cycle();
+    for (bool worked = false; !share_.is_done() && share_.has_turn(); worked = true) {
+        const LookupResult result = cache_.look_up({.number = lines[share_.line()]});
         if (!result.accepted) {
             blame(reason, Activity::StalledRequests);
-            return i > 0;
+            return worked;
         }
-        ++next_line_;
+        share_.advance();
         ticket_ = std::max(ticket_, result.ticket);
         current_.misses += result.missed;
+        if (result.missed && config_.texture.miss_cycles > 0) {
+            miss_cycles_left_ = config_.texture.miss_cycles; // The quad goes on in the last.
+            return true;
+        }
     }
-    if (next_line_ == lines.size()) {
+    if (share_.is_done()) {
         parked_.park(current_, ticket_);
         comparing_ = false;
     }
     return true;
 }
 
-bool TexturePipe::filter(const LineCache& cache, Channel<QuadToken>& out, Activity& reason) {
+bool TexturePipe::filter(PipeExit& out, std::size_t pipe, Activity& reason) {
     if (parked_.empty()) return false;
     if (!filtering_) {
-        if (!parked_.front_has_data(cache)) {
+        if (!parked_.front_has_data(cache_)) {
             blame(reason, Activity::StalledMemory);
             return false;
         }
-        const std::uint32_t steps = parked_.front().quad().filter_steps;
-        const std::uint32_t width = config_.bilinear_quads_per_cycle;
-        filter_cycles_left_ = std::max<std::uint32_t>((steps + width - 1) / width, 1);
+        const QuadToken& quad = parked_.front();
+        filter_cycles_left_ = share_.filter_cycles(quad.scene->work, quad.quad());
         filtering_ = true;
     }
     if (filter_cycles_left_ > 1) {
         --filter_cycles_left_;
         return true;
     }
-    if (!out.can_push()) {
+    if (!out.can_push(pipe)) {
         blame(reason, Activity::StalledOutput);
         return false;
     }
-    out.push(parked_.pop());
+    out.push(pipe, parked_.pop());
     filtering_ = false;
     return true;
 }

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "model/base/statistics.h"
-#include "model/timing/channel.h"
-#include "model/timing/config.h"
+#include "model/timing/fragment_pipes.h"
 #include "model/timing/parked_quads.h"
+#include "model/timing/texture_share.h"
 
 #include <deque>
 
@@ -23,29 +23,31 @@ public:
 
 class TexturePipe {
 public:
-    TexturePipe(const TexelCacheConfig& config, std::size_t queue)
+    TexturePipe(const TimingConfig& config, LineCache& cache)
         : config_(config)
-        , queue_(queue)
-        , parked_(config.fragment_fifo) {}
+        , cache_(cache)
+        , share_(config.texture, config.texel_cache)
+        , parked_(config.texel_cache.fragment_fifo) {}
 
-    bool can_take() const { return waiting_.size() < queue_; }
+    bool can_take() const { return waiting_.size() < config_.fragment.pipe_queue; }
     void take(const QuadToken& quad) { waiting_.push_back(quad); }
     bool holds_nothing() const { return waiting_.empty() && !comparing_ && parked_.empty(); }
 
     // One cycle's work of each part; false, and the reason, where there was none.
-    bool compare_tags(LineCache& cache, TextureStatistics& statistics, Activity& reason);
-    bool filter(const LineCache& cache, Channel<QuadToken>& out, Activity& reason);
+    bool compare_tags(TextureStatistics& statistics, Activity& reason);
+    bool filter(PipeExit& out, std::size_t pipe, Activity& reason);
 
 private:
-    void begin(TextureStatistics& statistics);
+    bool begin(TextureStatistics& statistics, Activity& reason);
 
-    const TexelCacheConfig& config_;
-    std::size_t queue_;
+    const TimingConfig& config_;
+    LineCache& cache_;
     std::deque<QuadToken> waiting_;
+    TextureShare share_;
     bool comparing_ = false; // current_ is between its first and its last tag
     QuadToken current_;
-    std::uint32_t next_line_ = 0;
     std::uint64_t ticket_ = 0;
+    std::uint32_t miss_cycles_left_ = 0;
     ParkedQuads parked_;
     std::uint32_t filter_cycles_left_ = 0;
     bool filtering_ = false;

@@ -1,7 +1,5 @@
 #include "model/timing/texture_timing.h"
 
-#include "model/timing/fragment_pipes.h"
-
 #include <algorithm>
 
 namespace ffgpu::timing {
@@ -13,19 +11,20 @@ TextureTiming::TextureTiming(sc_core::sc_module_name name,
     : Unit(name, clock)
     , config_(config)
     , ports_(ports)
-    , pipes_(config.raster.quads_per_cycle,
-             TexturePipe(config.texel_cache, config.fragment.pipe_queue)) {}
+    , exit_(config, ports.quads_out)
+    , pipes_(config.raster.quads_per_cycle, TexturePipe(config, ports.cache)) {}
 
 bool TextureTiming::can_distribute() const {
     return ports_.quads_in.can_pop() &&
-           pipes_[fragment_pipe(config_, ports_.quads_in.front().quad())].can_take();
+           pipes_[fragment_pipe(config_, ports_.quads_in.front())].can_take();
 }
 
 // In the order in which they came: a quad whose pipe's queue is full holds up those behind it.
 void TextureTiming::distribute() {
     for (std::size_t i = 0; i < pipes_.size() && can_distribute(); ++i) {
-        TexturePipe& pipe = pipes_[fragment_pipe(config_, ports_.quads_in.front().quad())];
-        pipe.take(ports_.quads_in.pop());
+        const std::uint32_t pipe = fragment_pipe(config_, ports_.quads_in.front());
+        pipes_[pipe].take(ports_.quads_in.pop());
+        exit_.enter(pipe);
     }
 }
 
@@ -37,10 +36,11 @@ Activity TextureTiming::step() {
     // The pipes share the cache's ports and the way out: a different one is first whenever one
     // has worked.
     for (std::size_t i = 0; i < pipes_.size(); ++i) {
-        TexturePipe& pipe = pipes_[(first_ + i) % pipes_.size()];
-        worked |= pipe.filter(ports_.cache, ports_.quads_out, reason);
-        worked |= pipe.compare_tags(ports_.cache, statistics_, reason);
+        const std::size_t pipe = (first_ + i) % pipes_.size();
+        worked |= pipes_[pipe].filter(exit_, pipe, reason);
+        worked |= pipes_[pipe].compare_tags(statistics_, reason);
     }
+    worked |= exit_.advance();
     if (!worked) return reason;
     first_ = (first_ + 1) % pipes_.size();
     return Activity::Busy;

@@ -37,6 +37,7 @@ private:
     const TimingConfig& config_;
     const Ports ports_;
     TextureStatistics statistics_;
+    PipeExit exit_;
     std::vector<TexturePipe> pipes_;
     std::size_t first_ = 0; // pipe at the cache and the way out
 };

@@ -20,8 +20,14 @@ inline constexpr std::array<std::string_view, 2> ArchitectureNames{"immediate", 
 enum class Layout : std::uint8_t { Linear, Blocked, Blocked6d };
 inline constexpr std::array<std::string_view, 3> LayoutNames{"linear", "blocked", "blocked_6d"};
 
+// What the rasterizer makes, and all units after it work on. Single fragments are how the
+// literature of texture caches counts.
+enum class Granularity : std::uint8_t { Quad, Fragment };
+inline constexpr std::array<std::string_view, 2> GranularityNames{"quad", "fragment"};
+
 struct RasterOrder {
     Architecture architecture = Architecture::Immediate;
+    Granularity granularity = Granularity::Quad;
     Traversal traversal = Traversal::Tiled;
     std::uint32_t tile_width = 8;
     std::uint32_t bin_size = 32;
@@ -33,6 +39,11 @@ struct RasterOrder {
               {.meaning = "immediate: primitive after primitive; tile_based: screen bins, each "
                           "with all its primitives",
                .choices = ArchitectureNames});
+        field("granularity",
+              self.granularity,
+              {.meaning = "quad: 2x2 pixels at a time, whose reads of a texel-cache line are one "
+                          "look-up; fragment: one pixel at a time, each read a look-up",
+               .choices = GranularityNames});
         field("traversal",
               self.traversal,
               {.meaning = "order of a primitive's quads", .choices = TraversalNames});

@@ -1,6 +1,7 @@
 #include "model/work/prepared_work.h"
 
 #include "model/base/check.h"
+#include "model/work/texel_lookups.h"
 #include "model/work/traversal.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace {
 struct DrawPlaces {
     const PlacedLevel* depth = nullptr;
     std::vector<const PlacedLevel*> colors;
-    std::array<const std::vector<PlacedLevel>*, TextureUnits> textures{};
 };
 
 bool starts_tile(const RasterOrder& raster, const PreparedQuad* before, const PreparedQuad& quad) {
@@ -22,13 +22,40 @@ bool starts_tile(const RasterOrder& raster, const PreparedQuad* before, const Pr
            traversal_tile(raster, before->x, before->y) != traversal_tile(raster, quad.x, quad.y);
 }
 
+constexpr std::uint8_t AllLanes = 0xf;
+
+// What the rasterizer makes: a quad of the command, or some of its lanes.
+struct Ordered {
+    std::uint64_t key = 0; // of the traversal
+    std::uint32_t quad = 0;
+    std::uint8_t lanes = AllLanes;
+};
+
+// A quad as if it covered these lanes alone.
+WorkQuad fragments_of(WorkQuad quad, std::uint8_t lanes) {
+    for (std::uint8_t* mask : {&quad.covered,
+                               &quad.after_early_depth,
+                               &quad.after_coverage,
+                               &quad.after_alpha,
+                               &quad.after_stencil,
+                               &quad.after_depth})
+        *mask &= lanes;
+    std::uint16_t samples = 0;
+    for (unsigned lane = 0; lane < 4; ++lane)
+        samples |= static_cast<std::uint16_t>((lanes >> lane & 1) != 0 ? 0xfu << 4 * lane : 0u);
+    quad.samples_covered &= samples;
+    quad.samples_written &= samples;
+    return quad;
+}
+
 class Appender {
 public:
     Appender(const WholeCommand& command, const WorkConfig& config, PreparedScene& out)
         : command_(command)
         , config_(config)
         , out_(out)
-        , draw_(out.draws.emplace_back()) {
+        , draw_(out.draws.emplace_back())
+        , texels_(command, config, out) {
         draw_.kind = command.draw.kind;
         draw_.number = command.draw.number;
         draw_.geometry = command.draw.geometry;
@@ -37,7 +64,6 @@ public:
         draw_.first_primitive = static_cast<std::uint32_t>(out.primitives.size());
         draw_.early_depth = command.draw.early_depth;
         draw_.first_quad = static_cast<std::uint32_t>(out.quads.size());
-        draw_.quad_count = static_cast<std::uint32_t>(command.quads.size());
     }
 
     void run(AddressMap& addresses) {
@@ -49,6 +75,7 @@ public:
         }
         draw_.primitive_count =
             static_cast<std::uint32_t>(out_.primitives.size()) - draw_.first_primitive;
+        draw_.quad_count = static_cast<std::uint32_t>(out_.quads.size()) - draw_.first_quad;
     }
 
 private:
@@ -57,7 +84,7 @@ private:
             draw_.combiners =
                 static_cast<std::uint8_t>(draw_.combiners + state.combiners[unit].enable);
             if (state.images[unit].shape.kind == TextureKind::None) continue;
-            places_.textures[unit] = &addresses.texture(state.images[unit]);
+            texels_.place(unit, addresses.texture(state.images[unit]));
         }
         if (state.targets.depth.format != Format::None) {
             draw_.uses_depth = state.depth.test_enable || state.stencil.enable;
@@ -117,21 +144,40 @@ private:
         for (; end < command_.quads.size(); ++end) {
             const WorkQuad& quad = command_.quads[end];
             if (quad.primitive != primitive || quad.piece != number) break;
-            order_.emplace_back(traversal_key(config_.raster, quad.x, quad.y),
-                                static_cast<std::uint32_t>(end));
+            order_quad(static_cast<std::uint32_t>(end));
         }
-        std::sort(order_.begin(), order_.end());
+        std::sort(order_.begin(), order_.end(), [](const Ordered& a, const Ordered& b) {
+            return std::pair(a.key, a.quad) < std::pair(b.key, b.quad);
+        });
         PreparedPiece piece{.begin = static_cast<std::uint32_t>(out_.quads.size()), .box = box};
-        for (const auto& [key, quad] : order_)
-            add_quad(quad);
+        for (const Ordered& each : order_)
+            add_quad(each.quad, each.lanes);
         piece.end = static_cast<std::uint32_t>(out_.quads.size());
         out_.pieces.push_back(piece);
         ++out_.primitives.back().piece_count;
         return end;
     }
 
-    void add_quad(std::uint32_t number) {
-        const WorkQuad& from = command_.quads[number];
+    // As a whole, or fragment by fragment.
+    void order_quad(std::uint32_t number) {
+        const RasterOrder& raster = config_.raster;
+        const WorkQuad& quad = command_.quads[number];
+        if (raster.granularity == Granularity::Quad) {
+            order_.push_back({traversal_key(raster, quad.x, quad.y), number, AllLanes});
+            return;
+        }
+        for (unsigned lane = 0; lane < 4; ++lane) {
+            if ((quad.covered >> lane & 1) == 0) continue;
+            const std::uint32_t x = quad.x + (lane & 1u), y = quad.y + (lane >> 1);
+            order_.push_back({fragment_traversal_key(raster, x, y),
+                              number,
+                              static_cast<std::uint8_t>(1u << lane)});
+        }
+    }
+
+    void add_quad(std::uint32_t number, std::uint8_t lanes) {
+        const WorkQuad from = lanes == AllLanes ? command_.quads[number]
+                                                : fragments_of(command_.quads[number], lanes);
         PreparedQuad quad{.draw = static_cast<std::uint32_t>(out_.draws.size() - 1),
                           .primitive = from.primitive,
                           .piece = from.piece,
@@ -145,7 +191,7 @@ private:
         quad.new_tile =
             starts_tile(config_.raster, out_.quads.empty() ? nullptr : &out_.quads.back(), quad);
         add_target_lines(from, quad);
-        add_texel_lines(number, quad);
+        texels_.add(number, lanes, quad);
         out_.quads.push_back(quad);
     }
 
@@ -186,52 +232,13 @@ private:
         return static_cast<std::uint8_t>(out_.target_lines.size() - begin);
     }
 
-    void add_texel_lines(std::uint32_t number, PreparedQuad& quad) {
-        quad.texel_lines_begin = static_cast<std::uint32_t>(out_.texel_lines.size());
-        unsigned steps = 0;
-        for (std::size_t i = 0; i < command_.units.size(); ++i) {
-            const auto* levels = places_.textures[command_.units[i]];
-            std::array<unsigned, 4> samples{}; // a lane
-            for (const TexelAccess& access : command_.accesses_of(number, i)) {
-                samples[access.lane] += (access.linear & 4) ? 2 : 1;
-                if (levels && access.level < levels->size())
-                    add_access((*levels)[access.level], access, quad);
-            }
-            steps += *std::max_element(samples.begin(), samples.end());
-        }
-        quad.filter_steps = static_cast<std::uint16_t>(std::min(steps, 0xffffu));
-        quad.texel_line_count =
-            static_cast<std::uint16_t>(out_.texel_lines.size() - quad.texel_lines_begin);
-    }
-
-    void add_access(const PlacedLevel& level, const TexelAccess& access, PreparedQuad& quad) {
-        for (unsigned corner = 0; corner < 8; ++corner) {
-            if (corner & ~unsigned{access.linear})
-                continue; // Texels that this filter does not read.
-            const std::uint16_t x = corner & 1 ? access.x1 : access.x0;
-            const std::uint16_t y = corner & 2 ? access.y1 : access.y0;
-            const std::uint16_t layer = corner & 4 ? access.layer1 : access.layer0;
-            if (x == TexelAccess::BorderTexel || y == TexelAccess::BorderTexel ||
-                layer == TexelAccess::BorderTexel) {
-                continue;
-            }
-            ++quad.texel_reads;
-            add_line(level.address(x, y, layer) / config_.texel_cache.line_bytes, quad);
-        }
-    }
-
-    void add_line(std::uint64_t line, const PreparedQuad& quad) {
-        const auto begin = out_.texel_lines.begin() + quad.texel_lines_begin;
-        if (std::find(begin, out_.texel_lines.end(), line) == out_.texel_lines.end())
-            out_.texel_lines.push_back(line);
-    }
-
     const WholeCommand& command_;
     const WorkConfig& config_;
     PreparedScene& out_;
     PreparedDraw& draw_;
     DrawPlaces places_;
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> order_; // of a piece: traversal, quad
+    TexelLookups texels_;
+    std::vector<Ordered> order_; // of a piece
 };
 
 } // namespace

@@ -16,6 +16,7 @@
 
 namespace ffgpu::work {
 
+// A quad, or where the machine's granularity is a fragment, one fragment of a quad.
 struct PreparedQuad {
     std::uint32_t draw = 0;      // index into PreparedScene::draws
     std::uint32_t primitive = 0; // number within the draw
@@ -23,11 +24,13 @@ struct PreparedQuad {
     std::uint16_t x = 0, y = 0; // window pixel of lane 0
     std::uint8_t covered = 0, after_early_depth = 0, after_stencil = 0, after_depth = 0;
     bool new_tile = false;          // first of a traversal tile of its primitive's piece
-    std::uint16_t filter_steps = 0; // bilinear (or simpler) samples a fragment, over all units
+    std::uint16_t filter_steps = 0; // bilinear (or simpler) samples a fragment, over all textures
     std::uint16_t texel_reads = 0;
     std::uint16_t texel_line_count = 0;
-    std::uint32_t texel_lines_begin = 0; // into PreparedScene::texel_lines
-    std::uint16_t samples_written = 0;   // as WorkQuad has it
+    std::uint32_t texel_lines_begin = 0;   // into PreparedScene::texel_lines
+    std::uint32_t texture_parts_begin = 0; // into PreparedScene::texture_parts
+    std::uint8_t texture_count = 0;
+    std::uint16_t samples_written = 0; // as WorkQuad has it
     std::uint8_t depth_line_count = 0;
     std::uint8_t color_line_count = 0;    // of all colour targets
     std::uint32_t target_lines_begin = 0; // into PreparedScene::target_lines: depth, then colour
@@ -45,6 +48,13 @@ struct PreparedPrimitive {
     std::uint32_t first_piece = 0, piece_count = 0; // in PreparedScene::pieces
     std::uint8_t planes = 0;                        // as PrimitiveWork has them
     PrimitiveFate fate = PrimitiveFate::Drawn;
+};
+
+// A quad's part of one texture; its lines follow those of the texture before. A line that several
+// textures read stands with the first.
+struct TexturePart {
+    std::uint16_t lines = 0;
+    std::uint16_t filter_steps = 0;
 };
 
 struct PreparedDraw {
@@ -72,10 +82,14 @@ struct PreparedScene {
     std::vector<PreparedPiece> pieces; // of an immediate machine: tile-based ones walk the quads
     std::vector<PreparedQuad> quads;
     std::vector<std::uint64_t> texel_lines; // line numbers
+    std::vector<TexturePart> texture_parts;
     std::vector<std::uint64_t> target_lines;
 
     std::span<const std::uint64_t> lines_of(const PreparedQuad& quad) const {
         return std::span(texel_lines).subspan(quad.texel_lines_begin, quad.texel_line_count);
+    }
+    std::span<const TexturePart> textures_of(const PreparedQuad& quad) const {
+        return std::span(texture_parts).subspan(quad.texture_parts_begin, quad.texture_count);
     }
     // Of the fragments whose depth is tested, and of those that are written: as many lines as the
     // layout spreads them over.

@@ -22,6 +22,13 @@ constexpr std::uint64_t traversal_key(const RasterOrder& raster, std::uint32_t x
     return traversal_tile(raster, x, y) << 24 | place;
 }
 
+// The same for a fragment: it takes the place of a quad, on a picture of twice the size.
+constexpr std::uint64_t
+fragment_traversal_key(RasterOrder raster, std::uint32_t x, std::uint32_t y) {
+    raster.tile_width *= 2;
+    return traversal_key(raster, 2 * x, 2 * y);
+}
+
 constexpr std::uint32_t screen_bin(const RasterOrder& raster, std::uint32_t x, std::uint32_t y) {
     return (y / raster.bin_size) << 12 | (x / raster.bin_size);
 }

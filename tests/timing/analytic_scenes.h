@@ -33,6 +33,17 @@ inline Scene planar_scene(unsigned size) {
             }};
 }
 
+// The same, turned by an angle about the picture's centre.
+inline Scene turned_scene(unsigned size, double degrees) {
+    const double angle = degrees * std::acos(-1.0) / 180;
+    const double c = std::cos(angle), s = std::sin(angle), centre = size / 2.0;
+    return {size, size, size, [=](double x, double y, SceneSample& sample) {
+                sample = {.u = c * (x - centre) - s * (y - centre),
+                          .v = s * (x - centre) + c * (y - centre)};
+                return true;
+            }};
+}
+
 // A never-repeated texture at one level of detail everywhere, trilinear.
 inline Scene uniform_level_scene(unsigned size, double level) {
     const double scale = std::exp2(level);

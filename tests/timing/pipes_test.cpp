@@ -1,48 +1,21 @@
 // Fragment pipes side by side: what is bound by filling takes a pipe's share of the quads, what is
 // bound by geometry is not changed.
 
-#include "tests/timing/analytic_scenes.h"
-#include "tests/timing/machine_figures.h"
+#include "tests/timing/textured_draws.h"
 
 #include <catch2/catch.hpp>
 
 namespace ffgpu::timing {
 namespace {
 
-constexpr unsigned Size = 512;
-constexpr std::uint64_t Quads = Size * Size / 4;
-
-// A texture that stays in the cache, and no colour written: no memory traffic to speak of.
+// With texture environments of `environments` units.
 WorkBin filling(unsigned environments = 0) {
-    WorkBin bin = make_bin({Size, Size, 32, [](double x, double y, SceneSample& s) {
-                                s = {.u = x, .v = y};
-                                return true;
-                            }});
+    WorkBin bin = textured_draw(1);
     auto state = std::make_shared<Registers>(*bin.draws[0].state);
-    state->blend.write_mask = 0;
     for (unsigned unit = 0; unit < environments; ++unit)
         state->combiners[unit].enable = true;
     bin.draws[0].state = state;
     return bin;
-}
-
-// Nothing but the pipes is narrow.
-TimingConfig wide_machine(std::uint32_t pipes) {
-    TimingConfig config;
-    config.raster.quads_per_cycle = pipes;
-    config.raster.tile_cycles = 0;
-    config.memory.profile = MemoryProfile::Ideal;
-    config.memory.apply_profile();
-    config.memory.channels = 16;
-    config.memory.interleave_bytes = 64;
-    config.memory.bytes_per_cycle = 256;
-    return config;
-}
-
-// Of a draw from its decoding to the last quad: the pipe's latencies, and the first texels'.
-std::uint64_t fill_and_drain(const TimingConfig& config) {
-    return config.command_processor.draw_cycles + config.vertex.latency + config.fragment.latency +
-           config.memory.latency;
 }
 
 void check_share(std::uint64_t cycles, const TimingConfig& config, std::uint64_t quad_cycles) {
@@ -57,11 +30,11 @@ TEST_CASE("1 to 16 pipes share the quads of a textured draw, distributed by tile
     const WorkBin bin = filling();
     for (const std::uint32_t pipes : {1u, 2u, 4u, 8u, 16u}) {
         TimingConfig config = wide_machine(pipes);
-        check_share(run(config, bin).at("total_cycles"), config, Quads);
+        check_share(run(config, bin).at("total_cycles"), config, FillQuads);
         config.fragment.distribution = Distribution::Scanlines;
         config.fragment.distribution_width = 2;
         config.raster.traversal = Traversal::Column; // Rows of quads in turn.
-        check_share(run(config, bin).at("total_cycles"), config, Quads);
+        check_share(run(config, bin).at("total_cycles"), config, FillQuads);
     }
 }
 
@@ -69,19 +42,19 @@ TEST_CASE("1 to 16 pipes share three cycles a quad of texture environments") {
     const WorkBin bin = filling(3);
     for (const std::uint32_t pipes : {1u, 2u, 4u, 8u, 16u}) {
         const TimingConfig config = wide_machine(pipes);
-        check_share(run(config, bin).at("total_cycles"), config, 3 * Quads);
+        check_share(run(config, bin).at("total_cycles"), config, 3 * FillQuads);
     }
 }
 
 TEST_CASE("Scan lines that all fall to one pipe are not faster on many") {
-    const Scene scene{Size, Size, Size, [](double x, double y, SceneSample& s) {
+    const Scene scene{FillSize, FillSize, FillSize, [](double x, double y, SceneSample& s) {
                           s = {.u = x, .v = y};
                           return static_cast<unsigned>(y) / 2 % 16 == 0;
                       }};
     TimingConfig config = wide_machine(16);
     config.fragment.distribution = Distribution::Scanlines;
     config.fragment.distribution_width = 2;
-    CHECK(run(config, make_bin(scene)).at("total_cycles") >= Quads / 16);
+    CHECK(run(config, make_bin(scene)).at("total_cycles") >= FillQuads / 16);
 }
 
 TEST_CASE("A draw that is bound by geometry takes the same cycles on 1 and on 16 pipes") {

@@ -27,7 +27,8 @@ struct CachePace : work::CachePolicy, CacheTrafficConfig {
               {.unit = "lines/cycle",
                .minimum = 1,
                .maximum = 64,
-               .meaning = "tags compared a cycle, for each fragment pipe"});
+               .meaning = "tags compared a cycle, for each fragment pipe; texel cache: for each "
+                          "of its texture units"});
         field("fragment_fifo",
               self.fragment_fifo,
               {.unit = "quads",
@@ -75,9 +76,7 @@ struct TexelCacheConfig : work::TexelCacheShape, CachePace {
               {.unit = "quads/cycle",
                .minimum = 1,
                .maximum = 16,
-               .meaning =
-                   "filtered by the units of a fragment pipe together; trilinear takes twice "
-                   "as long"});
+               .meaning = "filtered by each texture unit; trilinear takes twice as long"});
     }
 };
 

@@ -10,8 +10,9 @@
 
 namespace ffgpu::timing {
 
-enum class Distribution : std::uint8_t { Tiles, Scanlines };
-inline constexpr std::array<std::string_view, 2> DistributionNames{"tiles", "scanlines"};
+enum class Distribution : std::uint8_t { Tiles, Scanlines, Triangles };
+inline constexpr std::array<std::string_view, 3> DistributionNames{
+    "tiles", "scanlines", "triangles"};
 
 struct FragmentConfig {
     static constexpr std::string_view Name = "fragment";
@@ -26,8 +27,9 @@ struct FragmentConfig {
     static void visit(Self& self, Visitor&& field) {
         field("distribution",
               self.distribution,
-              {.meaning = "of quads to the raster.quads_per_cycle fragment pipes: squares on the "
-                          "diagonal share a pipe, or bands of scan lines",
+              {.meaning = "of quads to the raster.quads_per_cycle fragment pipes: squares on a "
+                          "diagonal share a pipe; bands of scan lines; or primitives take turns, "
+                          "and quads leave in the order in which they came",
                .choices = DistributionNames});
         field("distribution_width",
               self.distribution_width,

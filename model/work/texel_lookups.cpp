@@ -1,0 +1,63 @@
+#include "model/work/texel_lookups.h"
+
+#include <algorithm>
+
+namespace ffgpu::work {
+
+TexelLookups::TexelLookups(const WholeCommand& command,
+                           const WorkConfig& config,
+                           PreparedScene& out)
+    : command_(command)
+    , line_bytes_(config.texel_cache.line_bytes)
+    , merges_(config.raster.granularity == Granularity::Quad)
+    , out_(out) {}
+
+void TexelLookups::add(std::uint32_t number, std::uint8_t lanes, PreparedQuad& quad) {
+    quad.texel_lines_begin = static_cast<std::uint32_t>(out_.texel_lines.size());
+    quad.texture_parts_begin = static_cast<std::uint32_t>(out_.texture_parts.size());
+    quad.texture_count = static_cast<std::uint8_t>(command_.units.size());
+    for (std::size_t i = 0; i < command_.units.size(); ++i) {
+        const auto* levels = places_[command_.units[i]];
+        const std::size_t first_line = out_.texel_lines.size();
+        std::array<unsigned, 4> samples{}; // a lane
+        for (const TexelAccess& access : command_.accesses_of(number, i)) {
+            if ((lanes >> access.lane & 1) == 0) continue;
+            samples[access.lane] += (access.linear & 4) ? 2 : 1;
+            if (levels && access.level < levels->size())
+                add_access((*levels)[access.level], access, quad);
+        }
+        const unsigned steps = *std::max_element(samples.begin(), samples.end());
+        out_.texture_parts.push_back(
+            {.lines = static_cast<std::uint16_t>(out_.texel_lines.size() - first_line),
+             .filter_steps = static_cast<std::uint16_t>(steps)});
+        quad.filter_steps = static_cast<std::uint16_t>(quad.filter_steps + steps);
+    }
+    quad.texel_line_count =
+        static_cast<std::uint16_t>(out_.texel_lines.size() - quad.texel_lines_begin);
+}
+
+void TexelLookups::add_access(const PlacedLevel& level,
+                              const TexelAccess& access,
+                              PreparedQuad& quad) {
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        if (corner & ~unsigned{access.linear}) continue; // Texels that this filter does not read.
+        const std::uint16_t x = corner & 1 ? access.x1 : access.x0;
+        const std::uint16_t y = corner & 2 ? access.y1 : access.y0;
+        const std::uint16_t layer = corner & 4 ? access.layer1 : access.layer0;
+        if (x == TexelAccess::BorderTexel || y == TexelAccess::BorderTexel ||
+            layer == TexelAccess::BorderTexel) {
+            continue;
+        }
+        ++quad.texel_reads;
+        add_line(level.address(x, y, layer) / line_bytes_, quad);
+    }
+}
+
+void TexelLookups::add_line(std::uint64_t line, const PreparedQuad& quad) {
+    auto begin = out_.texel_lines.begin() + quad.texel_lines_begin;
+    if (!merges_ && begin != out_.texel_lines.end()) begin = out_.texel_lines.end() - 1;
+    if (std::find(begin, out_.texel_lines.end(), line) == out_.texel_lines.end())
+        out_.texel_lines.push_back(line);
+}
+
+} // namespace ffgpu::work
