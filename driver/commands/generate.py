@@ -4,6 +4,7 @@
     driver/commands/generate.py commands > driver/commands/commands.inc
     driver/commands/generate.py arrays   > driver/commands/array_lengths.inc
     driver/commands/generate.py later    > driver/window_system/exports/later_commands.inc
+    driver/commands/generate.py origins  > driver/commands/command_origins.inc
 
 commands.inc: each command of OpenGL 1.0 to 1.5 and of the extensions below, in alphabetical order:
 
@@ -25,6 +26,11 @@ later_commands.inc: the other commands of OpenGL 1.0 to 4.6 and of the ARB's and
 which programs may be linked with:
 
     GL_LATER_COMMAND(Name)
+
+command_origins.inc: of each command that is in none of OpenGL 1.0 to 1.5 where it comes from: an extension of the
+list below, else a later version, else another extension:
+
+    GL_ORIGIN(Name, "GL_EXT_texture3D")
 """
 import re
 import sys
@@ -163,12 +169,31 @@ def print_later_commands(path):
         print(f"GL_LATER_COMMAND({name[2:]})")
 
 
+def print_origins(path):
+    root = ET.parse(path).getroot()
+    features = [f for f in root.findall("feature") if f.get("api") == "gl"]
+    extensions = [e for e in root.find("extensions") if re.search(r"\bgl\b", e.get("supported"))]
+    ours = [e for e in extensions if e.get("name")[3:] in EXTENSIONS]
+    core = [f for f in features if f.get("name") in CORE_VERSIONS]
+
+    def names(group):
+        return [c.get("name") for r in group.findall("require") for c in r.findall("command")]
+    origin = {name: None for group in core for name in names(group)}
+    for group in ours + features + extensions:
+        for name in names(group):
+            origin.setdefault(name, group.get("name"))
+    for name in sorted(n for n in origin if origin[n]):
+        print(f'GL_ORIGIN({name[2:]}, "{origin[name]}")')
+
+
 def main():
     what = sys.argv[1] if len(sys.argv) > 1 else "commands"
     path = sys.argv[2] if len(sys.argv) > 2 else "/usr/share/khronos-api/gl.xml"
     print("// Made by driver/commands/generate.py from the Khronos registry. Not edited by hand.")
     if what == "later":
         return print_later_commands(path)
+    if what == "origins":
+        return print_origins(path)
     {"commands": print_commands, "arrays": print_array_lengths}[what](read_registry(path))
 
 

@@ -18,5 +18,7 @@ void add_time_command(CLI::App& application, Run& run);
 void add_run_command(CLI::App& application, Run& run);
 void add_compare_command(CLI::App& application, Run& run);
 void add_config_command(CLI::App& application, Run& run);
+void add_info_command(CLI::App& application, Run& run);
+void add_dump_command(CLI::App& application, Run& run);
 
 } // namespace ffgpu::tools
