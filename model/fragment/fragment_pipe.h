@@ -61,6 +61,7 @@ void shade(const FragmentPipe& pipe, FragmentBatch& batch, const ProbeTap* tap =
 // multisampled targets is left as long as one of its samples is.
 struct FragmentFates {
     FragmentMask after_coverage, after_alpha, after_stencil, after_depth;
+    SampleMasks tested; // multisampled: the samples of after_alpha that are left for the tests
 };
 
 // Only pixels of live fragments are touched, of several samples those that the fragment covers.

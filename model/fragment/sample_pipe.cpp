@@ -40,7 +40,8 @@ void write_samples(const FragmentPipe& pipe,
     fates.after_alpha = run_alpha_test(pipe, batch, tap);
     SampleMasks after_stencil;
     for (unsigned i = 0; i < MaxSamples; ++i) {
-        batch.samples[i] = after_stencil[i] = batch.samples[i] & fates.after_alpha;
+        fates.tested[i] = batch.samples[i] = after_stencil[i] =
+            batch.samples[i] & fates.after_alpha;
         select_sample(i, batch);
         if (!pipe.early_depth) {
             const StencilDepthFates tested = run_depth_test(pipe, i, batch, tap);

@@ -27,10 +27,19 @@ FunctionalGpu::FunctionalGpu(const Config& config)
 
 FunctionalGpu::~FunctionalGpu() = default;
 
-void FunctionalGpu::set_work_sink(WorkSink* sink) {
+void FunctionalGpu::set_work_sink(WorkSink* sink, WorkDetail detail) {
     flush();
     registers_sent_ = {};
     sink_ = sink;
+    detail_ = detail;
+    journal_.clear();
+    for (const auto& renderer : renderers_)
+        renderer->set_values(detail == WorkDetail::Values);
+}
+
+void FunctionalGpu::hide_from_work(bool hidden) {
+    flush();
+    hidden_ = hidden;
 }
 
 void FunctionalGpu::set_stage_probe(StageProbe* probe) {
@@ -125,12 +134,17 @@ void FunctionalGpu::draw_image(const DrawImageCommand& command) {
     bin_serial_ = bin_serial_ || bin_writes_.overlaps(command.address, bytes);
     samples_pending_ = samples_pending_ || context_->pixels->count_samples;
     bin_.insert_whole(image_bounds(command, context_->setup.clip, context_->setup.multisample));
+    if (command.format != Format::Stencil8 || !records_values()) return;
+    flush(); // No quad tells what it wrote.
+    const Surface& depth = context_->regs().targets.depth;
+    journal_.forget(depth.address, depth.bytes());
 }
 
 void FunctionalGpu::copy(const CopyRectangleCommand& command) {
     validate(command, memory_.size());
     flush();
     copy_rectangle(command, memory_.bytes());
+    journal_.forget(command.destination.address, command.destination.bytes());
     if (!sink_) return;
     auto work = std::make_shared<WorkBin>();
     const auto [writes, words] = std::exchange(registers_sent_, {});

@@ -18,6 +18,7 @@
 #include "model/gpu/range_set.h"
 #include "model/gpu/raster_statistics.h"
 #include "model/gpu/stages.h"
+#include "model/gpu/surface_journal.h"
 #include "model/gpu/thread_pool.h"
 #include "model/gpu/tile_renderer.h"
 #include "model/memory/device_memory.h"
@@ -44,7 +45,10 @@ public:
     ~FunctionalGpu() override;
 
     // From now on work is recorded and handed to `sink`; null: no more.
-    void set_work_sink(WorkSink* sink);
+    void set_work_sink(WorkSink* sink, WorkDetail detail = WorkDetail::Masks);
+    // What is read from now on, until nothing is hidden, is no work of the machine's. Nothing may
+    // be drawn or written in between.
+    void hide_from_work(bool hidden);
 
     // From now on `probe` is told what each stage does (model/packets/stage_probe.h), and tiles are
     // carried out on the caller's thread alone; null: no more.
@@ -91,6 +95,8 @@ private:
     void before_write(std::uint64_t at, std::uint64_t bytes);
     void flush();
     void open_bin(const Targets& targets);
+    void tell_contents(const Targets& targets);
+    bool records_values() const { return sink_ && detail_ == WorkDetail::Values; }
     void hand_over(std::vector<WorkTile> tiles);
     void note_transfer(bool is_write, std::uint64_t at, std::uint64_t bytes);
 
@@ -101,6 +107,8 @@ private:
     ThreadPool pool_;
     std::vector<std::unique_ptr<TileRenderer>> renderers_; // one a thread
     WorkSink* sink_ = nullptr;
+    WorkDetail detail_ = WorkDetail::Masks;
+    bool hidden_ = false;
     StageProbe* probe_ = nullptr;
 
     Bin bin_;
@@ -120,6 +128,8 @@ private:
         std::uint32_t writes = 0, words = 0;
     };
     RegistersSent registers_sent_; // since the last command
+    SurfaceJournal journal_;              // with values, as contents_
+    std::vector<std::shared_ptr<const SurfaceContent>> contents_;
 
     std::uint32_t last_key_ = 0, next_piece_ = 0; // of the primitives of the draw under way
     std::uint32_t draw_number_ = 0;

@@ -6,6 +6,7 @@
 #include "model/gpu/functional_gpu.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace ffgpu {
@@ -23,6 +24,21 @@ void for_each_image(const DrawContext& context, Visit&& visit) {
     for (unsigned unit = 0; unit < TextureUnits; ++unit)
         if (context.pixels->samples(unit) && context.pixels->textures[unit].valid)
             visit(context.regs().images[unit]);
+}
+
+SurfaceContent content_of(const Surface& surface, std::span<const std::byte> memory) {
+    SurfaceContent content;
+    content.surface = surface;
+    const std::uint32_t row = row_bytes(surface.format, surface.width);
+    content.bytes.resize(std::size_t{row} * surface.height * surface.samples);
+    std::byte* to = content.bytes.data();
+    for (unsigned sample = 0; sample < surface.samples; ++sample)
+        for (std::uint32_t y = 0; y < surface.height; ++y, to += row)
+            std::memcpy(to,
+                        memory.data() + surface.address + sample * surface.plane_bytes() +
+                            std::uint64_t{y} * surface.stride,
+                        row);
+    return content;
 }
 
 // Pixels that a primitive would cover, about: exact for triangles inside the clip rectangle.
@@ -136,6 +152,24 @@ void FunctionalGpu::open_bin(const Targets& targets) {
     });
     bin_targets_ = targets;
     bin_.reset(width, height);
+    if (records_values()) tell_contents(targets);
+}
+
+// Of targets that lie one in the other nothing is told.
+void FunctionalGpu::tell_contents(const Targets& targets) {
+    SurfaceJournal together;
+    bool overlap = false;
+    for_each_target(targets, [&](const Surface& surface) {
+        overlap = overlap || together.touches(surface.address, surface.bytes());
+        together.learn(surface);
+    });
+    for_each_target(targets, [&](const Surface& surface) {
+        if (overlap) return journal_.forget(surface.address, surface.bytes());
+        if (journal_.knows(surface)) return;
+        journal_.learn(surface);
+        contents_.push_back(
+            std::make_shared<const SurfaceContent>(content_of(surface, memory_.bytes())));
+    });
 }
 
 void FunctionalGpu::primitives(std::span<const Primitive> batch) {
@@ -180,12 +214,13 @@ void FunctionalGpu::before_read(std::uint64_t at, std::uint64_t bytes) {
 }
 
 void FunctionalGpu::before_write(std::uint64_t at, std::uint64_t bytes) {
+    journal_.forget(at, bytes);
     if (bin_writes_.overlaps(at, bytes) || bin_reads_.overlaps(at, bytes)) flush();
 }
 
 void FunctionalGpu::note_transfer(bool is_write, std::uint64_t at, std::uint64_t bytes) {
     constexpr std::size_t Most = 1 << 16;
-    if (!sink_) return;
+    if (!sink_ || hidden_) return;
     if (transfers_.size() >= Most) flush();
     transfers_.push_back({.before_draw = static_cast<std::uint32_t>(bin_.commands().size()),
                           .is_write = is_write,
@@ -243,6 +278,7 @@ void FunctionalGpu::hand_over(std::vector<WorkTile> tiles) {
     std::erase_if(tiles, [](const WorkTile& tile) { return tile.batches.empty(); });
     work->tiles = std::move(tiles);
     work->transfers = std::exchange(transfers_, {});
+    work->contents = std::exchange(contents_, {});
     work->last_draw_goes_on = draw_goes_on_;
     sink_->bin(std::move(work));
 }

@@ -2,6 +2,7 @@
 
 #include "model/arith/range.h"
 #include "model/arith/reciprocal.h"
+#include "model/gpu/value_recorder.h"
 #include "model/memory/clear.h"
 #include "model/raster/image_fragments.h"
 #include "model/raster/smooth_coverage.h"
@@ -138,7 +139,7 @@ void TileRenderer::draw_image(const BinCommand& command) {
         if (tap_) tap_->begin(command, {});
         if (tap_) tap_->coverage();
         early_depth_test(pixels_->pipe, batch_, pipe_tap());
-        if (batch_.live.any()) {
+        if (batch_.live.any() || records_values()) {
             for (unsigned unit = 0; unit < TextureUnits; ++unit)
                 if (pixels_->samples(unit)) {
                     coordinates_ = constant_coordinates(image.tex_coords[unit], is_cube(unit));
@@ -167,7 +168,7 @@ void TileRenderer::flush() {
     if (tap_) tap_->coverage();
     if (context.needs_depth) interpolate_depths();
     early_depth_test(context.pipe, batch_, pipe_tap());
-    if (batch_.live.any()) shade_units(runs, covered);
+    if (batch_.live.any() || records_values()) shade_units(runs, covered);
     finish_batch(covered);
     if (context.antialias) batch_.antialias.fill(255); // Smooth primitives wrote theirs.
     collector_.clear();
@@ -216,9 +217,10 @@ void TileRenderer::sample_unit(unsigned unit, const FragmentMask& covered) {
         footprints = &footprints_.emplace_back();
         footprints->unit = static_cast<std::uint8_t>(unit);
     }
+    // A machine that tests depth late reads the texels of hidden fragments, too.
     stages_.sample(pixels_->textures[unit],
                    coordinates_,
-                   {batch_.quad_count, covered, batch_.live},
+                   {batch_.quad_count, covered, records_values() ? covered : batch_.live},
                    batch_.texture[unit],
                    footprints);
     if (tap_) tap_->sampling(pixels_->textures[unit], unit, coordinates_);
@@ -297,6 +299,14 @@ void TileRenderer::record(const FragmentMask& covered,
     }
     record_pieces(work);
     work.textures = std::exchange(footprints_, {});
+    if (!values_) return;
+    SampleMasks tested = fates.tested;
+    if (!multisampled()) tested[0] = fates.after_alpha;
+    record_values({.registers = binned_->context->regs(),
+                   .fragments = batch_,
+                   .tested = tested,
+                   .memory = memory_},
+                  work);
 }
 
 // An image is one piece: it has no runs.

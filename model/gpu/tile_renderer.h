@@ -28,6 +28,9 @@ public:
     // With `recording`, appends what was done to it.
     void render(const Bin& bin, std::uint32_t tile, WorkTile* recording);
 
+    // From now on records tell values, too.
+    void set_values(bool values) { values_ = values; }
+
     // From now on `probe` is told what each stage does; null: nobody.
     void set_probe(StageProbe* probe);
 
@@ -57,6 +60,7 @@ private:
                 const FragmentMask& after_early_depth,
                 const FragmentFates& fates);
     void record_pieces(WorkBatch& work) const;
+    bool records_values() const { return recording_ && values_; }
     const ProbeTap* pipe_tap() const { return tap_ ? &tap_->pipe() : nullptr; }
     bool multisampled() const { return pixels_->pipe.samples > 1; }
 
@@ -67,6 +71,7 @@ private:
     // Of the tile in work.
     Rectangle tile_;
     WorkTile* recording_ = nullptr;
+    bool values_ = false;
     std::uint32_t command_ = 0;
     const BinCommand* binned_ = nullptr; // its command_
     const PixelContext* pixels_ = nullptr;

@@ -45,6 +45,11 @@ struct WorkBatch {
     std::uint32_t draw; // index into WorkBin::draws
     std::vector<WorkQuad> quads;
     std::vector<TexelFootprints> textures; // one entry a unit that the draw samples
+    // With WorkDetail::Values: those of quad q are values[value_begin[q]] up to the next quad's
+    // (quad_values.h), and the footprints are those of all covered fragments, also of the ones that
+    // the early depth test ended. Both empty without.
+    std::vector<std::uint32_t> value_begin;
+    std::vector<std::uint32_t> values;
 };
 
 struct WorkTile {
@@ -128,13 +133,26 @@ struct HostTransfer {
     std::uint64_t bytes = 0;
 };
 
+// With WorkDetail::Values: what a target holds that is used for the first time, or again after
+// something else than draws and clears may have written its bytes. Rows from the lowest, without
+// gaps, sample 0 of all pixels first.
+struct SurfaceContent {
+    std::uint32_t before_draw = 0; // It is so before this one of the bin's draws.
+    Surface surface;
+    std::vector<std::byte> bytes;
+};
+
 struct WorkBin {
     std::vector<WorkDraw> draws;
-    std::vector<HostTransfer> transfers; // in their order
+    std::vector<HostTransfer> transfers;                         // in their order
+    std::vector<std::shared_ptr<const SurfaceContent>> contents; // with values; in their order
     std::vector<WorkTile> tiles; // In row order from the lower left; tiles without work are absent.
     bool last_draw_goes_on = false; // The next bin begins with more quads of it; its geometry is
                                     // told where it ends.
 };
+
+// What is recorded: which fragments were written, or also with which values (quad_values.h).
+enum class WorkDetail : std::uint8_t { Masks, Values };
 
 // Calls come from one thread, in the order of the commands. Clears and copies come as draws of
 // their kind.

@@ -97,6 +97,14 @@ void append_accesses(const WorkBatch& batch,
     }
 }
 
+void append_values(const WorkBatch& batch, std::uint32_t quad, WholeCommand& whole) {
+    const auto at = [&](std::uint32_t q) {
+        return batch.values.begin() + static_cast<std::ptrdiff_t>(batch.value_begin[q]);
+    };
+    whole.values.insert(whole.values.end(), at(quad), at(quad + 1));
+    whole.value_begin.push_back(static_cast<std::uint32_t>(whole.values.size()));
+}
+
 std::vector<std::uint8_t> units_of(const std::vector<const WorkBatch*>& batches) {
     std::array<bool, TextureUnits> used{};
     for (const WorkBatch* const batch : batches)
@@ -122,11 +130,14 @@ std::shared_ptr<const WholeCommand> CommandAssembler::assemble(const WorkDraw& d
     const std::vector<Source> sources =
         in_canonical_order(parts.batches, draw.kind == WorkKind::Image);
     whole->quads.reserve(sources.size());
+    const bool has_values = !sources.empty() && !parts.batches[0]->value_begin.empty();
+    if (has_values) whole->value_begin.push_back(0);
     for (const Source& source : sources) {
         const WorkBatch& batch = *parts.batches[source.batch];
         whole->quads.push_back(batch.quads[source.quad]);
         whole->quads.back().piece = static_cast<std::uint32_t>(source.primitive_and_piece);
         append_accesses(batch, indices[source.batch], source.quad, *whole);
+        if (has_values) append_values(batch, source.quad, *whole);
     }
     return whole;
 }
@@ -145,8 +156,11 @@ void CommandAssembler::bin(std::shared_ptr<const WorkBin> bin) {
         for (; transfer != bin->transfers.end() && transfer->before_draw <= draw; ++transfer)
             out_.host_transfer(*transfer);
     };
+    auto content = bin->contents.begin();
     for (std::size_t i = 0; i < parts.size(); ++i) {
         transfers_before(i);
+        for (; content != bin->contents.end() && (*content)->before_draw <= i; ++content)
+            out_.content(*content);
         if (bin->last_draw_goes_on && i + 1 == parts.size()) {
             begun_ = std::move(parts[i]);
             begun_.bins.push_back(bin);

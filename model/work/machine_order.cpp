@@ -10,6 +10,21 @@ bool overlap(std::uint64_t a, std::uint64_t a_bytes, std::uint64_t b, std::uint6
     return a < b + b_bytes && b < a + a_bytes;
 }
 
+// The pixels of which a transfer moves bytes: part of a row, or whole rows.
+Rectangle touched_pixels(const Surface& plane, const HostTransfer& transfer) {
+    if (!overlap(transfer.at, transfer.bytes, plane.address, plane.bytes())) return {};
+    const std::uint64_t begin = std::max<std::uint64_t>(transfer.at, plane.address) - plane.address;
+    const std::uint64_t end = std::min(transfer.at + transfer.bytes - plane.address, plane.bytes());
+    const auto first = static_cast<int>(begin / plane.stride);
+    const auto last = static_cast<int>((end - 1) / plane.stride);
+    if (first != last) return {0, first, plane.width, last + 1};
+    const std::uint32_t pixel = format_info(plane.format).block_bytes;
+    return {static_cast<int>(begin % plane.stride / pixel),
+            first,
+            static_cast<int>(((end - 1) % plane.stride) / pixel) + 1,
+            first + 1};
+}
+
 void add_lines(const std::vector<WrittenLine>& lines,
                bool depth,
                bool write,
@@ -77,6 +92,34 @@ void MachineOrder::host_transfer(const HostTransfer& transfer) {
     if (scene_draws_into(transfer.at, transfer.bytes)) end_scene();
     if (transfer.is_write) addresses_.memory_written(transfer.at, transfer.bytes);
     out_.host_transfer(transfer);
+    access(transfer);
+}
+
+void MachineOrder::content(const std::shared_ptr<const SurfaceContent>& content) {
+    end_scene();
+    const Surface& surface = content->surface;
+    const bool depth = format_info(surface.format).is_depth;
+    if (std::find(known_.begin(), known_.end(), surface) == known_.end()) known_.push_back(surface);
+    out_.content(
+        {.depth = depth, .place = addresses_.surface(surface, shape(depth)), .content = content});
+}
+
+// By whole rows, if it is more than part of one.
+void MachineOrder::access(const HostTransfer& transfer) {
+    std::vector<TransferLine> lines;
+    for (const Surface& surface : known_) {
+        const bool depth = format_info(surface.format).is_depth;
+        for (unsigned sample = 0; sample < surface.samples; ++sample) {
+            const Rectangle rectangle = touched_pixels(surface.plane(sample), transfer);
+            for (const WrittenLine& line :
+                 rectangle_lines(addresses_.surface(surface, shape(depth)),
+                                 LineGrain(shape(depth).line_bytes),
+                                 rectangle,
+                                 whole_pixel(surface.format)))
+                lines.push_back({depth, transfer.is_write, line});
+        }
+    }
+    if (!lines.empty()) out_.host_access(std::move(lines));
 }
 
 void MachineOrder::end_frame(std::uint32_t frame) {
@@ -84,29 +127,55 @@ void MachineOrder::end_frame(std::uint32_t frame) {
     out_.end_frame(frame);
 }
 
+// The lines that a clear writes of a surface, and those of which it writes all pixels.
+void MachineOrder::clear_lines(const SurfaceFill& fill,
+                               bool depth,
+                               PixelBytes pixel,
+                               PreparedTransfer& transfer) const {
+    const LineGrain grain(shape(depth).line_bytes);
+    const ImageLayout& layout = fill.place.layout;
+    const Rectangle surface{0, 0, static_cast<int>(layout.width), static_cast<int>(layout.height)};
+    const std::vector<WrittenLine> lines =
+        rectangle_lines(fill.place, grain, fill.rectangle, pixel);
+    const std::vector<WrittenLine> all =
+        fill.rectangle == surface ? lines : rectangle_lines(fill.place, grain, surface, pixel);
+    auto whole = all.begin();
+    for (const WrittenLine& line : lines) {
+        while (whole->number < line.number)
+            ++whole;
+        transfer.lines.push_back({depth, true, line, line.bytes == whole->bytes});
+    }
+}
+
 void MachineOrder::clear(const WorkDraw& draw) {
     PreparedTransfer transfer{.kind = WorkKind::Clear, .number = draw.number};
     const Registers& state = *draw.state;
     const Scissor& scissor = state.scissor;
-    const Rectangle rectangle{
+    Rectangle rectangle{
         scissor.x, scissor.y, scissor.x + scissor.width, scissor.y + scissor.height};
-    const auto clear = [&](const Surface& target, bool depth, PixelBytes pixel) {
+    Targets::for_each(state.targets, [&rectangle](const Surface& target) {
+        if (target.format != Format::None)
+            rectangle = intersect(rectangle, {0, 0, target.width, target.height});
+    });
+    const auto clear = [&](const Surface& target, bool depth, PixelBytes pixel, SurfaceFill fill) {
         if (target.format == Format::None) return;
-        const CacheShape& cache = depth ? config_.depth_cache : config_.color_cache;
-        const PlacedLevel& place = addresses_.surface(target, cache);
-        add_lines(rectangle_lines(place, LineGrain(cache.line_bytes), rectangle, pixel),
-                  depth,
-                  true,
-                  transfer);
+        fill.place = addresses_.surface(target, shape(depth));
+        fill.rectangle = rectangle;
+        clear_lines(fill, depth, pixel, transfer);
+        transfer.fills.push_back(fill);
     };
     if (draw.clear.color)
         for (const Surface& target : state.targets.color)
-            clear(target, false, cleared_color_bytes(target.format, state.blend.write_mask));
+            clear(target,
+                  false,
+                  cleared_color_bytes(target.format, state.blend.write_mask),
+                  color_fill(state, target.format, draw.clear.color_value));
     const Surface& depth = state.targets.depth;
     if (draw.clear.depth || draw.clear.stencil)
         clear(depth,
               true,
-              cleared_depth_bytes(depth.format, draw.clear, state.stencil.front.write_mask));
+              cleared_depth_bytes(depth.format, draw.clear, state.stencil.front.write_mask),
+              depth_fill(state, depth.format, draw.clear));
     out_.transfer(std::move(transfer));
 }
 

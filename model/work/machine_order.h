@@ -12,9 +12,11 @@
 #pragma once
 
 #include "model/work/prepared_work.h"
+#include "model/work/surface_fill.h"
 #include "model/work/surface_lines.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace ffgpu::work {
@@ -24,6 +26,7 @@ struct TransferLine {
     bool depth = false; // of the depth cache's lines; else of the colour cache's
     bool write = true;
     WrittenLine line;
+    bool whole = false; // written: what is written of a pixel is, of all the line's pixels
 };
 
 // A clear or a copy.
@@ -32,6 +35,14 @@ struct PreparedTransfer {
     std::uint32_t number = 0;
     bool writes_back_caches = false; // before it
     std::vector<TransferLine> lines{};
+    std::vector<SurfaceFill> fills{}; // a clear's, of the targets in turn
+};
+
+// What a target holds before the commands from here on (with values).
+struct PreparedContent {
+    bool depth = false;
+    PlacedLevel place;
+    std::shared_ptr<const SurfaceContent> content;
 };
 
 class MachineSink {
@@ -41,6 +52,9 @@ public:
     virtual void transfer(PreparedTransfer&& transfer) = 0;
     virtual void host_transfer(const HostTransfer& transfer) = 0;
     virtual void end_frame(std::uint32_t frame) = 0;
+    virtual void content(PreparedContent&& /*content*/) {}
+    // The host reads or writes these lines of targets whose content was told.
+    virtual void host_access(std::vector<TransferLine>&& /*lines*/) {}
 };
 
 class MachineOrder final : public CommandSink {
@@ -51,6 +65,7 @@ public:
         , addresses_(config.texel_cache) {}
 
     void command(std::shared_ptr<const WholeCommand> command) override;
+    void content(const std::shared_ptr<const SurfaceContent>& content) override;
     void host_transfer(const HostTransfer& transfer) override;
     void end_frame(std::uint32_t frame) override;
 
@@ -59,14 +74,23 @@ private:
     void clear(const WorkDraw& draw);
     void copy(const WorkDraw& draw);
     void end_scene();
+    void access(const HostTransfer& transfer);
+    const CacheShape& shape(bool depth) const {
+        return depth ? config_.depth_cache : config_.color_cache;
+    }
+    void clear_lines(const SurfaceFill& fill,
+                     bool depth,
+                     PixelBytes pixel,
+                     PreparedTransfer& transfer) const;
     bool scene_draws_into(std::uint64_t at, std::uint64_t bytes) const;
     bool reads_scene(const WholeCommand& command) const;
 
     const WorkConfig config_;
     MachineSink& out_;
     AddressMap addresses_;
-    PreparedScene scene_;   // tile-based: what was gathered
-    Targets scene_targets_; // of its draws
+    PreparedScene scene_;        // tile-based: what was gathered
+    Targets scene_targets_;      // of its draws
+    std::vector<Surface> known_; // whose content was told
 };
 
 } // namespace ffgpu::work

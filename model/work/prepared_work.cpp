@@ -63,11 +63,16 @@ public:
         draw_.geometry.pieces = {};
         draw_.first_primitive = static_cast<std::uint32_t>(out.primitives.size());
         draw_.early_depth = command.draw.early_depth;
+        draw_.state = command.draw.state;
         draw_.first_quad = static_cast<std::uint32_t>(out.quads.size());
     }
 
     void run(AddressMap& addresses) {
         if (command_.draw.state) place(*command_.draw.state, addresses);
+        if (command_.has_values() && draw_.state) {
+            draw_.has_values = true;
+            draw_.value_kinds = QuadValueKinds::of(*draw_.state);
+        }
         if (command_.draw.geometry.primitives.empty()) {
             add_untold_primitives();
         } else {
@@ -187,12 +192,47 @@ private:
                           .after_early_depth = from.after_early_depth,
                           .after_stencil = from.after_stencil,
                           .after_depth = from.after_depth,
-                          .samples_written = from.samples_written};
+                          .samples_written = from.samples_written,
+                          .after_alpha = from.after_alpha};
         quad.new_tile =
             starts_tile(config_.raster, out_.quads.empty() ? nullptr : &out_.quads.back(), quad);
         add_target_lines(from, quad);
-        texels_.add(number, lanes, quad);
+        // With values, hidden fragments have texels, too.
+        texels_.add(
+            number, static_cast<std::uint8_t>(lanes & from.after_early_depth), quad);
+        if (draw_.has_values) add_values(number, lanes, quad);
         out_.quads.push_back(quad);
+    }
+
+    // Of the lanes alone, where a quad is looked up by fragments.
+    void add_values(std::uint32_t number, std::uint8_t lanes, PreparedQuad& quad) {
+        const QuadValueKinds& kinds = draw_.value_kinds;
+        const WorkQuad& from = command_.quads[number];
+        QuadValues values;
+        const bool fits = QuadValues::parse(kinds,
+                                            covered_samples(from, kinds.multisampled),
+                                            written_samples(from, kinds.multisampled),
+                                            command_.values_of(number),
+                                            values);
+        check(fits, "a quad's values are those of its masks");
+        quad.values_begin = static_cast<std::uint32_t>(out_.values.size());
+        const auto add = [&](const SampleWords& words) {
+            std::size_t next = 0;
+            for_each_sample(words.samples, [&](unsigned lane, unsigned) {
+                if (lanes >> lane & 1) out_.values.push_back(words.words[next]);
+                ++next;
+            });
+        };
+        unsigned samples = 0; // of the lanes
+        for (unsigned lane = 0; lane < 4; ++lane)
+            if (lanes >> lane & 1) samples |= 0xfu << 4 * lane;
+        quad.samples_covered = static_cast<SampleBits>(from.samples_covered & samples);
+        add(values.depths);
+        if (kinds.tested_mask) out_.values.push_back(unsigned{values.depth_words.samples} & samples);
+        add(values.depth_words);
+        for (const SampleWords& words : values.colors)
+            add(words);
+        quad.value_count = static_cast<std::uint32_t>(out_.values.size()) - quad.values_begin;
     }
 
     // Depth is read for the fragments that come to its test, colour for those that pass it.
@@ -242,6 +282,22 @@ private:
 };
 
 } // namespace
+
+QuadValues PreparedScene::values_of(const PreparedQuad& quad) const {
+    const QuadValueKinds& kinds = draws[quad.draw].value_kinds;
+    const auto samples = [&](std::uint16_t of_samples, std::uint8_t lanes) {
+        return kinds.multisampled ? of_samples : lanes_to_samples(lanes);
+    };
+    QuadValues parsed;
+    const bool fits =
+        QuadValues::parse(kinds,
+                          samples(quad.samples_covered, quad.covered),
+                          samples(quad.samples_written, quad.after_depth),
+                          std::span(values).subspan(quad.values_begin, quad.value_count),
+                          parsed);
+    check(fits, "a quad's values are those of its masks");
+    return parsed;
+}
 
 void append(const WholeCommand& command,
             const WorkConfig& config,

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "model/packets/quad_values.h"
 #include "model/work/address_map.h"
 #include "model/work/config.h"
 #include "model/work/whole_command.h"
@@ -34,6 +35,11 @@ struct PreparedQuad {
     std::uint8_t depth_line_count = 0;
     std::uint8_t color_line_count = 0;    // of all colour targets
     std::uint32_t target_lines_begin = 0; // into PreparedScene::target_lines: depth, then colour
+    // With values:
+    std::uint16_t samples_covered = 0; // as WorkQuad has it
+    std::uint8_t after_alpha = 0;
+    std::uint32_t value_count = 0;
+    std::uint32_t values_begin = 0; // into PreparedScene::values
 };
 
 // A point, line or triangle that comes to set-up: its quads, in their order.
@@ -72,6 +78,9 @@ struct PreparedDraw {
     bool writes_depth = false;
     bool reads_color = false; // blending, logic op or a partial mask
     bool writes_color = false;
+    bool has_values = false; // Its quads have.
+    QuadValueKinds value_kinds;
+    std::shared_ptr<const Registers> state;
 };
 
 // What streams through a machine's pipe in one go: one draw of an immediate machine; of a
@@ -84,6 +93,7 @@ struct PreparedScene {
     std::vector<std::uint64_t> texel_lines; // line numbers
     std::vector<TexturePart> texture_parts;
     std::vector<std::uint64_t> target_lines;
+    std::vector<std::uint32_t> values; // words, where the work has values
 
     std::span<const std::uint64_t> lines_of(const PreparedQuad& quad) const {
         return std::span(texel_lines).subspan(quad.texel_lines_begin, quad.texel_line_count);
@@ -96,6 +106,8 @@ struct PreparedScene {
     std::span<const std::uint64_t> depth_lines(const PreparedQuad& quad) const {
         return std::span(target_lines).subspan(quad.target_lines_begin, quad.depth_line_count);
     }
+    // Of a quad whose draw has values.
+    QuadValues values_of(const PreparedQuad& quad) const;
     std::span<const std::uint64_t> color_lines(const PreparedQuad& quad) const {
         return std::span(target_lines)
             .subspan(quad.target_lines_begin + quad.depth_line_count, quad.color_line_count);

@@ -23,6 +23,7 @@ struct WrittenBytes {
         touched |= other.touched;
         covered |= other.covered;
     }
+    bool operator==(const WrittenBytes&) const = default;
 };
 
 struct WrittenLine {

@@ -21,12 +21,21 @@ struct WholeCommand {
     std::vector<std::uint8_t> units;
     std::vector<std::uint32_t> access_begin{0};
     std::vector<TexelAccess> accesses; // TexelAccess::lane is 0 to 3, within the quad.
+    // With WorkDetail::Values, where each quad's values begin, and the end; else empty.
+    std::vector<std::uint32_t> value_begin;
+    std::vector<std::uint32_t> values; // quad_values.h
 
     // Of quad `quad` in units[unit].
     std::span<const TexelAccess> accesses_of(std::size_t quad, std::size_t unit) const {
         const std::size_t at = quad * units.size() + unit;
         return std::span(accesses).subspan(access_begin[at],
                                            access_begin[at + 1] - access_begin[at]);
+    }
+
+    bool has_values() const { return !value_begin.empty(); }
+    std::span<const std::uint32_t> values_of(std::size_t quad) const {
+        return std::span(values).subspan(value_begin[quad],
+                                         value_begin[quad + 1] - value_begin[quad]);
     }
 };
 
@@ -35,6 +44,8 @@ class CommandSink {
 public:
     virtual ~CommandSink() = default;
     virtual void command(std::shared_ptr<const WholeCommand> command) = 0;
+    // What a target holds now, with values; its before_draw means nothing.
+    virtual void content(const std::shared_ptr<const SurfaceContent>& /*content*/) {}
     virtual void host_transfer(const HostTransfer& transfer) = 0; // its before_draw means nothing
     virtual void end_frame(std::uint32_t frame) = 0;
 };

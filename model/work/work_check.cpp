@@ -1,7 +1,9 @@
 #include "model/work/work_check.h"
 
 #include "model/base/input_error.h"
+#include "model/device/extents.h"
 #include "model/device/validate.h"
+#include "model/packets/quad_values.h"
 
 namespace ffgpu::work {
 namespace {
@@ -36,6 +38,24 @@ void check_pieces(const WholeCommand& command) {
         }
     }
     if (quad != command.quads.end()) throw InputError("a quad of no primitive");
+}
+
+void check_surface(const Surface& surface) {
+    if (surface.width > MaxSurfaceSize || surface.height > MaxSurfaceSize)
+        throw InputError("a target exceeds the largest surface");
+    if (!surface_fits(surface, AnyMemory)) throw InputError("there is no such surface");
+}
+
+bool values_fit(const WholeCommand& command, std::size_t number) {
+    if (!command.draw.state) return false;
+    const QuadValueKinds kinds = QuadValueKinds::of(*command.draw.state);
+    const WorkQuad& quad = command.quads[number];
+    QuadValues values;
+    return QuadValues::parse(kinds,
+                             covered_samples(quad, kinds.multisampled),
+                             written_samples(quad, kinds.multisampled),
+                             command.values_of(number),
+                             values);
 }
 
 } // namespace ffgpu::work

@@ -14,7 +14,7 @@
 namespace ffgpu::work {
 
 inline constexpr std::string_view WorkFileMagic = "FFGPUWRK";
-inline constexpr std::uint32_t WorkFileVersion = 2;
+inline constexpr std::uint32_t WorkFileVersion = 3;
 
 enum class BlockKind : std::uint32_t { Names = 1, Items = 2, End = 3 };
 
@@ -38,6 +38,8 @@ enum class Item : std::uint8_t {
     HostTransfer,
     FrameEnd,
     FrameFigures,
+    SurfaceContent,
+    Row, // of a surface's content
     Count
 };
 
@@ -60,6 +62,7 @@ enum class Column : std::uint8_t {
     X,
     Y,
     Rare, // what is not as foreseen
+    Values,
     Count
 };
 inline constexpr std::size_t ColumnCount = static_cast<std::size_t>(Column::Count);

@@ -39,6 +39,7 @@ WorkFileReader::WorkFileReader(const std::string& path)
         image_places_ = read_names(field_names<DrawImageCommand>());
         clear_places_ = read_names(field_names<ClearCommand>());
         copy_places_ = read_names(field_names<CopyRectangleCommand>());
+        surface_places_ = read_names(field_names<Surface>());
     } catch (const DamagedItem& error) {
         blocks_.fail(error.what());
     }
@@ -88,6 +89,9 @@ void WorkFileReader::play(CommandSink& sink,
         }
         if (auto* const command = std::get_if<std::shared_ptr<const WholeCommand>>(&content))
             sink.command(std::move(*command));
+        else if (const auto* const held =
+                     std::get_if<std::shared_ptr<const SurfaceContent>>(&content))
+            sink.content(*held);
         else if (const auto* const transfer = std::get_if<HostTransfer>(&content))
             sink.host_transfer(*transfer);
         else if (const auto* const end = std::get_if<FrameEnd>(&content))
@@ -112,6 +116,8 @@ WorkFileReader::Content WorkFileReader::read_item() {
         return FrameEnd{in_.word(Column::Control)};
     case Item::FrameFigures:
         return read_figures();
+    case Item::SurfaceContent:
+        return read_content();
     default:
         throw DamagedItem("there is no such item");
     }
@@ -142,6 +148,24 @@ void WorkFileReader::read_fields(const Places& places, Command& command) {
     set_fields(values, command);
 }
 
+std::shared_ptr<const SurfaceContent> WorkFileReader::read_content() {
+    auto content = std::make_shared<SurfaceContent>();
+    Surface& surface = content->surface;
+    read_fields(surface_places_, surface);
+    try {
+        check_surface(surface);
+    } catch (const InputError& error) {
+        throw DamagedItem(error.what());
+    }
+    std::vector<std::byte> row(row_bytes(surface.format, surface.width));
+    for (std::uint32_t i = 0; i < std::uint32_t{surface.height} * surface.samples; ++i) {
+        need_item();
+        read_row(in_, row);
+        content->bytes.insert(content->bytes.end(), row.begin(), row.end());
+    }
+    return content;
+}
+
 std::shared_ptr<const WholeCommand> WorkFileReader::read_command() {
     auto whole = std::make_shared<WholeCommand>();
     WorkDraw& draw = whole->draw;
@@ -165,6 +189,7 @@ std::shared_ptr<const WholeCommand> WorkFileReader::read_command() {
     for (std::uint8_t unit = 0; unit < TextureUnits; ++unit)
         if ((units >> unit & 1) != 0) whole->units.push_back(unit);
     const std::uint64_t quads = in_.number(Column::Control, Most32);
+    if (in_.byte(Column::Control) != 0) whole->value_begin.push_back(0);
     if (draw.kind == WorkKind::Draw) read_geometry(draw.geometry);
     for (std::uint64_t i = 0; i < quads; ++i) {
         need_item();
@@ -267,6 +292,14 @@ void WorkFileReader::read_quad(WholeCommand& command) {
         throw DamagedItem("quads are not in their order");
     command.quads.push_back(quad);
     read_accesses(command);
+    if (command.has_values()) read_values(command);
+}
+
+void WorkFileReader::read_values(WholeCommand& command) {
+    values_in_.append_words(in_, command.values);
+    command.value_begin.push_back(static_cast<std::uint32_t>(command.values.size()));
+    if (!values_fit(command, command.quads.size() - 1))
+        throw DamagedItem("a quad's values are too few or too many");
 }
 
 void WorkFileReader::read_masks(WorkQuad& quad) {

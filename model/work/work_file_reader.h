@@ -5,6 +5,7 @@
 #pragma once
 
 #include "model/work/frame_figures.h"
+#include "model/work/value_columns.h"
 #include "model/work/whole_command.h"
 #include "model/work/work_fields.h"
 #include "model/work/work_file_blocks.h"
@@ -29,8 +30,11 @@ private:
     struct FrameEnd {
         std::uint32_t frame = 0;
     };
-    using Content =
-        std::variant<std::shared_ptr<const WholeCommand>, HostTransfer, FrameEnd, FrameFigures>;
+    using Content = std::variant<std::shared_ptr<const WholeCommand>,
+                                 std::shared_ptr<const SurfaceContent>,
+                                 HostTransfer,
+                                 FrameEnd,
+                                 FrameFigures>;
 
     // The place of each of the file's fields here; NotHere: it has none.
     using Places = std::vector<std::uint32_t>;
@@ -49,8 +53,10 @@ private:
     void read_masks(WorkQuad& quad);
     void read_samples(WorkQuad& quad);
     void read_accesses(WholeCommand& command);
+    void read_values(WholeCommand& command);
     TexelAccess read_access();
     FrameFigures read_figures();
+    std::shared_ptr<const SurfaceContent> read_content();
     template <class Command>
     void read_fields(const Places& places, Command& command);
 
@@ -58,11 +64,12 @@ private:
     ColumnReader& in_ = blocks_.columns();
     std::uint32_t items_left_ = 0;
     bool over_ = false;
-    Places register_places_, image_places_, clear_places_, copy_places_;
+    Places register_places_, image_places_, clear_places_, copy_places_, surface_places_;
     std::shared_ptr<const Registers> state_; // the last read
     FieldValues file_values_;                // of the file's fields of registers
     AccessForecast forecast_;
     PieceBox box_; // the last read
+    ValueColumnReader values_in_;
 };
 
 } // namespace ffgpu::work

@@ -47,14 +47,34 @@ void WorkFileWriter::write_names() {
     list(field_names<DrawImageCommand>());
     list(field_names<ClearCommand>());
     list(field_names<CopyRectangleCommand>());
+    list(field_names<Surface>());
     write_block(BlockKind::Names);
 }
 
 void WorkFileWriter::begin_item(Item item) {
     if (columns_.bytes() >= BlockBytes) write_block(BlockKind::Items);
     ++items_;
-    if (item != Item::Quad && item != Item::Vertex && item != Item::Primitive)
+    if (item != Item::Quad && item != Item::Vertex && item != Item::Primitive && item != Item::Row)
         columns_.byte(Column::Control, static_cast<std::uint8_t>(item));
+}
+
+template <class Command>
+void WorkFileWriter::write_fields(const Command& command) {
+    field_values(command, values_);
+    for (const std::uint32_t value : values_)
+        columns_.number(Column::Control, value);
+}
+
+void WorkFileWriter::content(const std::shared_ptr<const SurfaceContent>& content) {
+    begin_item(Item::SurfaceContent);
+    write_fields(content->surface);
+    const std::size_t row = row_bytes(content->surface.format, content->surface.width);
+    std::vector<std::byte> before(row);
+    for (auto rest = std::span(content->bytes); !rest.empty(); rest = rest.subspan(row)) {
+        begin_item(Item::Row);
+        write_row(columns_, rest.first(row), before);
+        before.assign(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(row));
+    }
 }
 
 void WorkFileWriter::host_transfer(const HostTransfer& transfer) {
@@ -82,13 +102,6 @@ void WorkFileWriter::frame(const FrameFigures& figures) {
     }
 }
 
-template <class Command>
-void WorkFileWriter::write_fields(const Command& command) {
-    field_values(command, values_);
-    for (const std::uint32_t value : values_)
-        columns_.number(Column::Control, value);
-}
-
 void WorkFileWriter::command(std::shared_ptr<const WholeCommand> command) {
     const WorkDraw& draw = command->draw;
     begin_item(Item::Command);
@@ -107,6 +120,7 @@ void WorkFileWriter::command(std::shared_ptr<const WholeCommand> command) {
         units = static_cast<std::uint8_t>(units | 1u << unit);
     columns_.byte(Column::Control, units);
     columns_.number(Column::Control, command->quads.size());
+    columns_.byte(Column::Control, command->has_values());
     if (draw.kind == WorkKind::Draw) write_geometry(draw.geometry);
     write_quads(*command);
 }
@@ -195,6 +209,7 @@ void WorkFileWriter::write_quad(const WholeCommand& command, std::size_t number)
     columns_.byte(Column::Covered, quad.covered);
     write_fate(quad);
     write_accesses(command, number);
+    if (command.has_values()) values_out_.words(columns_, command.values_of(number));
 }
 
 void WorkFileWriter::write_fate(const WorkQuad& quad) {

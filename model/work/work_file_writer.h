@@ -4,6 +4,7 @@
 
 #include "model/work/column_bytes.h"
 #include "model/work/frame_figures.h"
+#include "model/work/value_columns.h"
 #include "model/work/whole_command.h"
 #include "model/work/work_fields.h"
 
@@ -20,6 +21,7 @@ public:
     ~WorkFileWriter() override;
 
     void command(std::shared_ptr<const WholeCommand> command) override;
+    void content(const std::shared_ptr<const SurfaceContent>& content) override;
     void host_transfer(const HostTransfer& transfer) override;
     void end_frame(std::uint32_t frame) override;
     // The frame's work is all written.
@@ -57,6 +59,7 @@ private:
     FieldValues state_values_, values_;
     AccessForecast forecast_;
     PieceBox box_; // the last written
+    ValueColumnWriter values_out_;
 };
 
 } // namespace ffgpu::work

@@ -27,6 +27,10 @@ public:
         commands.push_back(std::move(command));
         log.push_back('c');
     }
+    void content(const std::shared_ptr<const SurfaceContent>& content) override {
+        contents.push_back(content);
+        log.push_back('s');
+    }
     void host_transfer(const HostTransfer& transfer) override {
         transfers.push_back(transfer);
         log.push_back(transfer.is_write ? 'w' : 'r');
@@ -35,6 +39,7 @@ public:
 
     std::vector<std::shared_ptr<const WholeCommand>> commands;
     std::vector<HostTransfer> transfers;
+    std::vector<std::shared_ptr<const SurfaceContent>> contents;
     std::string log; // a letter a call
 };
 
@@ -104,6 +109,8 @@ inline std::string file_of(const CommandList& list) {
     WorkFileWriter writer(file.path());
     for (const auto& command : list.commands)
         writer.command(command);
+    for (const auto& content : list.contents)
+        writer.content(content);
     for (const HostTransfer& transfer : list.transfers)
         writer.host_transfer(transfer);
     writer.end_frame(0);

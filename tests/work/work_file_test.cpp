@@ -135,7 +135,8 @@ TEST_CASE("A file of a newer version is refused in one line") {
     std::string bytes = file_of(CommandList{});
     bytes[WorkFileMagic.size()] = static_cast<char>(WorkFileVersion + 1);
     CHECK_THAT(complaint(bytes),
-               Contains("byte 8: is a work file of version 3, but this program reads version 2"));
+               Contains("byte 8: is a work file of version " + std::to_string(WorkFileVersion + 1) +
+                        ", but this program reads version " + std::to_string(WorkFileVersion)));
     CHECK_THAT(complaint("FFGPUWRX" + bytes.substr(8)), Contains("byte 0: is no work file"));
     CHECK_THAT(complaint("FF"), Contains("byte 0: is no work file"));
 }

@@ -56,8 +56,13 @@ void Recording::make_output_folder() {
     if (!options_.output.empty()) make_folder(options_.output);
 }
 
+bool Recording::records_values() const {
+    return options_.work_values;
+}
+
 void Recording::listen() {
-    if (!sinks_.empty()) gpu_.set_work_sink(&sinks_);
+    if (sinks_.empty()) return;
+    gpu_.set_work_sink(&sinks_, records_values() ? WorkDetail::Values : WorkDetail::Masks);
 }
 
 void Recording::start(std::uint64_t first_frame) {
@@ -90,9 +95,9 @@ bool Recording::after_frame(const Frame& frame) {
                      .functional = counted_.take(gpu_.statistics())});
     if (!options_.heat_maps.empty()) pipeline_.drain();
     // Looking at the picture is no work of the machine's.
-    gpu_.set_work_sink(nullptr);
+    gpu_.hide_from_work(true);
     write_pictures(frame);
-    listen();
+    gpu_.hide_from_work(false);
     return true;
 }
 

@@ -31,6 +31,7 @@ struct RecordingOptions {
     Configuration configuration;
     std::set<HeatMap> heat_maps;
     bool timing = false;
+    bool work_values = false; // Work tells values, too.
     bool images = true;
     bool reference = false; // draw with the scalar specifications
 };
@@ -61,6 +62,7 @@ public:
 private:
     void make_output_folder();
     void listen();
+    bool records_values() const;
     WorkPipeline::Options pipeline_options();
     void start(std::uint64_t first_frame);
     void write_pictures(const Frame& frame);

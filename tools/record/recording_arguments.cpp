@@ -23,6 +23,7 @@ void visit_members(Arguments& arguments, Visitor&& member) {
     member("heat_maps", arguments.heat_maps);
     member("capture", arguments.capture);
     member("save_work", arguments.save_work);
+    member("work_values", arguments.work_values);
     member("config", arguments.config);
     member("settings", arguments.settings);
     member("timing", arguments.timing);
@@ -39,7 +40,7 @@ void make_absolute(std::string& path) {
 bool RecordingArguments::any() const {
     return !output.empty() || !capture.empty() || !save_work.empty() || !config.empty() ||
            !settings.empty() || !frames.empty() || !heat_maps.empty() || threads || timing ||
-           no_images || reference;
+           no_images || reference || work_values;
 }
 
 void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {
@@ -61,6 +62,8 @@ void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {
         ->type_name("FILE.ffc");
     verb.add_option("--save-work", arguments.save_work, "Keep the work of the frames: ffgpu time")
         ->type_name("FILE.ffw");
+    verb.add_flag(
+        "--work-values", arguments.work_values, "Keep depths and colours in the work, too");
     verb.add_flag("--no-images", arguments.no_images, "Write no frame_*.png");
     verb.add_flag("--reference", arguments.reference, "Draw with the scalar specifications: slow");
 }
@@ -93,6 +96,7 @@ void resolve(const RecordingArguments& arguments, RecordingOptions& options) {
     options.output = arguments.output;
     options.capture = arguments.capture;
     options.save_work = arguments.save_work;
+    options.work_values = arguments.work_values;
     options.timing = arguments.timing;
     options.images = !arguments.no_images;
     options.reference = arguments.reference;

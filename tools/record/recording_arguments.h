@@ -19,6 +19,7 @@ namespace ffgpu::tools {
 
 struct RecordingArguments {
     std::string output, frames, heat_maps, capture, save_work, config;
+    bool work_values = false;
     std::vector<std::string> settings;
     std::optional<std::uint32_t> threads;
     bool timing = false, no_images = false, reference = false;

@@ -35,6 +35,10 @@ public:
         for (work::CommandSink* const sink : sinks_)
             sink->command(command);
     }
+    void content(const std::shared_ptr<const SurfaceContent>& content) override {
+        for (work::CommandSink* const sink : sinks_)
+            sink->content(content);
+    }
     void host_transfer(const HostTransfer& transfer) override {
         for (work::CommandSink* const sink : sinks_)
             sink->host_transfer(transfer);

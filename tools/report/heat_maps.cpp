@@ -77,6 +77,8 @@ void HeatMapRecorder::add(Plane& plane, const WorkBatch& batch) {
                 ++pixel->fragments;
     for (const TexelFootprints& unit : batch.textures) {
         for (const TexelAccess& access : unit.accesses) {
+            const WorkQuad& quad = batch.quads[access.lane / 4u];
+            if ((quad.after_early_depth >> access.lane % 4 & 1) == 0) continue; // hidden
             Pixel* const pixel = pixel_of(batch.quads[access.lane / 4], access.lane % 4);
             if (!pixel) continue;
             pixel->level_sum += access.level;
