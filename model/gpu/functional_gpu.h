@@ -128,7 +128,7 @@ private:
         std::uint32_t writes = 0, words = 0;
     };
     RegistersSent registers_sent_; // since the last command
-    SurfaceJournal journal_;              // with values, as contents_
+    SurfaceJournal journal_;       // with values, as contents_
     std::vector<std::shared_ptr<const SurfaceContent>> contents_;
 
     std::uint32_t last_key_ = 0, next_piece_ = 0; // of the primitives of the draw under way

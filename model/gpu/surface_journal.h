@@ -27,9 +27,7 @@ public:
         known_.push_back(surface);
     }
     void forget(std::uint64_t at, std::uint64_t bytes) {
-        std::erase_if(known_, [&](const Surface& surface) {
-            return overlap(surface, at, bytes);
-        });
+        std::erase_if(known_, [&](const Surface& surface) { return overlap(surface, at, bytes); });
     }
     void clear() { known_.clear(); }
 

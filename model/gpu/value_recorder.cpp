@@ -51,9 +51,8 @@ private:
         const FragmentBatch& fragments = batch_.fragments;
         for_each_sample(samples, [&](unsigned lane, unsigned sample) {
             const unsigned at = 4 * quad + lane;
-            work_.values.push_back(fragments.sample_depths
-                                       ? fragments.sample_depths->of[sample][at]
-                                       : fragments.depth[at]);
+            work_.values.push_back(fragments.sample_depths ? fragments.sample_depths->of[sample][at]
+                                                           : fragments.depth[at]);
         });
     }
 

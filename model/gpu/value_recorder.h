@@ -1,4 +1,5 @@
-// Appends a batch's values to its work, for a work stream with values (model/packets/quad_values.h).
+// Appends a batch's values to its work, for a work stream with values
+// (model/packets/quad_values.h).
 
 #pragma once
 

@@ -32,8 +32,7 @@ struct QuadValueKinds {
 
     static QuadValueKinds of(const Registers& registers) {
         const Surface& depth = registers.targets.depth;
-        const bool stencil =
-            registers.stencil.enable && depth.format == Format::Depth24Stencil8;
+        const bool stencil = registers.stencil.enable && depth.format == Format::Depth24Stencil8;
         QuadValueKinds kinds;
         kinds.multisampled = registers.targets.samples() > 1;
         if (depth.format != Format::None) {
@@ -83,12 +82,11 @@ struct QuadValues {
     std::array<SampleWords, ColorTargets> colors;
 
     // Cuts up `words`. False: they are too few or too many.
-    static bool
-    parse(const QuadValueKinds& kinds,
-          SampleBits covered,
-          SampleBits written,
-          std::span<const std::uint32_t> words,
-          QuadValues& out) {
+    static bool parse(const QuadValueKinds& kinds,
+                      SampleBits covered,
+                      SampleBits written,
+                      std::span<const std::uint32_t> words,
+                      QuadValues& out) {
         bool fits = true;
         const auto take = [&](SampleBits samples) {
             const auto count = static_cast<std::size_t>(std::popcount(samples));

@@ -15,8 +15,7 @@ using Words = std::vector<std::uint32_t>;
 // The fields of a colour format's pixel, the lowest bits first; they fill it.
 std::span<const unsigned> channels_of(Format format) {
     static constexpr unsigned Rgba8[] = {8, 8, 8, 8}, One8[] = {8}, Two8[] = {8, 8},
-                              Rgb565[] = {5, 6, 5}, Rgba4[] = {4, 4, 4, 4},
-                              Rgb5a1[] = {1, 5, 5, 5};
+                              Rgb565[] = {5, 6, 5}, Rgba4[] = {4, 4, 4, 4}, Rgb5a1[] = {1, 5, 5, 5};
     switch (format) {
     case Format::Luminance8:
     case Format::Alpha8:
@@ -65,8 +64,8 @@ void encode_channel(const Words& values, std::uint32_t width, unsigned bits, Bit
         unsigned_width(*std::max_element(values.begin(), values.end()) - least);
     unsigned step_width = 0;
     for (std::size_t i = 1; i < values.size(); ++i)
-        step_width = std::max(
-            step_width, signed_width(wrapped(values[i] - values[neighbour(i, width)], bits)));
+        step_width = std::max(step_width,
+                              signed_width(wrapped(values[i] - values[neighbour(i, width)], bits)));
     const bool steps = step_width * (values.size() - 1) < offset_width * values.size();
     out.put(steps, 1);
     out.put(steps ? values[0] : least, bits);
@@ -131,9 +130,8 @@ void encode_depth_words(const BlockShape& shape, const Words& words, BitWriter& 
         stencils.push_back(word & 0xff);
     }
     encode_depths(grid_of(shape), depths, out);
-    const bool uniform =
-        std::count(stencils.begin(), stencils.end(), stencils[0]) ==
-        static_cast<std::ptrdiff_t>(stencils.size());
+    const bool uniform = std::count(stencils.begin(), stencils.end(), stencils[0]) ==
+                         static_cast<std::ptrdiff_t>(stencils.size());
     out.put(uniform, 1);
     for (std::size_t i = 0; i < (uniform ? 1 : stencils.size()); ++i)
         out.put(stencils[i], StencilBits);
@@ -164,8 +162,7 @@ Words words_of(const BlockShape& shape, std::span<const std::byte> block, unsign
 } // namespace
 
 std::vector<std::uint8_t> encode_block(const BlockShape& shape, std::span<const std::byte> block) {
-    const auto encode =
-        format_info(shape.format).is_depth ? encode_depth_words : encode_colors;
+    const auto encode = format_info(shape.format).is_depth ? encode_depth_words : encode_colors;
     BitWriter out;
     const Words first = words_of(shape, block, 0);
     encode(shape, first, out);
@@ -180,8 +177,7 @@ std::vector<std::uint8_t> encode_block(const BlockShape& shape, std::span<const 
 void decode_block(const BlockShape& shape,
                   std::span<const std::uint8_t> code,
                   std::span<std::byte> block) {
-    const auto decode =
-        format_info(shape.format).is_depth ? decode_depth_words : decode_colors;
+    const auto decode = format_info(shape.format).is_depth ? decode_depth_words : decode_colors;
     BitReader in(code);
     Words first(shape.pixels());
     for (unsigned sample = 0; sample < shape.samples; ++sample) {

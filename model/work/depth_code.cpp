@@ -38,7 +38,8 @@ public:
     }
     // Through the pixels at the first corner, or at the last.
     static PlanePoints first(const DepthGrid& grid) {
-        return {grid, {0, 0}, {std::min(1u, grid.width - 1), 0}, {0, std::min(1u, grid.height - 1)}};
+        return {
+            grid, {0, 0}, {std::min(1u, grid.width - 1), 0}, {0, std::min(1u, grid.height - 1)}};
     }
     static PlanePoints last(const DepthGrid& grid) {
         const std::uint32_t x = grid.width - 1, y = grid.height - 1;

@@ -31,9 +31,8 @@ std::vector<std::byte> SurfaceContents::laid_out(const PlacedLevel& place,
     for (unsigned sample = 0; sample < surface.samples; ++sample)
         for (std::uint32_t y = 0; y < surface.height; ++y)
             for (std::uint32_t x = 0; x < surface.width; ++x, from += size)
-                std::memcpy(&bytes[place.address(x, y, 0) - place.base + sample * size],
-                            from,
-                            size);
+                std::memcpy(
+                    &bytes[place.address(x, y, 0) - place.base + sample * size], from, size);
     return bytes;
 }
 

@@ -33,7 +33,7 @@ public:
     std::int64_t take_signed(unsigned n) {
         const std::int64_t value = take(n);
         return n > 0 && value >= (std::int64_t{1} << n) / 2 ? value - (std::int64_t{1} << n)
-                                                             : value;
+                                                            : value;
     }
     std::size_t taken() const { return at_; }
 
@@ -127,9 +127,9 @@ Words reference_sample(Bits& in, const BlockShape& shape) {
             else if (i == 0)
                 values[i] = base;
             else
-                values[i] = (values[i % w == 0 ? i - w : i - 1] + in.take_signed(width) +
-                             (1 << bits)) %
-                            (1 << bits);
+                values[i] =
+                    (values[i % w == 0 ? i - w : i - 1] + in.take_signed(width) + (1 << bits)) %
+                    (1 << bits);
             words[i] |= static_cast<std::uint32_t>(values[i]) << shift;
         }
         shift += bits;
@@ -201,8 +201,14 @@ TEST_CASE("Blocks of any content, shape and format decode to their bytes, by bot
     std::mt19937 random(1);
     std::size_t codes = 0;
     for (const Format format : Formats)
-        for (const auto& [w, h] : {std::pair{4u, 4u}, {8u, 8u}, {16u, 1u}, {1u, 8u}, {2u, 2u},
-                                   {8u, 2u}, {1u, 1u}, {128u, 1u}})
+        for (const auto& [w, h] : {std::pair{4u, 4u},
+                                   {8u, 8u},
+                                   {16u, 1u},
+                                   {1u, 8u},
+                                   {2u, 2u},
+                                   {8u, 2u},
+                                   {1u, 1u},
+                                   {128u, 1u}})
             for (const std::uint32_t samples : {1u, 4u})
                 for (unsigned kind = 0; kind < 6; ++kind)
                     for (unsigned repeat = 0; repeat < 12; ++repeat) {

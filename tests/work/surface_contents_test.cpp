@@ -1,8 +1,7 @@
 // Values in the work stream: who follows them knows every byte of the targets, whatever the host.
 
-#include "model/work/surface_contents.h"
-
 #include "model/work/machine_order.h"
+#include "model/work/surface_contents.h"
 #include "model/work/work_file_reader.h"
 #include "tests/gpu/depth_scene.h"
 #include "tests/work/recorded_work.h"
