@@ -198,8 +198,7 @@ private:
             starts_tile(config_.raster, out_.quads.empty() ? nullptr : &out_.quads.back(), quad);
         add_target_lines(from, quad);
         // With values, hidden fragments have texels, too.
-        texels_.add(
-            number, static_cast<std::uint8_t>(lanes & from.after_early_depth), quad);
+        texels_.add(number, static_cast<std::uint8_t>(lanes & from.after_early_depth), quad);
         if (draw_.has_values) add_values(number, lanes, quad);
         out_.quads.push_back(quad);
     }
@@ -228,7 +227,8 @@ private:
             if (lanes >> lane & 1) samples |= 0xfu << 4 * lane;
         quad.samples_covered = static_cast<SampleBits>(from.samples_covered & samples);
         add(values.depths);
-        if (kinds.tested_mask) out_.values.push_back(unsigned{values.depth_words.samples} & samples);
+        if (kinds.tested_mask)
+            out_.values.push_back(unsigned{values.depth_words.samples} & samples);
         add(values.depth_words);
         for (const SampleWords& words : values.colors)
             add(words);
