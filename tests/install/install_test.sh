@@ -12,6 +12,13 @@ mv "$prefix/usr" "$prefix/moved"
 installed=$prefix/moved
 
 "$installed/bin/ffgpu" --version
+# What the shells and man look for: a page for each verb that --help lists.
+bash -c "source '$installed/share/bash-completion/completions/ffgpu'; complete -p ffgpu" >/dev/null
+test -s "$installed/share/zsh/site-functions/_ffgpu" -a -s "$installed/share/fish/vendor_completions.d/ffgpu.fish"
+for verb in $("$installed/bin/ffgpu" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
+  test -s "$installed/share/man/man1/ffgpu-$verb.1" || { echo "no manual page of $verb" >&2; exit 1; }
+done
+test -s "$installed/share/man/man1/ffgpu.1"
 "$installed/bin/ffgpu" run -- sh -c 'case $LD_LIBRARY_PATH in */ffgpu*) exit 3;; esac' && exit 1 || test $? -eq 3
 
 export PKG_CONFIG_PATH=$installed/$libdir/pkgconfig
