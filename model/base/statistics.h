@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -40,6 +41,14 @@ public:
     StatisticsGroup& operator=(const StatisticsGroup&) = delete;
 
     const std::deque<Counter>& counters() const { return counters_; }
+    // Groups of the same counters, in the same order.
+    void set_to_sum_of(std::span<const StatisticsGroup* const> parts) {
+        for (std::size_t i = 0; i < counters_.size(); ++i) {
+            counters_[i].reset();
+            for (const StatisticsGroup* part : parts)
+                counters_[i] += part->counters_[i].value();
+        }
+    }
     void reset() {
         for (Counter& counter : counters_)
             counter.reset();

@@ -18,10 +18,17 @@ struct CachePort {
               const Clock& clock,
               const CacheConfig& config,
               Client client,
-              InFlight& in_flight)
+              InFlight& in_flight,
+              Cycle response_latency = 1)
         : requests(clock, config.request_queue, in_flight, config.miss_queue)
-        , responses(clock, ResponseQueue + config.outstanding_lines)
+        , responses(clock, ResponseQueue + config.outstanding_lines, response_latency)
         , cache(name, config, client, requests) {}
+
+    // The cache's owner, and what answers it.
+    void connect(Unit& owner, Unit& memory) {
+        requests.channel().connect(owner, memory);
+        responses.connect(memory, owner);
+    }
 
     RequestPort requests;
     Channel<std::uint64_t> responses;

@@ -14,13 +14,11 @@ namespace ffgpu::timing {
 enum class WriteMiss : std::uint8_t { WriteValidate, FetchOnWrite };
 inline constexpr std::array<std::string_view, 2> WriteMissNames{"write_validate", "fetch_on_write"};
 
-struct CacheTrafficConfig {
+struct CacheQueuesConfig {
     std::uint32_t banks = 1;
     std::uint32_t ports = 0;
     std::uint32_t request_queue = 16;
     std::uint32_t miss_queue = 1;
-    WriteMiss write_miss = WriteMiss::WriteValidate;
-    std::uint32_t transfer_bytes = 4;
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
@@ -49,6 +47,16 @@ struct CacheTrafficConfig {
                .minimum = 1,
                .maximum = 4096,
                .meaning = "whose requests wait for the request queue"});
+    }
+};
+
+struct CacheTrafficConfig : CacheQueuesConfig {
+    WriteMiss write_miss = WriteMiss::WriteValidate;
+    std::uint32_t transfer_bytes = 4;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        CacheQueuesConfig::visit(self, field);
         field("write_miss",
               self.write_miss,
               {.meaning = "a write to an absent line: write_validate marks the written bytes as "

@@ -9,6 +9,7 @@
 #include "model/timing/config/fragment.h"
 #include "model/timing/config/raster.h"
 #include "model/timing/config/setup.h"
+#include "model/timing/config/texel_l2.h"
 #include "model/timing/config/texture.h"
 #include "model/timing/config/vertex.h"
 #include "model/timing/memory/config.h"
@@ -25,6 +26,7 @@ struct TimingConfig {
     RasterConfig raster;
     TextureConfig texture;
     TexelCacheConfig texel_cache;
+    TexelL2Config texel_l2;
     DepthCacheConfig depth_cache;
     ColorCacheConfig color_cache;
     FragmentConfig fragment;
@@ -50,6 +52,7 @@ struct TimingConfig {
         each(self.raster);
         each(self.texture);
         each(self.texel_cache);
+        each(self.texel_l2);
         each(self.depth_cache);
         each(self.color_cache);
         each(self.fragment);

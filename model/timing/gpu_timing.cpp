@@ -1,5 +1,6 @@
 #include "model/timing/gpu_timing.h"
 
+#include "model/timing/cache_checks.h"
 #include "model/timing/machine.h"
 #include "model/timing/memory_lines.h"
 
@@ -17,6 +18,7 @@ GpuTiming::GpuTiming(const TimingConfig& config,
                      const MakeMemory& make_memory)
     : context_(std::make_unique<SimulationContext>()) {
     check_memory_lines(config);
+    check_caches(config);
     const SimulationContext::Scope scope(*context_);
     machine_ = std::make_unique<Machine>(*context_, config, evaluation, make_memory);
 }

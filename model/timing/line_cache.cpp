@@ -20,19 +20,28 @@ LineCache::LineCache(std::string_view name,
     , tags_(config.sets, config.ways, config)
     , classifier_(config.sets, config.ways)
     , statistics_(name)
-    , bank_lookups_(config.banks) {}
+    , bank_lookups_(config.banks) {
+    if (config.replacement == work::Replacement::Optimal)
+        optimal_.emplace(config.sets, config.ways, config.index_hash);
+}
 
 void LineCache::begin_cycle(Channel<std::uint64_t>& responses) {
     std::fill(bank_lookups_.begin(), bank_lookups_.end(), 0);
     while (responses.can_pop())
         complete(responses.pop());
+    while (!expanding_.empty() && expanding_.front().done_at <= requests_.now()) {
+        finish(expanding_.front().ticket);
+        expanding_.pop_front();
+    }
     requests_.advance();
 }
 
 LookupResult LineCache::look_up(const LineAccess& access) {
     if (!has_port(access.number)) return {};
-    TagArray::Line* const line = tags_.find(access.number);
-    const LookupResult result = line ? look_up_present(access, *line) : look_up_absent(access);
+    TagArray::Line* const line = optimal_ ? nullptr : tags_.find(access.number);
+    const LookupResult result = optimal_ ? look_up_optimal(access)
+                                : line   ? look_up_present(access, *line)
+                                         : look_up_absent(access);
     if (!result.accepted) return {};
     ++statistics_.accesses;
     ++bank_lookups_[access.number & (config_.banks - 1)];
@@ -63,7 +72,8 @@ LookupResult LineCache::look_up_present(const LineAccess& access, TagArray::Line
     tags_.use(line);
     if (fetches) {
         ++statistics_.partial_fetches;
-        fetch(access.number, line);
+        line.fill = fetch(access.number);
+        line.valid = grain_.all();
     }
     write(access, line);
     return {.accepted = true, .missed = false, .ticket = line.fill};
@@ -83,7 +93,8 @@ LookupResult LineCache::look_up_absent(const LineAccess& access) {
                        !fetches);
     }
     if (fetches) {
-        fetch(access.number, line);
+        line.fill = fetch(access.number);
+        line.valid = grain_.all();
     } else {
         ++statistics_.without_fetch; // Complete from the start.
     }
@@ -91,18 +102,32 @@ LookupResult LineCache::look_up_absent(const LineAccess& access) {
     return {.accepted = true, .missed = true, .ticket = line.fill};
 }
 
-void LineCache::fetch(std::uint64_t number, TagArray::Line& line) {
-    line.fill = next_ticket_++;
-    line.valid = grain_.all();
-    done_.push_back(false);
+LookupResult LineCache::look_up_optimal(const LineAccess& access) {
+    check(access.written == 0, "a cache with optimal replacement is only read");
+    if (const std::uint64_t* const found = optimal_->find(access.number)) {
+        const std::uint64_t ticket = *found;
+        optimal_->use(access.number);
+        return {.accepted = true, .missed = false, .ticket = ticket};
+    }
+    if (!can_fetch()) return {};
+    const std::uint64_t ticket = fetch(access.number);
+    optimal_->replace(access.number, ticket);
+    return {.accepted = true, .missed = true, .ticket = ticket};
+}
+
+// Returns the ticket.
+std::uint64_t LineCache::fetch(std::uint64_t number) {
+    const work::LineSource source = work::line_source(number, config_.line_bytes);
+    fills_.push_back({.done = false, .expands = work::expansion_of(number) != 0});
     ++outstanding_;
-    statistics_.read_bytes += config_.line_bytes;
-    requests_.post({.address = number * config_.line_bytes,
-                    .bytes = config_.line_bytes,
+    statistics_.read_bytes += source.bytes;
+    requests_.post({.address = source.address,
+                    .bytes = source.bytes,
                     .write = false,
                     .client = client_,
-                    .ticket = line.fill},
+                    .ticket = next_ticket_},
                    true);
+    return next_ticket_++;
 }
 
 void LineCache::write(const LineAccess& access, TagArray::Line& line) {
@@ -133,10 +158,17 @@ LineWrite LineCache::written_back(std::uint64_t number, LineMask dirty) {
 
 void LineCache::complete(std::uint64_t ticket) {
     check(ticket >= first_incomplete_ && ticket < next_ticket_, "a fill that nobody asked for");
-    done_[ticket - first_incomplete_] = true;
     --outstanding_;
-    while (!done_.empty() && done_.front()) {
-        done_.pop_front();
+    if (config_.expand_cycles > 0 && fills_[ticket - first_incomplete_].expands)
+        expanding_.push_back({ticket, requests_.now() + config_.expand_cycles});
+    else
+        finish(ticket);
+}
+
+void LineCache::finish(std::uint64_t ticket) {
+    fills_[ticket - first_incomplete_].done = true;
+    while (!fills_.empty() && fills_.front().done) {
+        fills_.pop_front();
         ++first_incomplete_;
     }
 }
@@ -147,11 +179,13 @@ std::vector<LineWrite> LineCache::flush() {
         if (line.dirty != 0) dirty.push_back(written_back(number, line.dirty));
         tags_.drop(line);
     });
+    if (optimal_) optimal_->clear();
     classifier_.flush();
     return dirty;
 }
 
 LineWrite LineCache::overwrite(std::uint64_t number, LineMask overwritten) {
+    check(!optimal_, "a cache with optimal replacement is only read");
     classifier_.drop(number);
     TagArray::Line* const line = tags_.find(number);
     if (!line) return {};

@@ -16,9 +16,12 @@
 #include "model/timing/request_port.h"
 #include "model/work/line_mask.h"
 #include "model/work/miss_classifier.h"
+#include "model/work/optimal_tags.h"
 #include "model/work/tag_array.h"
+#include "model/work/texel_line.h"
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 namespace ffgpu::timing {
@@ -66,6 +69,9 @@ public:
 
     bool is_complete(std::uint64_t ticket) const { return ticket < first_incomplete_; }
 
+    // Lines have come that take some cycles to expand.
+    bool expands_lines() const { return !expanding_.empty(); }
+
     // The memory delivered the data of `ticket`.
     void complete(std::uint64_t ticket);
 
@@ -92,6 +98,7 @@ public:
     Client client() const { return client_; }
 
 private:
+    void finish(std::uint64_t ticket);
     bool has_port(std::uint64_t number);
     bool can_fetch() const {
         return outstanding_ < config_.outstanding_lines && requests_.can_post();
@@ -99,7 +106,8 @@ private:
     LineMask needed(const LineAccess& access) const;
     LookupResult look_up_present(const LineAccess& access, work::TagArray::Line& line);
     LookupResult look_up_absent(const LineAccess& access);
-    void fetch(std::uint64_t number, work::TagArray::Line& line);
+    LookupResult look_up_optimal(const LineAccess& access);
+    std::uint64_t fetch(std::uint64_t number);
     void write(const LineAccess& access, work::TagArray::Line& line);
     void count_hit();
     void count_miss(work::MissKind kind);
@@ -110,6 +118,7 @@ private:
     Client client_;
     RequestPort& requests_;
     work::TagArray tags_;
+    std::optional<work::OptimalTags> optimal_; // in the place of tags_
     work::MissClassifier classifier_;
     CacheStatistics statistics_;
     std::vector<std::uint32_t> bank_lookups_; // in this cycle
@@ -119,7 +128,16 @@ private:
     std::uint64_t next_ticket_ = 1;
     std::uint64_t first_incomplete_ = 1;
     std::uint32_t outstanding_ = 0;
-    std::deque<bool> done_; // of tickets first_incomplete_ ...
+    struct Fill {
+        bool done = false;
+        bool expands = false; // blocks to texels, which takes expand_cycles
+    };
+    struct Expanding {
+        std::uint64_t ticket = 0;
+        Cycle done_at = 0;
+    };
+    std::deque<Fill> fills_; // of tickets first_incomplete_ ...
+    std::deque<Expanding> expanding_;
 };
 
 } // namespace ffgpu::timing

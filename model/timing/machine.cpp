@@ -34,10 +34,9 @@ Machine::Machine(const SimulationContext& kernel,
     , command_responses(clock, ResponseQueue)
     , vertex_port(
           "vertex_cache", clock, vertex_cache(config.vertex), Client::Vertex, memory_in_flight)
-    , texel_port(
-          "texel_cache", clock, config.texel_cache.cache(), Client::Texture, memory_in_flight)
     , depth_port("depth_cache", clock, config.depth_cache, Client::Depth, memory_in_flight)
     , color_port("color_cache", clock, config.color_cache, Client::Color, memory_in_flight)
+    , texel_caches(clock, config, memory_in_flight)
     , draws(clock, 4)
     , vertices(clock, config.vertex.fetch_queue)
     , primitives(clock, config.setup.queue, config.vertex.latency)
@@ -89,8 +88,7 @@ Machine::Machine(const SimulationContext& kernel,
               config,
               {.quads_in = depth_to_texture,
                .quads_out = texture_to_fragment,
-               .responses_in = texel_port.responses,
-               .cache = texel_port.cache})
+               .caches = texel_caches.first_level()})
     , fragment("fragment",
                clock,
                config,
@@ -103,20 +101,7 @@ Machine::Machine(const SimulationContext& kernel,
              .cache = color_port.cache},
             in_flight,
             [this](const QuadToken& token, Cycle now) { retire(token, now); })
-    , arbiter("arbiter",
-              clock,
-              config.memory,
-              {.requests_in = {&command_requests.channel(),
-                               &vertex_port.requests.channel(),
-                               &texel_port.requests.channel(),
-                               &depth_port.requests.channel(),
-                               &color_port.requests.channel()},
-               .responses_out = {&command_responses,
-                                 &vertex_port.responses,
-                                 &texel_port.responses,
-                                 &depth_port.responses,
-                                 &color_port.responses}},
-              memory_in_flight)
+    , arbiter("arbiter", clock, config.memory, memory_ports(), memory_in_flight)
     , memory(make_memory ? make_memory(clock, config.memory)
                          : std::make_unique<MemoryController>("memory", clock, config.memory)) {
     connect_links();
@@ -137,11 +122,25 @@ void Machine::connect_links() {
     depth_to_color.connect(depth, color);
     connect_memory(command_processor, command_requests, command_responses);
     connect_memory(vertex_fetch, vertex_port.requests, vertex_port.responses);
-    connect_memory(texture, texel_port.requests, texel_port.responses);
+    texel_caches.connect(texture, arbiter);
     connect_memory(depth, depth_port.requests, depth_port.responses);
     connect_memory(color, color_port.requests, color_port.responses);
     memory->connect(arbiter);
     arbiter.socket.bind(memory->target());
+}
+
+MemoryArbiter::Ports Machine::memory_ports() {
+    MemoryArbiter::Ports ports{{&command_requests.channel()}, {&command_responses}};
+    const auto add = [&](CachePort& port) {
+        ports.requests_in.push_back(&port.requests.channel());
+        ports.responses_out.push_back(&port.responses);
+    };
+    add(vertex_port);
+    for (CachePort* port : texel_caches.at_memory())
+        add(*port);
+    add(depth_port);
+    add(color_port);
+    return ports;
 }
 
 void Machine::scene(work::PreparedScene&& scene) {
@@ -181,6 +180,7 @@ void Machine::finish_frame(std::uint32_t number) {
     for (Unit* unit : units())
         unit->settle();
     memory->settle();
+    texel_caches.settle();
     frame_statistics.cycles += clock.now() - frame_statistics.cycles.value();
     frame.frame = number;
     frame.cycles = clock.now() - frame_begin;
@@ -200,6 +200,7 @@ std::vector<Unit*> Machine::units() {
                            &fragment,
                            &color,
                            &arbiter};
+    if (Unit* unit = texel_caches.unit()) all.insert(all.begin() + 7, unit); // behind texture
     if (Unit* unit = memory->unit()) all.push_back(unit);
     return all;
 }
@@ -256,7 +257,10 @@ std::vector<const StatisticsGroup*> Machine::statistics() {
         groups.push_back(&unit->account());
     groups.push_back(&vertex_fetch.statistics());
     groups.push_back(&texture.statistics());
-    for (const CachePort* port : {&vertex_port, &texel_port, &depth_port, &color_port})
+    groups.push_back(&vertex_port.cache.statistics());
+    for (const StatisticsGroup* group : texel_caches.statistics())
+        groups.push_back(group);
+    for (const CachePort* port : {&depth_port, &color_port})
         groups.push_back(&port->cache.statistics());
     groups.push_back(&arbiter.statistics());
     for (const StatisticsGroup* group : memory->statistics())

@@ -15,6 +15,7 @@
 #include "model/timing/raster_timing.h"
 #include "model/timing/setup_timing.h"
 #include "model/timing/simulation_context.h"
+#include "model/timing/texel_caches.h"
 #include "model/timing/texture_timing.h"
 #include "model/timing/vertex_fetch.h"
 #include "model/work/machine_order.h"
@@ -67,7 +68,8 @@ public:
 
     RequestPort command_requests;
     Channel<std::uint64_t> command_responses;
-    CachePort vertex_port, texel_port, depth_port, color_port;
+    CachePort vertex_port, depth_port, color_port;
+    TexelCaches texel_caches;
 
     Channel<DrawToken> draws;
     Channel<VertexToken> vertices;
@@ -103,6 +105,7 @@ private:
     bool must_wait();
     void check_progress();
     void connect_links();
+    MemoryArbiter::Ports memory_ports();
     void connect_memory(Unit& unit, RequestPort& requests, Channel<std::uint64_t>& responses);
     void finish_frame(std::uint32_t number);
     void retire(const QuadToken& token, Cycle now);

@@ -23,20 +23,21 @@ Activity MemoryArbiter::step() {
     for (std::uint32_t channel = 0; channel < config_.channels; ++channel)
         free_channels += !pending_[channel] && taken_at_[channel] < now();
 
-    const std::size_t first = next_client_;
-    for (std::size_t i = 0; i < Clients && free_channels > 0; ++i) {
-        const std::size_t client = (first + i) % Clients;
-        Channel<MemoryRequest>& requests = *ports_.requests_in[client];
+    const std::size_t first = next_port_, ports = ports_.requests_in.size();
+    for (std::size_t i = 0; i < ports && free_channels > 0; ++i) {
+        const std::size_t port = (first + i) % ports;
+        Channel<MemoryRequest>& requests = *ports_.requests_in[port];
         if (!requests.can_pop()) continue;
         const std::uint32_t channel = memory_channel(config_, requests.front().address);
         if (pending_[channel] || taken_at_[channel] == now()) {
             waiting = true;
             continue;
         }
-        const MemoryRequest& request = requests.front();
+        MemoryRequest request = requests.pop();
+        request.port = port;
         check(is_in_one_place(config_, request.address, request.bytes),
               "a request across an interleave or a row");
-        tlm::tlm_generic_payload& payload = pool_.acquire(requests.pop());
+        tlm::tlm_generic_payload& payload = pool_.acquire(request);
         tlm::tlm_phase phase = tlm::BEGIN_REQ;
         sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
         pending_[channel] = &payload;
@@ -46,7 +47,7 @@ Activity MemoryArbiter::step() {
         }
         --free_channels;
         sent = true;
-        next_client_ = (client + 1) % Clients;
+        next_port_ = (port + 1) % ports;
     }
     if (sent) return Activity::Busy;
     for (const Channel<MemoryRequest>* requests : ports_.requests_in)
@@ -66,8 +67,7 @@ tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,
         return tlm::TLM_ACCEPTED;
     }
     statistics_.on_done(request, now());
-    if (!request.write)
-        ports_.responses_out[static_cast<std::size_t>(request.client)]->push(request.ticket);
+    if (!request.write) ports_.responses_out[request.port]->push(request.ticket);
     in_flight_.leave();
     payload.release();
     return tlm::TLM_COMPLETED;

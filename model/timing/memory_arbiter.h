@@ -17,7 +17,6 @@
 #include "model/timing/memory_statistics.h"
 #include "model/timing/unit.h"
 
-#include <array>
 #include <vector>
 
 #include <tlm_utils/simple_initiator_socket.h>
@@ -27,9 +26,9 @@ namespace ffgpu::timing {
 class MemoryArbiter final : public Unit {
 public:
     struct Ports {
-        std::array<Channel<MemoryRequest>*, Clients> requests_in;
-        std::array<Channel<std::uint64_t>*, Clients>
-            responses_out; // tickets of reads that are done
+        // A port each, of one client or another; responses are tickets of reads that are done.
+        std::vector<Channel<MemoryRequest>*> requests_in;
+        std::vector<Channel<std::uint64_t>*> responses_out;
     };
 
     MemoryArbiter(sc_core::sc_module_name name,
@@ -52,7 +51,7 @@ private:
     InFlight& in_flight_;
     PayloadPool pool_;
     ClientStatistics statistics_;
-    std::size_t next_client_ = 0;
+    std::size_t next_port_ = 0;
     // Per memory channel: the request that the controller has not taken yet, and when it took the
     // last.
     std::vector<tlm::tlm_generic_payload*> pending_;

@@ -25,6 +25,7 @@ void check_memory_lines(const TimingConfig& config) {
     };
     check_cache(VertexConfig::Name, config.vertex.line_bytes);
     check_cache(TexelCacheConfig::Name, config.texel_cache.line_bytes);
+    if (config.texel_l2.enable) check_cache(TexelL2Config::Name, config.texel_l2.line_bytes);
     check_cache(DepthCacheConfig::Name, config.depth_cache.line_bytes);
     check_cache(ColorCacheConfig::Name, config.color_cache.line_bytes);
 }

@@ -20,6 +20,7 @@ struct MemoryRequest {
     Client client = Client::Command;
     std::uint64_t ticket = 0; // reads: the fill that it completes
     std::uint64_t issued = 0; // cycle in which the client asked; its port sets it
+    std::size_t port = 0;     // of the arbiter, by which it came; the arbiter sets it
 };
 
 } // namespace ffgpu::timing

@@ -24,6 +24,8 @@ public:
         , in_flight_(in_flight)
         , misses_(misses) {}
 
+    Cycle now() const { return clock_.now(); }
+
     bool can_push(std::size_t n = 1) const { return channel_.can_push(n); }
     void push(MemoryRequest request) {
         in_flight_.enter();

@@ -6,7 +6,7 @@ namespace ffgpu::timing {
 
 bool TexturePipe::begin(TextureStatistics& statistics, Activity& reason) {
     if (waiting_.empty()) return false;
-    if (parked_.is_full()) {
+    if (parked_.size() >= config_.texel_cache.fragment_fifo) {
         blame(reason, Activity::StalledMemory);
         return false;
     }
@@ -42,20 +42,29 @@ bool TexturePipe::compare_tags(TextureStatistics& statistics, Activity& reason) 
         }
     }
     if (share_.is_done()) {
-        parked_.park(current_, ticket_);
+        parked_.push_back({current_, ticket_});
         comparing_ = false;
     }
     return true;
 }
 
-bool TexturePipe::filter(PipeExit& out, std::size_t pipe, Activity& reason) {
+// A quad a cycle, in order.
+void TexturePipe::read_texels(Cycle now) {
+    if (read_ == parked_.size() || !cache_.is_complete(parked_[read_].ticket)) return;
+    Parked& quad = parked_[read_++];
+    const bool expands = quad.quad.quad().expands_blocks;
+    quad.ready_at = now + (expands ? config_.texel_cache.decompress_cycles : 0);
+}
+
+bool TexturePipe::filter(PipeExit& out, std::size_t pipe, Cycle now, Activity& reason) {
     if (parked_.empty()) return false;
+    read_texels(now);
     if (!filtering_) {
-        if (!parked_.front_has_data(cache_)) {
+        if (read_ == 0 || parked_.front().ready_at > now) {
             blame(reason, Activity::StalledMemory);
             return false;
         }
-        const QuadToken& quad = parked_.front();
+        const QuadToken& quad = parked_.front().quad;
         filter_cycles_left_ = share_.filter_cycles(quad.scene->work, quad.quad());
         filtering_ = true;
     }
@@ -67,7 +76,9 @@ bool TexturePipe::filter(PipeExit& out, std::size_t pipe, Activity& reason) {
         blame(reason, Activity::StalledOutput);
         return false;
     }
-    out.push(pipe, parked_.pop());
+    out.push(pipe, parked_.front().quad);
+    parked_.pop_front();
+    --read_;
     filtering_ = false;
     return true;
 }

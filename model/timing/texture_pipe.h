@@ -26,19 +26,32 @@ public:
     TexturePipe(const TimingConfig& config, LineCache& cache)
         : config_(config)
         , cache_(cache)
-        , share_(config.texture, config.texel_cache)
-        , parked_(config.texel_cache.fragment_fifo) {}
+        , share_(config.texture, config.texel_cache) {}
 
     bool can_take() const { return waiting_.size() < config_.fragment.pipe_queue; }
     void take(const QuadToken& quad) { waiting_.push_back(quad); }
-    bool holds_nothing() const { return waiting_.empty() && !comparing_ && parked_.empty(); }
+
+    // Some cycles have to pass before a quad whose texels are there can be filtered.
+    bool expands_texels() const {
+        return config_.texel_cache.decompress_cycles > 0 && !parked_.empty() &&
+               (read_ > 0 || cache_.is_complete(parked_.front().ticket));
+    }
 
     // One cycle's work of each part; false, and the reason, where there was none.
     bool compare_tags(TextureStatistics& statistics, Activity& reason);
-    bool filter(PipeExit& out, std::size_t pipe, Activity& reason);
+    bool filter(PipeExit& out, std::size_t pipe, Cycle now, Activity& reason);
 
 private:
+    // The fragment FIFO's quads: their texels are read when all their lines have come, and can be
+    // filtered when they are expanded.
+    struct Parked {
+        QuadToken quad;
+        std::uint64_t ticket = 0;
+        Cycle ready_at = 0;
+    };
+
     bool begin(TextureStatistics& statistics, Activity& reason);
+    void read_texels(Cycle now);
 
     const TimingConfig& config_;
     LineCache& cache_;
@@ -48,7 +61,8 @@ private:
     QuadToken current_;
     std::uint64_t ticket_ = 0;
     std::uint32_t miss_cycles_left_ = 0;
-    ParkedQuads parked_;
+    std::deque<Parked> parked_;
+    std::size_t read_ = 0; // parked quads whose texels were read
     std::uint32_t filter_cycles_left_ = 0;
     bool filtering_ = false;
 };

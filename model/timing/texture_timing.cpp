@@ -11,8 +11,10 @@ TextureTiming::TextureTiming(sc_core::sc_module_name name,
     : Unit(name, clock)
     , config_(config)
     , ports_(ports)
-    , exit_(config, ports.quads_out)
-    , pipes_(config.raster.quads_per_cycle, TexturePipe(config, ports.cache)) {}
+    , exit_(config, ports.quads_out) {
+    for (std::uint32_t i = 0; i < config.raster.quads_per_cycle; ++i)
+        pipes_.emplace_back(config, ports.caches[i % ports.caches.size()]->cache);
+}
 
 bool TextureTiming::can_distribute() const {
     return ports_.quads_in.can_pop() &&
@@ -29,7 +31,8 @@ void TextureTiming::distribute() {
 }
 
 Activity TextureTiming::step() {
-    ports_.cache.begin_cycle(ports_.responses_in);
+    for (CachePort* port : ports_.caches)
+        port->cache.begin_cycle(port->responses);
     Activity reason = Activity::Idle;
     distribute();
     bool worked = false;
@@ -37,13 +40,23 @@ Activity TextureTiming::step() {
     // has worked.
     for (std::size_t i = 0; i < pipes_.size(); ++i) {
         const std::size_t pipe = (first_ + i) % pipes_.size();
-        worked |= pipes_[pipe].filter(exit_, pipe, reason);
+        worked |= pipes_[pipe].filter(exit_, pipe, now(), reason);
         worked |= pipes_[pipe].compare_tags(statistics_, reason);
     }
     worked |= exit_.advance();
     if (!worked) return reason;
     first_ = (first_ + 1) % pipes_.size();
     return Activity::Busy;
+}
+
+bool TextureTiming::may_sleep() const {
+    return !can_distribute() &&
+           std::none_of(pipes_.begin(),
+                        pipes_.end(),
+                        [](const TexturePipe& pipe) { return pipe.expands_texels(); }) &&
+           std::none_of(ports_.caches.begin(), ports_.caches.end(), [](const CachePort* port) {
+               return port->cache.expands_lines();
+           });
 }
 
 } // namespace ffgpu::timing

@@ -1,10 +1,11 @@
-// TextureTiming: the texture units in time, of all fragment pipes, and the texel cache that they
-// share. Tags are compared when a quad comes in; the quad then waits in its pipe's fragment FIFO
-// while its misses travel, and is filtered when it leaves: a bilinear sample of a quad takes a
-// cycle, a trilinear one two.
+// TextureTiming: the texture units in time, of all fragment pipes, and their texel caches. Tags are
+// compared when a quad comes in; the quad then waits in its pipe's fragment FIFO while its misses
+// travel, and is filtered when it leaves: a bilinear sample of a quad takes a cycle, a trilinear
+// one two.
 
 #pragma once
 
+#include "model/timing/cache_port.h"
 #include "model/timing/texture_pipe.h"
 #include "model/timing/unit.h"
 
@@ -17,8 +18,7 @@ public:
     struct Ports {
         Channel<QuadToken>& quads_in;
         Channel<QuadToken>& quads_out;
-        Channel<std::uint64_t>& responses_in;
-        LineCache& cache;
+        std::vector<CachePort*> caches; // one, or one for each pipe
     };
 
     TextureTiming(sc_core::sc_module_name name,
@@ -30,7 +30,7 @@ public:
 
 private:
     Activity step() override;
-    bool may_sleep() const override { return !can_distribute(); }
+    bool may_sleep() const override;
     bool can_distribute() const;
     void distribute();
 

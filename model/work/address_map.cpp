@@ -1,5 +1,7 @@
 #include "model/work/address_map.h"
 
+#include <bit>
+
 namespace ffgpu::work {
 namespace {
 
@@ -23,6 +25,10 @@ PlacedLevel AddressMap::place_level(const TextureImage& image, std::uint32_t lev
     placed.block_width = format.block_width;
     placed.block_height = format.block_height;
     placed.border = border;
+    placed.compressed = format.block_width > 1;
+    if (placed.compressed && texture_shape_.contents == TexelContents::Texels)
+        placed.expansion_log2 =
+            static_cast<unsigned>(std::countr_zero(ExpandedBlockBytes / format.block_bytes));
     placed.layout =
         ImageLayout::make(texture_shape_.layout,
                           texture_shape_.block_width,

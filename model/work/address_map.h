@@ -8,6 +8,7 @@
 #include "model/device/registers.h"
 #include "model/work/config.h"
 #include "model/work/image_layout.h"
+#include "model/work/texel_line.h"
 
 #include <cstdint>
 #include <map>
@@ -24,10 +25,21 @@ struct PlacedLevel {
     std::uint32_t block_height = 1;
     std::uint32_t border = 0;
     std::uint32_t samples = 1; // of a pixel; they lie together
+    bool compressed = false;
+    unsigned expansion_log2 = 0; // bytes of a block's texels over the block's; 0: not expanded
 
     // Texel (x, y) of layer `layer`, borders counted from 0 as TexelAccess does.
     std::uint64_t address(std::uint32_t x, std::uint32_t y, std::uint32_t layer) const {
         return base + layer * layer_bytes + layout.offset(x / block_width, y / block_height);
+    }
+
+    // The texel's line, of `line_bytes`.
+    std::uint64_t
+    line(std::uint32_t x, std::uint32_t y, std::uint32_t layer, std::uint32_t line_bytes) const {
+        const std::uint64_t at = address(x, y, layer);
+        if (expansion_log2 == 0) return at / line_bytes;
+        const std::uint32_t texel = y % block_height * block_width + x % block_width;
+        return expanded_line(at, expansion_log2, texel * ExpandedTexelBytes, line_bytes);
     }
 };
 

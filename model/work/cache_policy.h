@@ -11,10 +11,12 @@
 
 namespace ffgpu::work {
 
-// Which line of a full set gives way. Optimal needs to know the look-ups to come: it exists where
-// a trace is replayed (line_replay.h), as a bound of the others.
+// Which line of a full set gives way. Optimal is a bound of the others: no hardware has it. Caches
+// that are only read can have it in the machine (optimal_tags.h), or where a trace is replayed
+// (line_replay.h).
 enum class Replacement : std::uint8_t { Lru, Fifo, Random, Optimal };
-inline constexpr std::array<std::string_view, 3> ReplacementNames{"lru", "fifo", "random"};
+inline constexpr std::array<std::string_view, 4> ReplacementNames{
+    "lru", "fifo", "random", "optimal"};
 
 enum class IndexHash : std::uint8_t { Modulo, Xor };
 inline constexpr std::array<std::string_view, 2> IndexHashNames{"modulo", "xor"};
@@ -29,7 +31,8 @@ struct CachePolicy {
         field("replacement",
               self.replacement,
               {.meaning = "which line of a full set gives way: the least recently used, the "
-                          "oldest, or one drawn by lot",
+                          "oldest, one drawn by lot, or, in texel caches, the one that is best "
+                          "in hindsight: the fewest misses that any choice can have",
                .choices = ReplacementNames});
         field("replacement_seed",
               self.replacement_seed,

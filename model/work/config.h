@@ -104,7 +104,12 @@ struct CacheShape {
     }
 };
 
+// What a texel cache holds of a compressed texture.
+enum class TexelContents : std::uint8_t { Blocks, Texels };
+inline constexpr std::array<std::string_view, 2> TexelContentsNames{"blocks", "texels"};
+
 struct TexelCacheShape : CacheShape {
+    TexelContents contents = TexelContents::Blocks;
     std::uint32_t superblock_width = 32;
 
     template <class Self, class Visitor>
@@ -117,6 +122,13 @@ struct TexelCacheShape : CacheShape {
                .maximum = 512,
                .power_of_two = true,
                .meaning = "blocked_6d: width and height of a superblock"});
+        field("contents",
+              self.contents,
+              {.meaning =
+                   "of compressed textures; blocks: lines hold blocks as they lie in memory, "
+                   "expanded at each read; texels: lines hold texels of 4 bytes, expanded "
+                   "when the line is filled, which reads the blocks",
+               .choices = TexelContentsNames});
     }
 };
 

@@ -31,6 +31,7 @@ struct PreparedQuad {
     std::uint32_t texel_lines_begin = 0;   // into PreparedScene::texel_lines
     std::uint32_t texture_parts_begin = 0; // into PreparedScene::texture_parts
     std::uint8_t texture_count = 0;
+    bool expands_blocks = false;       // reads texels of compressed blocks
     std::uint16_t samples_written = 0; // as WorkQuad has it
     std::uint8_t depth_line_count = 0;
     std::uint8_t color_line_count = 0;    // of all colour targets

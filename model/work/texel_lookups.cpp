@@ -39,6 +39,7 @@ void TexelLookups::add(std::uint32_t number, std::uint8_t lanes, PreparedQuad& q
 void TexelLookups::add_access(const PlacedLevel& level,
                               const TexelAccess& access,
                               PreparedQuad& quad) {
+    quad.expands_blocks |= level.compressed && level.expansion_log2 == 0;
     for (unsigned corner = 0; corner < 8; ++corner) {
         if (corner & ~unsigned{access.linear}) continue; // Texels that this filter does not read.
         const std::uint16_t x = corner & 1 ? access.x1 : access.x0;
@@ -49,7 +50,7 @@ void TexelLookups::add_access(const PlacedLevel& level,
             continue;
         }
         ++quad.texel_reads;
-        add_line(level.address(x, y, layer) / line_bytes_, quad);
+        add_line(level.line(x, y, layer, line_bytes_), quad);
     }
 }
 

@@ -92,9 +92,9 @@ inline BenchResult run_memory(const MemoryConfig& config,
         Channel<std::uint64_t> responses(clock, 1 << 16);
         MemoryArbiter::Ports ports;
         for (std::size_t i = 0; i < Clients; ++i)
-            ports.requests_in[i] = &silent[i];
+            ports.requests_in.push_back(&silent[i]);
         ports.requests_in[static_cast<std::size_t>(Client::Texture)] = &port.channel();
-        ports.responses_out.fill(&responses);
+        ports.responses_out.assign(Clients, &responses);
         MemoryArbiter arbiter("arbiter", clock, config, ports, in_flight);
         const std::unique_ptr<MemoryModule> memory =
             make_memory ? make_memory(clock, config)

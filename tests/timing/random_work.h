@@ -47,6 +47,7 @@ public:
         if (below(4) == 0) config.raster.architecture = work::Architecture::TileBased;
         config.texel_cache.bilinear_quads_per_cycle = power(3);
         caches(config);
+        textures(config);
         memory(config.memory);
         return config;
     }
@@ -76,7 +77,7 @@ public:
             state->combiners[unit].enable = true;
             state->images[unit].address = (DeviceAddress{3} + unit) << 26;
             state->images[unit].shape = {.kind = TextureKind::TwoD,
-                                         .format = Format::Rgba8,
+                                         .format = below(2) > 0 ? Format::Rgba8 : Format::Dxt1Rgb,
                                          .width = TextureSize,
                                          .height = TextureSize,
                                          .levels = 1};
@@ -116,6 +117,25 @@ private:
         config.texel_cache.sets = power(6);
         config.depth_cache.sets = power(6);
         config.color_cache.sets = power(6);
+    }
+
+    void textures(TimingConfig& config) {
+        config.fragment.distribution = static_cast<Distribution>(below(3));
+        if (below(4) == 0) config.raster.granularity = work::Granularity::Fragment;
+        config.texture = {1 + below(3), static_cast<UnitShare>(below(2)), below(3)};
+        config.texel_cache.per_pipe = below(2) > 0;
+        config.texel_cache.contents = static_cast<work::TexelContents>(below(2));
+        config.texel_cache.decompress_cycles = below(2) * below(30);
+        config.texel_cache.replacement = static_cast<work::Replacement>(below(4));
+        TexelL2Config& second = config.texel_l2;
+        second.enable = below(2) > 0;
+        second.sets = power(8);
+        second.replacement = static_cast<work::Replacement>(below(4));
+        second.queue = power(5);
+        second.outstanding_lines = power(5);
+        second.latency = 1 + below(20);
+        second.bytes_per_cycle = 8 * power(4);
+        second.ports = below(3);
     }
 
     void memory(MemoryConfig& config) {

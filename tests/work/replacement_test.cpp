@@ -3,17 +3,15 @@
 
 #include "model/work/line_replay.h"
 #include "model/work/tag_array.h"
+#include "tests/work/fewest_misses.h"
 
 #include <algorithm>
 #include <random>
-#include <set>
 
 #include <catch2/catch.hpp>
 
 namespace ffgpu::work {
 namespace {
-
-using Trace = std::vector<std::uint64_t>;
 
 constexpr Replacement All[] = {
     Replacement::Lru, Replacement::Fifo, Replacement::Random, Replacement::Optimal};
@@ -24,25 +22,6 @@ std::uint64_t misses(const Trace& trace,
                      std::uint32_t sets = 1,
                      IndexHash hash = IndexHash::Modulo) {
     return count_misses(trace, sets, ways, {replacement, 7, hash});
-}
-
-// The fewest misses that any choice of victims can reach, fully associative, by trying them all.
-std::uint64_t fewest(const Trace& trace, std::size_t at, std::set<std::uint64_t> held, unsigned n) {
-    while (at < trace.size() && held.count(trace[at]) > 0)
-        ++at;
-    if (at == trace.size()) return 0;
-    if (held.size() < n) {
-        held.insert(trace[at]);
-        return 1 + fewest(trace, at + 1, std::move(held), n);
-    }
-    std::uint64_t best = ~std::uint64_t{0};
-    for (const std::uint64_t victim : held) {
-        std::set<std::uint64_t> next = held;
-        next.erase(victim);
-        next.insert(trace[at]);
-        best = std::min(best, fewest(trace, at + 1, std::move(next), n));
-    }
-    return 1 + best;
 }
 
 Trace random_trace(std::mt19937& random, std::size_t length, std::uint64_t lines) {

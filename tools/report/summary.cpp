@@ -78,7 +78,8 @@ std::string describe_units(const Figures& timing) {
 
 std::string describe_caches(const Figures& timing) {
     std::string text;
-    for (const std::string cache : {"vertex_cache", "texel_cache", "depth_cache", "color_cache"}) {
+    for (const std::string cache :
+         {"vertex_cache", "texel_cache", "texel_l2", "depth_cache", "color_cache"}) {
         const std::uint64_t accesses = timing[cache + "_accesses"],
                             misses = timing[cache + "_misses"];
         if (accesses == 0) continue;

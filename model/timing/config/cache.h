@@ -48,6 +48,8 @@ struct CachePace : work::CachePolicy, CacheTrafficConfig {
 
 // The caches of depth and colour.
 struct CacheConfig : work::CacheShape, CachePace {
+    std::uint32_t expand_cycles = 0; // of a fill of expanded texels; texel caches alone have any
+
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
         CacheShape::visit(self, field);
@@ -58,6 +60,8 @@ struct CacheConfig : work::CacheShape, CachePace {
 struct TexelCacheConfig : work::TexelCacheShape, CachePace {
     static constexpr std::string_view Name = "texel_cache";
     std::uint32_t bilinear_quads_per_cycle = 1;
+    bool per_pipe = false;
+    std::uint32_t decompress_cycles = 0;
 
     TexelCacheConfig() {
         lookups_per_cycle = 4;
@@ -65,7 +69,7 @@ struct TexelCacheConfig : work::TexelCacheShape, CachePace {
     }
 
     // What every cache has.
-    CacheConfig cache() const { return {*this, *this}; }
+    CacheConfig cache() const { return {*this, *this, decompress_cycles}; }
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
@@ -77,6 +81,17 @@ struct TexelCacheConfig : work::TexelCacheShape, CachePace {
                .minimum = 1,
                .maximum = 16,
                .meaning = "filtered by each texture unit; trilinear takes twice as long"});
+        field("per_pipe",
+              self.per_pipe,
+              {.meaning = "each fragment pipe has a texel cache of this size; else one is theirs "
+                          "together"});
+        field("decompress_cycles",
+              self.decompress_cycles,
+              {.unit = "cycles",
+               .minimum = 0,
+               .maximum = 1024,
+               .meaning = "latency of expanding a compressed block: at each read, or where lines "
+                          "hold texels, when a line is filled"});
     }
 };
 
