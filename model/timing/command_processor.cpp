@@ -19,37 +19,20 @@ CommandProcessor::CommandProcessor(sc_core::sc_module_name name,
     memory_in_flight.connect(*this);
 }
 
-void CommandProcessor::enqueue(TimedScene& scene) {
-    for (std::uint32_t i = 0; i < scene.work.draws.size(); ++i)
-        commands_.push_back(DrawToken{&scene, i});
-    wake();
-}
-
-void CommandProcessor::enqueue(work::PreparedTransfer&& transfer) {
-    const CommandKind kind =
-        transfer.kind == WorkKind::Clear ? CommandKind::Clear : CommandKind::Copy;
-    const std::size_t entry = ports_.ledger.open(kind, transfer.number, 1);
-    commands_.push_back(Transfer{std::move(transfer), entry});
-    wake();
-}
-
-void CommandProcessor::enqueue_frame_end() {
-    commands_.push_back(FrameEnd{});
-    wake();
-}
-
 Activity CommandProcessor::step() {
     while (ports_.responses_in.can_pop())
-        ports_.responses_in.pop(); // Data of copies: only their time matters.
+        ports_.responses_in.pop(); // Data of copies and images: only their time matters.
     if (!requests_.empty()) return move_line();
-    if (commands_.empty()) return Activity::Idle;
-    const Command& command = commands_.front();
+    if (!image_.empty()) return read_image();
+    if (!ports_.commands_in.can_pop()) return Activity::Idle;
+    const CommandToken& command = ports_.commands_in.front();
     if (const auto* const token = std::get_if<DrawToken>(&command)) return draw(*token);
     if (!in_flight_.was_empty()) return Activity::StalledOutput;
-    if (const auto* const transfer = std::get_if<Transfer>(&command)) return begin(transfer->work);
-    return end_frame();
+    if (const auto* const end = std::get_if<DrainCommand>(&command)) return drain(*end);
+    return begin(*std::get<std::shared_ptr<TransferCommand>>(command));
 }
 
+// What an image reads is asked for while the picture is drawn; the next command waits for that.
 Activity CommandProcessor::draw(const DrawToken& draw) {
     if (!decoding_) {
         decoding_ = true;
@@ -59,12 +42,16 @@ Activity CommandProcessor::draw(const DrawToken& draw) {
     if (!ports_.draws_out.can_push()) return Activity::StalledOutput;
     in_flight_.enter();
     ports_.draws_out.push(draw);
+    const work::ImageMemory& image = draw.prepared().image;
+    image_ = Bursts(image.address, image.row_bytes, image.stride, image.rows);
     decoding_ = false;
-    commands_.pop_front();
+    ports_.commands_in.pop();
     return Activity::Busy;
 }
 
-Activity CommandProcessor::begin(const work::PreparedTransfer& transfer) {
+Activity CommandProcessor::begin(TransferCommand& command) {
+    const work::PreparedTransfer& transfer = command.work;
+    transferring_ = true;
     if (transfer.writes_back_caches) {
         write_back(ports_.color_cache);
         write_back(ports_.depth_cache);
@@ -79,20 +66,23 @@ Activity CommandProcessor::begin(const work::PreparedTransfer& transfer) {
 
 // Its last line has left, or it has none.
 void CommandProcessor::end_transfer() {
-    ports_.ledger.end_part(std::get<Transfer>(commands_.front()).entry, now());
-    commands_.pop_front();
+    const CommandToken command = ports_.commands_in.pop();
+    ports_.ledger.end_part(std::get<std::shared_ptr<TransferCommand>>(command)->entry, now());
+    transferring_ = false;
 }
 
-Activity CommandProcessor::end_frame() {
+Activity CommandProcessor::drain(const DrainCommand& drain) {
     if (!written_back_) {
         write_back(ports_.color_cache);
         write_back(ports_.depth_cache);
         written_back_ = true;
         return Activity::Busy;
     }
-    if (!memory_in_flight_.was_empty()) return Activity::StalledMemory;
+    if (drain.ends_frame && !memory_in_flight_.was_empty()) return Activity::StalledMemory;
+    if (!ports_.drained_out.can_push()) return Activity::StalledOutput;
+    ports_.drained_out.push({});
     written_back_ = false;
-    commands_.pop_front();
+    ports_.commands_in.pop();
     return Activity::Busy;
 }
 
@@ -131,7 +121,17 @@ Activity CommandProcessor::move_line() {
     if (!ports_.requests_out.can_push()) return Activity::StalledRequests;
     ports_.requests_out.push(requests_.front());
     requests_.pop_front();
-    if (requests_.empty() && std::holds_alternative<Transfer>(commands_.front())) end_transfer();
+    if (requests_.empty() && transferring_) end_transfer();
+    return Activity::Busy;
+}
+
+Activity CommandProcessor::read_image() {
+    if (!ports_.requests_out.can_push()) return Activity::StalledRequests;
+    ports_.requests_out.push({.address = image_.address(),
+                              .bytes = image_.bytes(config_.host.burst_bytes),
+                              .write = false,
+                              .client = Client::Command});
+    image_.advance(config_.host.burst_bytes);
     return Activity::Busy;
 }
 

@@ -5,9 +5,12 @@
 #pragma once
 
 #include "model/timing/config/cache.h"
+#include "model/timing/config/clip.h"
 #include "model/timing/config/command_processor.h"
 #include "model/timing/config/fragment.h"
+#include "model/timing/config/host.h"
 #include "model/timing/config/raster.h"
+#include "model/timing/config/scan_out.h"
 #include "model/timing/config/setup.h"
 #include "model/timing/config/texel_l2.h"
 #include "model/timing/config/texture.h"
@@ -20,8 +23,10 @@
 namespace ffgpu::timing {
 
 struct TimingConfig {
+    HostConfig host;
     CommandProcessorConfig command_processor;
     VertexConfig vertex;
+    ClipConfig clip;
     SetupConfig setup;
     RasterConfig raster;
     TextureConfig texture;
@@ -30,6 +35,7 @@ struct TimingConfig {
     DepthCacheConfig depth_cache;
     ColorCacheConfig color_cache;
     FragmentConfig fragment;
+    ScanOutConfig scan_out;
     MemoryConfig memory;
 
     // The part that work's order and places depend on.
@@ -46,8 +52,10 @@ struct TimingConfig {
         const auto each = [&](auto& member) {
             group(std::remove_cvref_t<decltype(member)>::Name, member);
         };
+        each(self.host);
         each(self.command_processor);
         each(self.vertex);
+        each(self.clip);
         each(self.setup);
         each(self.raster);
         each(self.texture);
@@ -56,6 +64,7 @@ struct TimingConfig {
         each(self.depth_cache);
         each(self.color_cache);
         each(self.fragment);
+        each(self.scan_out);
         each(self.memory);
     }
 };

@@ -1,47 +1,74 @@
 #include "model/timing/geometry_timing.h"
 
+#include <algorithm>
+
 namespace ffgpu::timing {
 
-void GeometryTiming::begin(const VertexToken& vertex) {
-    vertex_ = vertex;
+// A free unit takes the next vertex. A reused vertex needs none, but its place in the order.
+bool GeometryTiming::begin_next() {
+    const VertexConfig& config = config_.vertex;
+    const std::size_t places = std::max<std::size_t>(config.order_entries, config.units);
+    if (order_.size() == places || !ports_.vertices_in.can_pop()) return false;
+    const VertexToken& vertex = ports_.vertices_in.front();
+    Cycle done_at = now();
+    if (vertex.shade) {
+        const auto unit = std::min_element(free_at_.begin(), free_at_.end());
+        if (*unit > now()) return false;
+        const unsigned lights = vertex.draw.prepared().geometry.lights;
+        *unit = now() + config.transform_cycles + lights * config.light_cycles;
+        done_at = *unit - 1;
+    }
+    order_.push_back({ports_.vertices_in.pop(), done_at});
+    return true;
+}
+
+// The primitives of which this vertex is the last.
+void GeometryTiming::assemble(const VertexToken& vertex) {
+    assembling_ = true;
     const PreparedDraw& draw = vertex.draw.prepared();
-    const GeometryWork& work = draw.geometry;
-    const Cycle cycles =
-        vertex.shade ? config_.transform_cycles + work.lights * config_.light_cycles : 1;
-    shading_ = true;
-    shaded_at_ = now() + std::max<Cycle>(cycles, 1) - 1;
-    const std::size_t vertices = std::max<std::size_t>(work.vertices.size(), 1);
     const auto& primitives = vertex.draw.scene->work.primitives;
     if (vertex.position == 0) end_primitive_ = 0;
     next_primitive_ = end_primitive_;
     while (end_primitive_ < draw.primitive_count &&
            primitives[draw.first_primitive + end_primitive_].last_vertex <= vertex.position)
         ++end_primitive_;
-    last_vertex_ = vertex.position + 1 == vertices;
-    // Behind the last vertex something has to tell the draw's end.
-    ends_draw_ = last_vertex_ && next_primitive_ == end_primitive_;
+    ends_draw_ = vertex.ends_draw() && next_primitive_ == end_primitive_;
+}
+
+// The next primitive, or the vertex itself where it has none left.
+bool GeometryTiming::send_next() {
+    if (order_.empty() || now() < order_.front().done_at) return false;
+    const VertexToken& vertex = order_.front().vertex;
+    if (!assembling_) assemble(vertex);
+    if (next_primitive_ != end_primitive_ || ends_draw_) {
+        if (!ports_.primitives_out.can_push()) return false;
+        const std::uint32_t primitive = ends_draw_ ? PrimitiveToken::None : next_primitive_++;
+        ends_draw_ = false;
+        const bool last = vertex.ends_draw() && next_primitive_ == end_primitive_;
+        ports_.primitives_out.push({vertex.draw, primitive, last});
+    }
+    if (next_primitive_ != end_primitive_) return true;
+    assembling_ = false;
+    order_.pop_front();
+    return true;
 }
 
 Activity GeometryTiming::step() {
-    if (!shading_ && next_primitive_ == end_primitive_ && !ends_draw_) {
-        if (!ports_.vertices_in.can_pop()) return Activity::Idle;
-        begin(ports_.vertices_in.pop());
-    }
-    if (now() < shaded_at_) return Activity::Busy;
-    if (next_primitive_ == end_primitive_ && !ends_draw_) {
-        shading_ = false;
-        return Activity::Busy;
-    }
-    if (!ports_.primitives_out.can_push()) return Activity::StalledOutput;
-    shading_ = false;
-    const bool last = last_vertex_ && (ends_draw_ || next_primitive_ + 1 == end_primitive_);
-    ports_.primitives_out.push(
-        {vertex_.draw, ends_draw_ ? PrimitiveToken::None : next_primitive_, last});
-    if (ends_draw_) {
-        ends_draw_ = false;
-    } else {
-        ++next_primitive_;
-    }
+    next_change_ = 0;
+    bool moved = false;
+    for (std::uint32_t i = 0; i < config_.vertex.vertices_per_cycle && begin_next(); ++i)
+        moved = true;
+    const std::uint32_t most = std::max(config_.vertex.vertices_per_cycle, config_.setup.units);
+    for (std::uint32_t i = 0; i < most && send_next(); ++i)
+        moved = true;
+    if (moved) return Activity::Busy;
+    if (order_.empty()) return Activity::Idle;
+    Cycle next_change = Never;
+    for (const Cycle free_at : free_at_)
+        if (now() < free_at) next_change = std::min(next_change, free_at);
+    if (next_change == Never) return Activity::StalledOutput;
+    const Cycle first_done = order_.front().done_at;
+    next_change_ = now() < first_done ? std::min(next_change, first_done) : next_change;
     return Activity::Busy;
 }
 

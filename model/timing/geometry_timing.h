@@ -1,6 +1,7 @@
-// GeometryTiming: transform and lighting in time. A vertex that the reuse did not have keeps the
-// unit busy for the configured cycles and those of each enabled light; primitives come out behind
-// the vertex that completes them.
+// GeometryTiming: transform and lighting in time, by units side by side, and the assembly of
+// primitives behind them. A vertex that the reuse did not have keeps a unit busy for the configured
+// cycles and those of each enabled light. Vertices leave in their order, each with the primitives
+// that it completes.
 
 #pragma once
 
@@ -8,6 +9,9 @@
 #include "model/timing/config.h"
 #include "model/timing/tokens.h"
 #include "model/timing/unit.h"
+
+#include <deque>
+#include <vector>
 
 namespace ffgpu::timing {
 
@@ -20,28 +24,39 @@ public:
 
     GeometryTiming(sc_core::sc_module_name name,
                    const Clock& clock,
-                   const VertexConfig& config,
+                   const TimingConfig& config,
                    const Ports& ports)
         : Unit(name, clock)
         , config_(config)
-        , ports_(ports) {}
+        , ports_(ports)
+        , free_at_(config.vertex.units) {}
 
 private:
+    struct Shaded {
+        VertexToken vertex;
+        Cycle done_at = 0; // the last cycle that it takes
+    };
+
     Activity step() override;
     bool may_sleep() const override { return true; }
     Cycle next_work(Activity last) const override {
-        return now() < shaded_at_ ? shaded_at_ : Unit::next_work(last);
+        return now() < next_change_ ? next_change_ : Unit::next_work(last);
     }
-    void begin(const VertexToken& vertex);
+    bool begin_next();
+    void assemble(const VertexToken& vertex);
+    bool send_next();
 
-    const VertexConfig config_;
+    const TimingConfig& config_;
     const Ports ports_;
-    VertexToken vertex_;
-    bool shading_ = false;
-    Cycle shaded_at_ = 0;                                  // the last cycle that the vertex takes
-    std::uint32_t next_primitive_ = 0, end_primitive_ = 0; // to send behind the current vertex
-    bool last_vertex_ = false;
-    bool ends_draw_ = false; // A draw without primitives sends one token that only ends it.
+    std::vector<Cycle> free_at_; // of each unit
+    std::deque<Shaded> order_;   // vertices in the units, and those that wait for their turn
+
+    Cycle next_change_ = 0; // where nothing moved: a unit is done
+
+    // Of the vertex that leaves.
+    bool assembling_ = false;
+    bool ends_draw_ = false; // No primitive is left to tell the draw's end.
+    std::uint32_t next_primitive_ = 0, end_primitive_ = 0;
 };
 
 } // namespace ffgpu::timing

@@ -17,6 +17,20 @@ CacheConfig vertex_cache(const VertexConfig& config) {
     return cache;
 }
 
+// Fully associative; a cache that is not used has a line, too.
+CacheConfig index_cache(const VertexConfig& config) {
+    CacheConfig cache;
+    cache.sets = 1;
+    cache.ways = std::max(config.index_cache_lines, 1u);
+    cache.line_bytes = config.line_bytes;
+    return cache;
+}
+
+// Of primitives a cycle.
+std::size_t assembly_width(const TimingConfig& config) {
+    return std::max(config.vertex.vertices_per_cycle, config.setup.units);
+}
+
 } // namespace
 
 Machine::Machine(const SimulationContext& kernel,
@@ -30,16 +44,25 @@ Machine::Machine(const SimulationContext& kernel,
           "clock", [this] { return must_wait(); }, evaluation.pace)
     , in_flight(clock)
     , memory_in_flight(clock)
+    , screen_in_flight(clock)
+    , host_requests(clock, config.memory.client_queue, memory_in_flight)
     , command_requests(clock, config.memory.client_queue, memory_in_flight)
+    , screen_requests(clock, config.memory.client_queue, screen_in_flight)
+    , host_responses(clock, ResponseQueue)
     , command_responses(clock, ResponseQueue)
+    , screen_responses(clock, ResponseQueue)
+    , index_port("index_cache", clock, index_cache(config.vertex), Client::Index, memory_in_flight)
     , vertex_port(
           "vertex_cache", clock, vertex_cache(config.vertex), Client::Vertex, memory_in_flight)
     , depth_port("depth_cache", clock, config.depth_cache, Client::Depth, memory_in_flight)
     , color_port("color_cache", clock, config.color_cache, Client::Color, memory_in_flight)
     , texel_caches(clock, config, memory_in_flight)
+    , commands(clock, config.host.queue)
+    , drained(clock, 1)
     , draws(clock, 4)
     , vertices(clock, config.vertex.fetch_queue)
-    , primitives(clock, config.setup.queue, config.vertex.latency)
+    , primitives(clock, config.clip.queue, config.vertex.latency, assembly_width(config))
+    , clipped(clock, config.setup.queue)
     , setups(clock, config.setup.queue)
     , raster_to_depth(clock, config.raster.queue)
     , depth_to_texture(clock, config.fragment.queue)
@@ -47,10 +70,20 @@ Machine::Machine(const SimulationContext& kernel,
     , fragment_to_depth(
           clock, config.fragment.queue, config.fragment.latency, config.raster.quads_per_cycle)
     , depth_to_color(clock, config.fragment.queue)
+    , host("host",
+           clock,
+           config.host,
+           {.commands_out = commands,
+            .drained_in = drained,
+            .requests_out = host_requests,
+            .responses_in = host_responses,
+            .ledger = ledger})
     , command_processor("command_processor",
                         clock,
                         config,
-                        {.draws_out = draws,
+                        {.commands_in = commands,
+                         .draws_out = draws,
+                         .drained_out = drained,
                          .requests_out = command_requests,
                          .responses_in = command_responses,
                          .depth_cache = depth_port.cache,
@@ -64,10 +97,12 @@ Machine::Machine(const SimulationContext& kernel,
                    {.draws_in = draws,
                     .vertices_out = vertices,
                     .responses_in = vertex_port.responses,
-                    .cache = vertex_port.cache})
-    , geometry(
-          "geometry", clock, config.vertex, {.vertices_in = vertices, .primitives_out = primitives})
-    , setup("setup", clock, config, {.primitives_in = primitives, .setups_out = setups})
+                    .cache = vertex_port.cache,
+                    .index_responses_in = index_port.responses,
+                    .index_cache = index_port.cache})
+    , geometry("geometry", clock, config, {.vertices_in = vertices, .primitives_out = primitives})
+    , clip("clip", clock, config, {.primitives_in = primitives, .primitives_out = clipped})
+    , setup("setup", clock, config, {.primitives_in = clipped, .setups_out = setups})
     , raster("raster",
              clock,
              config.raster,
@@ -101,6 +136,10 @@ Machine::Machine(const SimulationContext& kernel,
              .cache = color_port.cache},
             in_flight,
             [this](const QuadToken& token, Cycle now) { retire(token, now); })
+    , scan_out("scan_out",
+               clock,
+               config.scan_out,
+               {.requests_out = screen_requests, .responses_in = screen_responses})
     , arbiter("arbiter", clock, config.memory, memory_ports(), memory_in_flight)
     , memory(make_memory ? make_memory(clock, config.memory)
                          : std::make_unique<MemoryController>("memory", clock, config.memory)) {
@@ -111,20 +150,26 @@ Machine::Machine(const SimulationContext& kernel,
 }
 
 void Machine::connect_links() {
+    commands.connect(host, command_processor);
+    drained.connect(command_processor, host);
     draws.connect(command_processor, vertex_fetch);
     vertices.connect(vertex_fetch, geometry);
-    primitives.connect(geometry, setup);
+    primitives.connect(geometry, clip);
+    clipped.connect(clip, setup);
     setups.connect(setup, raster);
     raster_to_depth.connect(raster, depth);
     depth_to_texture.connect(depth, texture);
     texture_to_fragment.connect(texture, fragment);
     fragment_to_depth.connect(fragment, depth);
     depth_to_color.connect(depth, color);
+    connect_memory(host, host_requests, host_responses);
     connect_memory(command_processor, command_requests, command_responses);
+    connect_memory(vertex_fetch, index_port.requests, index_port.responses);
     connect_memory(vertex_fetch, vertex_port.requests, vertex_port.responses);
     texel_caches.connect(texture, arbiter);
     connect_memory(depth, depth_port.requests, depth_port.responses);
     connect_memory(color, color_port.requests, color_port.responses);
+    connect_memory(scan_out, screen_requests, screen_responses);
     memory->connect(arbiter);
     arbiter.socket.bind(memory->target());
 }
@@ -140,6 +185,10 @@ MemoryArbiter::Ports Machine::memory_ports() {
         add(*port);
     add(depth_port);
     add(color_port);
+    add(index_port);
+    ports.requests_in.insert(ports.requests_in.end(),
+                             {&host_requests.channel(), &screen_requests.channel()});
+    ports.responses_out.insert(ports.responses_out.end(), {&host_responses, &screen_responses});
     return ports;
 }
 
@@ -147,25 +196,27 @@ void Machine::scene(work::PreparedScene&& scene) {
     waiting_quads += scene.quads.size() + scene.draws.size();
     scenes.emplace_back(std::move(scene), ledger);
     scenes.back().host_writes = std::exchange(host_writes, {});
-    command_processor.enqueue(scenes.back());
+    host.enqueue(scenes.back());
     if (waiting_quads > MostWaiting) run();
 }
 
 void Machine::transfer(work::PreparedTransfer&& transfer) {
-    command_processor.enqueue(std::move(transfer));
+    host.enqueue(std::move(transfer));
     if (++waiting_quads > MostWaiting) run();
 }
 
 void Machine::host_transfer(const HostTransfer& transfer) {
-    (transfer.is_write ? frame_statistics.host_written_bytes : frame_statistics.host_read_bytes) +=
-        transfer.bytes;
+    host.enqueue(transfer);
     if (transfer.is_write) host_writes.push_back({transfer.at, transfer.at + transfer.bytes});
+    if (++waiting_quads > MostWaiting) run();
 }
 
 void Machine::end_frame(std::uint32_t number) {
-    command_processor.enqueue_frame_end();
+    host.enqueue_frame_end();
     run();
     finish_frame(number);
+    const work::PlacedLevel picture = order.shown();
+    scan_out.show(picture.base, picture.layer_bytes);
 }
 
 void Machine::run() {
@@ -190,17 +241,20 @@ void Machine::finish_frame(std::uint32_t number) {
 }
 
 std::vector<Unit*> Machine::units() {
-    std::vector<Unit*> all{&command_processor,
+    std::vector<Unit*> all{&host,
+                           &command_processor,
                            &vertex_fetch,
                            &geometry,
+                           &clip,
                            &setup,
                            &raster,
                            &depth,
                            &texture,
                            &fragment,
                            &color,
+                           &scan_out,
                            &arbiter};
-    if (Unit* unit = texel_caches.unit()) all.insert(all.begin() + 7, unit); // behind texture
+    if (Unit* unit = texel_caches.unit()) all.insert(all.begin() + 9, unit); // behind texture
     if (Unit* unit = memory->unit()) all.push_back(unit);
     return all;
 }
@@ -218,7 +272,7 @@ void Machine::attach_units(std::uint32_t seed) {
 
 bool Machine::must_wait() {
     if (clock.now() >= next_progress_check) check_progress();
-    return command_processor.starves();
+    return host.starves();
 }
 
 // A machine in which no unit has worked for a million cycles is wired wrongly.
@@ -227,7 +281,8 @@ void Machine::check_progress() {
     Cycle busy = 0;
     for (Unit* unit : units()) {
         unit->settle();
-        busy += unit->account().cycles(Activity::Busy);
+        if (unit != &scan_out) // The screen never stops.
+            busy += unit->account().cycles(Activity::Busy);
     }
     check(busy != busy_at_last_check || clock.now() == 0, "the timed machine is stuck");
     busy_at_last_check = busy;
@@ -255,9 +310,14 @@ std::vector<const StatisticsGroup*> Machine::statistics() {
     std::vector<const StatisticsGroup*> groups{&frame_statistics};
     for (Unit* unit : units())
         groups.push_back(&unit->account());
+    groups.push_back(&host.statistics());
     groups.push_back(&vertex_fetch.statistics());
+    groups.push_back(&clip.statistics());
+    groups.push_back(&raster.statistics());
+    groups.push_back(&scan_out.statistics());
     groups.push_back(&texture.statistics());
-    groups.push_back(&vertex_port.cache.statistics());
+    for (const CachePort* port : {&index_port, &vertex_port})
+        groups.push_back(&port->cache.statistics());
     for (const StatisticsGroup* group : texel_caches.statistics())
         groups.push_back(group);
     for (const CachePort* port : {&depth_port, &color_port})

@@ -5,14 +5,17 @@
 #pragma once
 
 #include "model/timing/cache_port.h"
+#include "model/timing/clip_timing.h"
 #include "model/timing/color_timing.h"
 #include "model/timing/command_processor.h"
 #include "model/timing/depth_timing.h"
 #include "model/timing/fragment_timing.h"
 #include "model/timing/geometry_timing.h"
 #include "model/timing/gpu_timing.h"
+#include "model/timing/host_bus.h"
 #include "model/timing/memory_arbiter.h"
 #include "model/timing/raster_timing.h"
+#include "model/timing/scan_out.h"
 #include "model/timing/setup_timing.h"
 #include "model/timing/simulation_context.h"
 #include "model/timing/texel_caches.h"
@@ -30,10 +33,6 @@ namespace ffgpu::timing {
 class FrameStatistics : public StatisticsGroup {
 public:
     Counter& cycles = count("total_cycles", "cycles", "of the machine's clock");
-    Counter& host_written_bytes =
-        count("host_written_bytes", "bytes", "that the driver wrote to device memory");
-    Counter& host_read_bytes =
-        count("host_read_bytes", "bytes", "that the driver read from device memory");
 };
 
 class Machine final : public work::MachineSink {
@@ -61,32 +60,37 @@ public:
     const TimingConfig config;
     work::MachineOrder order;
     Clock clock;
-    InFlight in_flight, memory_in_flight;
+    InFlight in_flight, memory_in_flight, screen_in_flight;
     CommandLedger ledger;
     std::deque<TimedScene> scenes;
     std::size_t waiting_quads = 0; // and draws and transfers, since run()
 
-    RequestPort command_requests;
-    Channel<std::uint64_t> command_responses;
-    CachePort vertex_port, depth_port, color_port;
+    RequestPort host_requests, command_requests, screen_requests;
+    Channel<std::uint64_t> host_responses, command_responses, screen_responses;
+    CachePort index_port, vertex_port, depth_port, color_port;
     TexelCaches texel_caches;
 
+    Channel<CommandToken> commands;
+    Channel<Drained> drained;
     Channel<DrawToken> draws;
     Channel<VertexToken> vertices;
-    Channel<PrimitiveToken> primitives;
+    Channel<PrimitiveToken> primitives, clipped;
     Channel<SetupToken> setups;
     Channel<QuadToken> raster_to_depth, depth_to_texture, texture_to_fragment, fragment_to_depth,
         depth_to_color;
 
+    HostBus host;
     CommandProcessor command_processor;
     VertexFetch vertex_fetch;
     GeometryTiming geometry;
+    ClipTiming clip;
     SetupTiming setup;
     RasterTiming raster;
     DepthTiming depth;
     TextureTiming texture;
     FragmentTiming fragment;
     ColorTiming color;
+    ScanOut scan_out;
     MemoryArbiter arbiter;
     std::unique_ptr<MemoryModule> memory;
 

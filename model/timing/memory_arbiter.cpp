@@ -68,7 +68,7 @@ tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,
     }
     statistics_.on_done(request, now());
     if (!request.write) ports_.responses_out[request.port]->push(request.ticket);
-    in_flight_.leave();
+    if (request.client != Client::ScanOut) in_flight_.leave(); // No frame waits for the screen.
     payload.release();
     return tlm::TLM_COMPLETED;
 }

@@ -24,6 +24,8 @@ void check_memory_lines(const TimingConfig& config) {
         check_line(config.memory, std::string(name) + ".line_bytes", bytes);
     };
     check_cache(VertexConfig::Name, config.vertex.line_bytes);
+    check_line(config.memory, "host.burst_bytes", config.host.burst_bytes);
+    check_line(config.memory, "scan_out.line_bytes", config.scan_out.line_bytes);
     check_cache(TexelCacheConfig::Name, config.texel_cache.line_bytes);
     if (config.texel_l2.enable) check_cache(TexelL2Config::Name, config.texel_l2.line_bytes);
     check_cache(DepthCacheConfig::Name, config.depth_cache.line_bytes);

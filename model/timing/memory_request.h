@@ -8,10 +8,20 @@
 
 namespace ffgpu::timing {
 
-enum class Client : std::uint8_t { Command, Vertex, Texture, Depth, Color, Count };
+enum class Client : std::uint8_t {
+    Command,
+    Vertex,
+    Texture,
+    Depth,
+    Color,
+    Index,
+    Host,
+    ScanOut,
+    Count
+};
 inline constexpr std::size_t Clients = static_cast<std::size_t>(Client::Count);
 inline constexpr std::array<std::string_view, Clients> ClientNames{
-    "command", "vertex", "texture", "depth", "color"};
+    "command", "vertex", "texture", "depth", "color", "index", "host", "scan_out"};
 
 struct MemoryRequest {
     std::uint64_t address = 0;

@@ -1,45 +1,96 @@
 #include "model/timing/raster_timing.h"
 
+#include <utility>
+
 namespace ffgpu::timing {
+
 void RasterTiming::take(const SetupToken& token) {
     scene_ = token.draw.scene;
+    const work::PreparedScene& work = scene_->work;
     if (config_.architecture == Architecture::Immediate) {
-        const auto& pieces = scene_->work.pieces;
-        next_ = token.begin == token.end ? 0 : pieces[token.begin].begin;
-        end_ = token.begin == token.end ? 0 : pieces[token.end - 1].end;
-    } else if (token.last && ++draws_taken_ == scene_->work.draws.size()) {
-        next_ = 0;
-        end_ = static_cast<std::uint32_t>(scene_->work.quads.size());
+        piece_ = token.begin;
+        end_piece_ = token.end;
+    } else if (token.last && ++draws_taken_ == work.draws.size()) {
+        piece_ = 0;
+        end_piece_ = static_cast<std::uint32_t>(work.pieces.size());
         draws_taken_ = 0;
     }
-    in_flight_.enter(end_ - next_);
-    if (token.last) { // The draw itself is through: its quads are counted now.
-        in_flight_.leave();
-        scene_->end_draw(token.draw.draw, now());
+    if (piece_ != end_piece_) {
+        quad_ = work.pieces[piece_].begin;
+        in_flight_.enter(work.pieces[end_piece_ - 1].end - quad_);
     }
+    ends_draw_ = token.last;
+    draw_ = token.draw.draw;
+    if (piece_ == end_piece_) end_record();
+}
+
+// The draw itself is through: its quads are counted now.
+void RasterTiming::end_record() {
+    if (!std::exchange(ends_draw_, false)) return;
+    in_flight_.leave();
+    scene_->end_draw(draw_, now());
+}
+
+Cycle RasterTiming::cycles_to(const PreparedQuad& quad) const {
+    return Cycle{quad.empty_blocks} * config_.empty_tile_cycles + config_.tile_cycles;
+}
+
+// True where the quad can be made now; else the walk to its block begins.
+bool RasterTiming::step_to_block(const PreparedQuad& quad) {
+    if (!quad.new_tile || in_block_) return true;
+    in_block_ = true;
+    ++statistics_.blocks;
+    statistics_.empty_blocks += quad.empty_blocks;
+    walked_at_ = now() + cycles_to(quad);
+    return walked_at_ == now();
+}
+
+// All its quads are made: what is left are empty blocks.
+void RasterTiming::end_piece(const work::PreparedPiece& piece) {
+    statistics_.empty_blocks += piece.empty_blocks;
+    walked_at_ = now() + Cycle{piece.empty_blocks} * config_.empty_tile_cycles;
+    if (++piece_ != end_piece_)
+        quad_ = scene_->work.pieces[piece_].begin;
+    else if (walked_at_ <= now() + 1)
+        end_record();
+}
+
+Activity RasterTiming::walk_piece() {
+    const work::PreparedScene& work = scene_->work;
+    const work::PreparedPiece& piece = work.pieces[piece_];
+    std::uint32_t made = 0;
+    for (; made < config_.quads_per_cycle && quad_ != piece.end; ++made) {
+        const PreparedQuad& quad = work.quads[quad_];
+        // The way to another block begins in the cycle after the quads of this one.
+        if (made > 0 && quad.new_tile && cycles_to(quad) > 0) break;
+        if (!step_to_block(quad)) return Activity::Busy;
+        if (!ports_.quads_out.can_push())
+            return made > 0 ? Activity::Busy : Activity::StalledOutput;
+        ports_.quads_out.push({scene_, quad_, 0});
+        in_block_ = false;
+        ++quad_;
+    }
+    const bool nothing_behind = piece.empty_blocks == 0 || config_.empty_tile_cycles == 0;
+    if (quad_ == piece.end && (made == 0 || nothing_behind)) end_piece(piece);
+    return Activity::Busy;
 }
 
 Activity RasterTiming::step() {
-    if (next_ == end_) {
+    if (now() < walked_at_) {
+        if (piece_ == end_piece_ && now() + 1 == walked_at_) end_record();
+        return Activity::Busy;
+    }
+    if (piece_ == end_piece_) {
         if (!ports_.setups_in.can_pop()) return Activity::Idle;
         take(ports_.setups_in.pop());
-        if (next_ == end_) return Activity::Busy;
+        if (piece_ == end_piece_) return Activity::Busy;
     }
-    for (std::uint32_t i = 0; i < config_.quads_per_cycle && next_ < end_; ++i) {
-        if (scene_->work.quads[next_].new_tile && !tile_begun_) {
-            tile_begun_ = true;
-            tile_cycles_left_ = config_.tile_cycles;
-        }
-        if (tile_cycles_left_ > 0) {
-            --tile_cycles_left_;
-            return Activity::Busy;
-        }
-        if (!ports_.quads_out.can_push()) return i > 0 ? Activity::Busy : Activity::StalledOutput;
-        ports_.quads_out.push({scene_, next_, 0});
-        tile_begun_ = false;
-        ++next_;
-    }
-    return Activity::Busy;
+    return walk_piece();
+}
+
+Cycle RasterTiming::next_work(Activity last) const {
+    if (now() + 1 >= walked_at_) return Unit::next_work(last);
+    return piece_ == end_piece_ ? walked_at_ - 1 : walked_at_;
 }
 
 } // namespace ffgpu::timing

@@ -1,4 +1,6 @@
-// RasterTiming: makes quads, quads_per_cycle of them, and steps from traversal tile to tile. An
+// RasterTiming: walks the blocks of each piece's box (work/block_walk.h) and makes the quads of
+// those that are not empty, quads_per_cycle of them. A block with quads takes tile_cycles and then
+// its quads' cycles; one without takes empty_tile_cycles; a piece takes a cycle at least. An
 // immediate machine follows the primitives; a tile-based one first takes in all primitives of a
 // scene and then walks it screen bin by screen bin.
 
@@ -11,6 +13,12 @@
 #include "model/timing/unit.h"
 
 namespace ffgpu::timing {
+
+class RasterStatistics : public StatisticsGroup {
+public:
+    Counter& blocks = count("raster_blocks", "blocks", "walked that held quads");
+    Counter& empty_blocks = count("raster_empty_blocks", "blocks", "walked that held none");
+};
 
 class RasterTiming final : public Unit {
 public:
@@ -29,18 +37,30 @@ public:
         , ports_(ports)
         , in_flight_(in_flight) {}
 
+    const RasterStatistics& statistics() const { return statistics_; }
+
 private:
     Activity step() override;
     bool may_sleep() const override { return true; }
+    Cycle next_work(Activity last) const override;
     void take(const SetupToken& token);
+    void end_record();
+    Activity walk_piece();
+    Cycle cycles_to(const PreparedQuad& quad) const;
+    bool step_to_block(const PreparedQuad& quad);
+    void end_piece(const work::PreparedPiece& piece);
 
     const RasterConfig config_;
     const Ports ports_;
     InFlight& in_flight_;
+    RasterStatistics statistics_;
     TimedScene* scene_ = nullptr;
-    std::uint32_t next_ = 0, end_ = 0;
-    std::uint32_t tile_cycles_left_ = 0;
-    bool tile_begun_ = false;
+    std::uint32_t draw_ = 0; // of the record under way
+    bool ends_draw_ = false;
+    std::uint32_t piece_ = 0, end_piece_ = 0;
+    std::uint32_t quad_ = 0;        // of the piece
+    bool in_block_ = false;         // Its block was stepped to.
+    Cycle walked_at_ = 0;           // the first cycle after the steps under way
     std::uint32_t draws_taken_ = 0; // tile-based: of the scene
 };
 

@@ -1,31 +1,58 @@
 #include "model/timing/setup_timing.h"
 
+#include <algorithm>
+
 namespace ffgpu::timing {
 
-std::uint32_t SetupTiming::begin(const PrimitiveToken& token) {
-    working_ = true;
-    result_ = {token.draw, 0, 0};
-    if (token.primitive == PrimitiveToken::None) return config_.setup.reject_cycles;
-    const work::PreparedScene& scene = token.draw.scene->work;
-    const work::PreparedPrimitive& primitive =
-        scene.primitives[token.draw.prepared().first_primitive + token.primitive];
-    result_.begin = primitive.first_piece;
-    result_.end = primitive.first_piece + primitive.piece_count;
-    return primitive.piece_count > 0 ? config_.setup.triangle_cycles * primitive.piece_count
-                                     : config_.setup.reject_cycles;
+// A free unit takes the next piece, or a primitive without any.
+bool SetupTiming::begin_next() {
+    if (units_.size() == config_.setup.units || !ports_.primitives_in.can_pop()) return false;
+    const PrimitiveToken& token = ports_.primitives_in.front();
+    SetupToken record{token.draw, 0, 0, token.last};
+    Cycle cycles = config_.setup.reject_cycles;
+    if (token.primitive == PrimitiveToken::None) {
+        cycles = 1;
+    } else if (const work::PreparedPrimitive& primitive = token.prepared();
+               primitive.piece_count > 0) {
+        cycles = config_.setup.triangle_cycles + Cycle{config_.setup.attribute_cycles} *
+                                                     token.draw.prepared().geometry.interpolants;
+        record.begin = primitive.first_piece + next_piece_;
+        record.end = record.begin + 1;
+        const bool is_last_piece = ++next_piece_ == primitive.piece_count;
+        record.last = token.last && is_last_piece;
+        units_.push_back({record, now() + cycles - 1});
+        if (!is_last_piece) return true;
+        next_piece_ = 0;
+        ports_.primitives_in.pop();
+        return true;
+    }
+    units_.push_back({record, now() + cycles - 1});
+    ports_.primitives_in.pop();
+    return true;
+}
+
+bool SetupTiming::send_next() {
+    if (units_.empty() || now() < units_.front().done_at || !ports_.setups_out.can_push())
+        return false;
+    ports_.setups_out.push(units_.front().record);
+    units_.pop_front();
+    return true;
 }
 
 Activity SetupTiming::step() {
-    if (!working_) {
-        if (!ports_.primitives_in.can_pop()) return Activity::Idle;
-        const Cycle cycles = begin(ports_.primitives_in.front());
-        set_up_at_ = now() + std::max<Cycle>(cycles, 1) - 1;
-    }
-    if (now() < set_up_at_) return Activity::Busy;
-    if (!ports_.setups_out.can_push()) return Activity::StalledOutput;
-    result_.last = ports_.primitives_in.pop().last;
-    ports_.setups_out.push(result_);
-    working_ = false;
+    next_change_ = 0;
+    bool moved = false;
+    for (std::uint32_t i = 0; i < config_.setup.units && begin_next(); ++i)
+        moved = true;
+    for (std::uint32_t i = 0; i < config_.setup.units && send_next(); ++i)
+        moved = true;
+    if (moved) return Activity::Busy;
+    if (units_.empty()) return Activity::Idle;
+    Cycle next_change = Never;
+    for (const InUnit& unit : units_)
+        if (now() < unit.done_at) next_change = std::min(next_change, unit.done_at);
+    if (next_change == Never) return Activity::StalledOutput;
+    next_change_ = next_change;
     return Activity::Busy;
 }
 

@@ -1,14 +1,16 @@
-// SetupTiming: clipping, culling and triangle set-up in time. Each piece of a primitive costs
-// triangle_cycles, whether it covers a pixel centre or not; a primitive that was culled or clipped
-// away costs reject_cycles.
+// SetupTiming: culling and set-up in time, by units side by side. Each piece of a primitive takes a
+// unit triangle_cycles and its attributes' cycles, whether it covers a pixel centre or not; a
+// primitive without pieces takes reject_cycles. Records leave in the order of the primitives: a
+// unit keeps its own until it is their turn.
 
 #pragma once
 
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
-#include "model/timing/in_flight.h"
 #include "model/timing/tokens.h"
 #include "model/timing/unit.h"
+
+#include <deque>
 
 namespace ffgpu::timing {
 
@@ -28,19 +30,24 @@ public:
         , ports_(ports) {}
 
 private:
+    struct InUnit {
+        SetupToken record;
+        Cycle done_at = 0; // the last cycle that it takes
+    };
+
     Activity step() override;
     bool may_sleep() const override { return true; }
     Cycle next_work(Activity last) const override {
-        return now() < set_up_at_ ? set_up_at_ : Unit::next_work(last);
+        return now() < next_change_ ? next_change_ : Unit::next_work(last);
     }
-    // Returns the cycles that the primitive takes.
-    std::uint32_t begin(const PrimitiveToken& primitive);
+    bool begin_next();
+    bool send_next();
 
     const TimingConfig& config_;
     const Ports ports_;
-    bool working_ = false;
-    Cycle set_up_at_ = 0; // the last cycle that the primitive takes
-    SetupToken result_;
+    std::deque<InUnit> units_;     // those that work, in the order of the primitives
+    Cycle next_change_ = 0;        // where nothing moved: a unit is done
+    std::uint32_t next_piece_ = 0; // of the first primitive that waits
 };
 
 } // namespace ffgpu::timing

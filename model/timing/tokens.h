@@ -5,6 +5,7 @@
 #include "model/timing/command_ledger.h"
 #include "model/work/prepared_work.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ffgpu::timing {
@@ -76,6 +77,11 @@ struct VertexToken {
     DrawToken draw;
     std::uint32_t position = 0; // in the draw's sequence of vertices
     bool shade = false;         // false: the post-transform reuse had it
+
+    // An image has no vertices: it passes as one token.
+    bool ends_draw() const {
+        return position + 1 == std::max<std::size_t>(draw.prepared().geometry.vertices.size(), 1);
+    }
 };
 
 struct PrimitiveToken {
@@ -84,10 +90,14 @@ struct PrimitiveToken {
     DrawToken draw;
     std::uint32_t primitive = 0; // of its draw
     bool last = false;           // of its draw
+
+    const work::PreparedPrimitive& prepared() const {
+        const work::PreparedScene& scene = draw.scene->work;
+        return scene.primitives[draw.prepared().first_primitive + primitive];
+    }
 };
 
-// A primitive that was set up, with its pieces (immediate machines; tile-based ones take the
-// scene's quads).
+// A piece that was set up, or a primitive without one. Tile-based machines walk the scene's.
 struct SetupToken {
     DrawToken draw;
     std::uint32_t begin = 0, end = 0;

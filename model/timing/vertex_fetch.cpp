@@ -12,58 +12,89 @@ VertexFetch::VertexFetch(sc_core::sc_module_name name,
     , config_(config)
     , ports_(ports) {}
 
-// First in, first out, as the post-transform caches of the time. A vertex is new in every draw.
+// As the post-transform caches of the time. A vertex is new in every draw.
 bool VertexFetch::reuse(std::uint32_t vertex) {
-    if (std::find(recent_.begin(), recent_.end(), vertex) != recent_.end()) return true;
+    const auto found = std::find(recent_.begin(), recent_.end(), vertex);
+    const bool is_there = found != recent_.end();
+    if (is_there && config_.reuse_policy == ReusePolicy::Fifo) return true;
+    if (is_there) recent_.erase(found);
     if (config_.reuse_entries == 0) return false;
     if (recent_.size() == config_.reuse_entries) recent_.pop_front();
     recent_.push_back(vertex);
-    return false;
+    return is_there;
 }
 
-// What the host wrote before these draws is not what the cache holds. Vertices are never dirty.
+// What the host wrote before these draws is not what the caches hold. Vertices are never dirty.
 void VertexFetch::forget_rewritten(TimedScene& scene) {
     for (const HostWrite& write : scene.host_writes)
-        check(ports_.cache.invalidate(write.begin, write.end).empty(), "the cache only reads");
+        for (LineCache* const cache : {&ports_.cache, &ports_.index_cache})
+            check(cache->invalidate(write.begin, write.end).empty(), "the caches only read");
     scene.host_writes.clear();
 }
 
-bool VertexFetch::issue(Activity& reason) {
-    if (!in_draw_) {
-        if (!ports_.draws_in.can_pop()) return false;
-        draw_ = ports_.draws_in.pop();
-        forget_rewritten(*draw_.scene);
-        in_draw_ = true;
-        position_ = 0;
-        recent_.clear();
+// A draw whose memory was rewritten waits for the vertices before it, which are read from the same
+// caches.
+bool VertexFetch::begin_draw() {
+    if (!ports_.draws_in.can_pop()) return false;
+    if (!ports_.draws_in.front().scene->host_writes.empty() && !named_.empty()) return false;
+    draw_ = ports_.draws_in.pop();
+    forget_rewritten(*draw_.scene);
+    in_draw_ = true;
+    position_ = 0;
+    has_index_line_ = false;
+    return true;
+}
+
+bool VertexFetch::ask_index(Activity& reason) {
+    if (named_.size() == config_.index_queue) return false;
+    if (!in_draw_ && !begin_draw()) return false;
+    const GeometryWork& work = draw_.prepared().geometry;
+    if (work.index_bytes != 0 && !work.vertices.empty()) {
+        const std::uint64_t at = work.index_address + std::uint64_t{position_} * work.index_bytes;
+        const std::uint64_t line = at / config_.line_bytes; // An index lies in one line.
+        if (!has_index_line_ || line != index_line_) {
+            const LookupResult result = indices().look_up({.number = line});
+            if (!result.accepted) {
+                reason = Activity::StalledRequests;
+                return false;
+            }
+            has_index_line_ = true;
+            index_line_ = line;
+            index_ticket_ = result.ticket;
+        }
     }
-    if (waiting_.size() == config_.fetch_queue) {
+    named_.push_back({{draw_, position_, false}, has_index_line_ ? index_ticket_ : 0, 0});
+    if (named_.back().vertex.ends_draw()) in_draw_ = false;
+    ++position_;
+    return true;
+}
+
+bool VertexFetch::ask_vertex(Activity& reason) {
+    if (named_.empty()) return false;
+    Waiting& next = named_.front();
+    if (waiting_.size() == config_.fetch_queue || !indices().is_complete(next.ticket)) {
         reason = Activity::StalledMemory;
         return false;
     }
-    const GeometryWork& work = draw_.prepared().geometry;
-    if (work.vertices.empty()) { // An image: passes as one token.
-        waiting_.push_back({{draw_, 0, false}, 0});
-        in_draw_ = false;
-        return true;
-    }
-    const std::uint32_t vertex = work.vertices[position_];
-    bool shade = true;
+    VertexToken& vertex = next.vertex;
+    const GeometryWork& work = vertex.draw.prepared().geometry;
     if (next_line_ == end_line_) {
-        ++statistics_.vertices;
         ticket_ = 0;
-        if (reuse(vertex)) {
-            shade = false;
-            ++statistics_.reused;
-        } else {
-            ++statistics_.shaded;
-            const std::uint64_t address =
-                work.vertex_address + std::uint64_t{vertex} * work.vertex_bytes;
-            next_line_ = address / config_.line_bytes;
-            end_line_ = (address + std::max(work.vertex_bytes, 1u) - 1) / config_.line_bytes + 1;
+        if (vertex.position == 0) recent_.clear();
+        if (!work.vertices.empty()) { // An image has none: it passes as one token.
+            const std::uint32_t number = work.vertices[vertex.position];
+            ++statistics_.vertices;
+            vertex.shade = !reuse(number);
+            ++(vertex.shade ? statistics_.shaded : statistics_.reused);
+            const std::uint64_t at =
+                work.vertex_address + std::uint64_t{number} * work.vertex_bytes;
+            next_line_ = at / config_.line_bytes;
+            end_line_ = vertex.shade
+                            ? (at + std::max(work.vertex_bytes, 1u) - 1) / config_.line_bytes + 1
+                            : next_line_;
         }
     }
-    if (shade) {
+    if (next_line_ != end_line_) {
         const LookupResult result = ports_.cache.look_up({.number = next_line_});
         if (!result.accepted) {
             reason = Activity::StalledRequests;
@@ -72,14 +103,16 @@ bool VertexFetch::issue(Activity& reason) {
         ticket_ = std::max(ticket_, result.ticket);
         if (++next_line_ != end_line_) return true;
     }
-    waiting_.push_back({{draw_, position_, shade}, ticket_});
-    if (++position_ == work.vertices.size()) in_draw_ = false;
+    waiting_.push_back({vertex, ticket_, vertex.shade ? work.vertex_bytes : 0});
+    named_.pop_front();
     return true;
 }
 
-bool VertexFetch::forward(Activity& reason) {
+// `bytes`: that may still be sent in this cycle.
+bool VertexFetch::forward(std::uint32_t& bytes, Activity& reason) {
     if (waiting_.empty()) return false;
-    if (!ports_.cache.is_complete(waiting_.front().ticket)) {
+    Waiting& first = waiting_.front();
+    if (!ports_.cache.is_complete(first.ticket)) {
         reason = Activity::StalledMemory;
         return false;
     }
@@ -87,19 +120,30 @@ bool VertexFetch::forward(Activity& reason) {
         reason = Activity::StalledOutput;
         return false;
     }
-    ports_.vertices_out.push(waiting_.front().vertex);
+    const std::uint32_t sent = std::min(bytes, first.bytes_left);
+    statistics_.fetched_bytes += sent;
+    bytes -= sent;
+    first.bytes_left -= sent;
+    if (first.bytes_left > 0) return sent > 0;
+    ports_.vertices_out.push(first.vertex);
     waiting_.pop_front();
     return true;
 }
 
 Activity VertexFetch::step() {
     ports_.cache.begin_cycle(ports_.responses_in);
-    Activity reason = Activity::Idle;
-    const bool forwarded = forward(reason);
-    Activity issue_reason = reason;
-    const bool issued = issue(issue_reason);
-    if (forwarded || issued) return Activity::Busy;
-    return reason != Activity::Idle ? reason : issue_reason;
+    ports_.index_cache.begin_cycle(ports_.index_responses_in);
+    Activity reason = Activity::Idle, ask_reason = Activity::Idle;
+    std::uint32_t bytes = config_.fetch_bytes_per_cycle == 0 ? ~0u : config_.fetch_bytes_per_cycle;
+    bool moved = false;
+    for (std::uint32_t i = 0; i < config_.vertices_per_cycle && forward(bytes, reason); ++i)
+        moved = true;
+    for (std::uint32_t i = 0; i < config_.vertices_per_cycle && ask_vertex(ask_reason); ++i)
+        moved = true;
+    for (std::uint32_t i = 0; i < config_.vertices_per_cycle && ask_index(ask_reason); ++i)
+        moved = true;
+    if (moved) return Activity::Busy;
+    return reason != Activity::Idle ? reason : ask_reason;
 }
 
 } // namespace ffgpu::timing

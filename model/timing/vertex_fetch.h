@@ -1,6 +1,7 @@
-// VertexFetch: walks a draw's vertices, asks the post-transform reuse and, where that has not got
-// the vertex, fetches its data through the vertex cache. One vertex a cycle; misses are hidden by a
-// queue.
+// VertexFetch: walks a draw's vertices in three steps, each ahead of the next: it asks for the
+// lines of the indices; asks the post-transform reuse for the vertex, and where that has not got
+// it, the vertex cache for its lines; and sends it on when its data are there. Queues between the
+// steps hide the misses.
 
 #pragma once
 
@@ -18,6 +19,8 @@ public:
     Counter& vertices = count("vertex_vertices", "vertices", "as indexed by draws");
     Counter& reused = count("vertex_reused", "vertices", "found in the post-transform reuse");
     Counter& shaded = count("vertex_shaded", "vertices", "transformed and lit");
+    Counter& fetched_bytes =
+        count("vertex_fetched_bytes", "bytes", "of attributes, sent to the geometry units");
 };
 
 class VertexFetch final : public Unit {
@@ -27,6 +30,8 @@ public:
         Channel<VertexToken>& vertices_out;
         Channel<std::uint64_t>& responses_in;
         LineCache& cache;
+        Channel<std::uint64_t>& index_responses_in;
+        LineCache& index_cache;
     };
 
     VertexFetch(sc_core::sc_module_name name,
@@ -40,26 +45,38 @@ private:
     struct Waiting {
         VertexToken vertex;
         std::uint64_t ticket = 0;
+        std::uint32_t bytes_left = 0; // of its attributes, on their way to the geometry units
     };
 
     Activity step() override;
     bool may_sleep() const override { return true; }
-    bool issue(Activity& reason);
-    bool forward(Activity& reason);
+    bool ask_index(Activity& reason);
+    bool begin_draw();
+    bool ask_vertex(Activity& reason);
+    bool forward(std::uint32_t& bytes, Activity& reason);
     bool reuse(std::uint32_t vertex);
     void forget_rewritten(TimedScene& scene);
+    LineCache& indices() const {
+        return config_.index_cache_lines > 0 ? ports_.index_cache : ports_.cache;
+    }
 
     const VertexConfig config_;
     const Ports ports_;
     VertexStatistics statistics_;
 
+    // The indices.
     bool in_draw_ = false;
     DrawToken draw_;
     std::uint32_t position_ = 0;
-    std::uint64_t next_line_ = 0, end_line_ = 0; // of the vertex at position_; equal: not begun
+    std::uint64_t index_line_ = 0, index_ticket_ = 0; // of the line that was asked for last
+    bool has_index_line_ = false;                     // in this draw
+    std::deque<Waiting> named_;                       // vertices whose index was asked for
+
+    // The vertices.
+    std::uint64_t next_line_ = 0, end_line_ = 0; // of named_'s first; equal: not begun
     std::uint64_t ticket_ = 0;
     std::deque<Waiting> waiting_;
-    std::deque<std::uint32_t> recent_; // the post-transform reuse, oldest first
+    std::deque<std::uint32_t> recent_; // the post-transform reuse, the next to go first
 };
 
 } // namespace ffgpu::timing

@@ -11,8 +11,9 @@
 
 namespace ffgpu::work {
 
-enum class Traversal : std::uint8_t { Scanline, Column, Tiled };
-inline constexpr std::array<std::string_view, 3> TraversalNames{"scanline", "column", "tiled"};
+enum class Traversal : std::uint8_t { Scanline, Column, Tiled, Nested, Morton, Hilbert };
+inline constexpr std::array<std::string_view, 6> TraversalNames{
+    "scanline", "column", "tiled", "nested", "morton", "hilbert"};
 
 enum class Architecture : std::uint8_t { Immediate, TileBased };
 inline constexpr std::array<std::string_view, 2> ArchitectureNames{"immediate", "tile_based"};
@@ -30,6 +31,7 @@ struct RasterOrder {
     Granularity granularity = Granularity::Quad;
     Traversal traversal = Traversal::Tiled;
     std::uint32_t tile_width = 8;
+    std::uint32_t outer_tile_width = 32;
     std::uint32_t bin_size = 32;
 
     template <class Self, class Visitor>
@@ -46,14 +48,24 @@ struct RasterOrder {
                .choices = GranularityNames});
         field("traversal",
               self.traversal,
-              {.meaning = "order of a primitive's quads", .choices = TraversalNames});
+              {.meaning =
+                   "order of a primitive's quads: rows, columns, or tiles; tiles row by row, "
+                   "in nested tiles, or along Morton's or Hilbert's curve",
+               .choices = TraversalNames});
         field("tile_width",
               self.tile_width,
               {.unit = "pixels",
                .minimum = 2,
                .maximum = 512,
                .power_of_two = true,
-               .meaning = "tiled traversal: width and height"});
+               .meaning = "of a tile, all but scanline and column: width and height"});
+        field("outer_tile_width",
+              self.outer_tile_width,
+              {.unit = "pixels",
+               .minimum = 2,
+               .maximum = 512,
+               .power_of_two = true,
+               .meaning = "nested: width and height of the tiles of tiles; at least a tile's"});
         field("bin_size",
               self.bin_size,
               {.unit = "pixels",

@@ -35,7 +35,20 @@ void add_lines(const std::vector<WrittenLine>& lines,
 
 } // namespace
 
+PlacedLevel MachineOrder::shown() {
+    if (shown_.format == Format::None) return {};
+    return addresses_.surface(shown_, config_.color_cache);
+}
+
+void MachineOrder::note_shown(const WorkDraw& draw) {
+    const Surface& written = draw.kind == WorkKind::Copy ? draw.copy.destination
+                             : draw.state                ? draw.state->targets.color[0]
+                                                         : Surface{};
+    if (written.format != Format::None && !format_info(written.format).is_depth) shown_ = written;
+}
+
 void MachineOrder::command(std::shared_ptr<const WholeCommand> command) {
+    note_shown(command->draw);
     switch (command->draw.kind) {
     case WorkKind::Draw:
     case WorkKind::Image:
@@ -148,7 +161,10 @@ void MachineOrder::clear_lines(const SurfaceFill& fill,
 }
 
 void MachineOrder::clear(const WorkDraw& draw) {
-    PreparedTransfer transfer{.kind = WorkKind::Clear, .number = draw.number};
+    PreparedTransfer transfer{.kind = WorkKind::Clear,
+                              .number = draw.number,
+                              .register_writes = draw.register_writes,
+                              .register_words = draw.register_words};
     const Registers& state = *draw.state;
     const Scissor& scissor = state.scissor;
     Rectangle rectangle{
@@ -180,8 +196,11 @@ void MachineOrder::clear(const WorkDraw& draw) {
 }
 
 void MachineOrder::copy(const WorkDraw& draw) {
-    PreparedTransfer transfer{
-        .kind = WorkKind::Copy, .number = draw.number, .writes_back_caches = true};
+    PreparedTransfer transfer{.kind = WorkKind::Copy,
+                              .number = draw.number,
+                              .writes_back_caches = true,
+                              .register_writes = draw.register_writes,
+                              .register_words = draw.register_words};
     const CopyRectangleCommand& copy = draw.copy;
     const bool depth = format_info(copy.source.format).is_depth;
     const CacheShape& cache = depth ? config_.depth_cache : config_.color_cache;

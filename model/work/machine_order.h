@@ -33,7 +33,8 @@ struct TransferLine {
 struct PreparedTransfer {
     WorkKind kind = WorkKind::Clear;
     std::uint32_t number = 0;
-    bool writes_back_caches = false; // before it
+    bool writes_back_caches = false;                       // before it
+    std::uint32_t register_writes = 0, register_words = 0; // as WorkDraw has them
     std::vector<TransferLine> lines{};
     std::vector<SurfaceFill> fills{}; // a clear's, of the targets in turn
 };
@@ -69,7 +70,12 @@ public:
     void host_transfer(const HostTransfer& transfer) override;
     void end_frame(std::uint32_t frame) override;
 
+    // The colour surface that was drawn, cleared or copied into last: what a screen would show.
+    // None yet: no bytes.
+    PlacedLevel shown();
+
 private:
+    void note_shown(const WorkDraw& draw);
     void draw(const WholeCommand& command);
     void clear(const WorkDraw& draw);
     void copy(const WorkDraw& draw);
@@ -91,6 +97,7 @@ private:
     PreparedScene scene_;        // tile-based: what was gathered
     Targets scene_targets_;      // of its draws
     std::vector<Surface> known_; // whose content was told
+    Surface shown_;
 };
 
 } // namespace ffgpu::work

@@ -1,6 +1,8 @@
 #include "model/work/prepared_work.h"
 
 #include "model/base/check.h"
+#include "model/device/extents.h"
+#include "model/work/block_walk.h"
 #include "model/work/texel_lookups.h"
 #include "model/work/traversal.h"
 
@@ -16,10 +18,31 @@ struct DrawPlaces {
     std::vector<const PlacedLevel*> colors;
 };
 
-bool starts_tile(const RasterOrder& raster, const PreparedQuad* before, const PreparedQuad& quad) {
-    return !before || before->draw != quad.draw || before->primitive != quad.primitive ||
-           before->piece != quad.piece ||
-           traversal_tile(raster, before->x, before->y) != traversal_tile(raster, quad.x, quad.y);
+// Tells the piece's quads, in their order, where blocks begin and how many empty ones are walked
+// before. Where no box is told only blocks with quads are.
+void walk(const RasterOrder& raster, PreparedPiece& piece, PreparedScene& scene) {
+    const BlockWalk walk(raster, piece.box);
+    const auto quads = std::span(scene.quads).subspan(piece.begin, piece.end - piece.begin);
+    std::uint32_t walked = 0, block = 0;
+    for (PreparedQuad& quad : quads) {
+        const std::uint32_t own = traversal_block(raster, quad.x, quad.y);
+        quad.new_tile = &quad == quads.data() || own != block;
+        quad.empty_blocks = 0;
+        block = own;
+        if (!quad.new_tile || piece.box.empty()) continue;
+        const std::uint32_t before = walk.before(quad.x, quad.y);
+        check(before >= walked, "quads come in the order of the walk");
+        quad.empty_blocks = before - walked;
+        walked = before + 1;
+    }
+    piece.empty_blocks = walk.blocks() - walked;
+}
+
+ImageMemory image_memory(const DrawImageCommand& image) {
+    if (image.width == 0 || image.height == 0) return {};
+    DrawImageCommand row = image;
+    row.height = 1;
+    return {image.address, image_bytes(row), image.stride, image.height};
 }
 
 constexpr std::uint8_t AllLanes = 0xf;
@@ -58,6 +81,9 @@ public:
         , texels_(command, config, out) {
         draw_.kind = command.draw.kind;
         draw_.number = command.draw.number;
+        draw_.register_writes = command.draw.register_writes;
+        draw_.register_words = command.draw.register_words;
+        if (draw_.kind == WorkKind::Image) draw_.image = image_memory(command.draw.image);
         draw_.geometry = command.draw.geometry;
         draw_.geometry.primitives = {};
         draw_.geometry.pieces = {};
@@ -158,6 +184,7 @@ private:
         for (const Ordered& each : order_)
             add_quad(each.quad, each.lanes);
         piece.end = static_cast<std::uint32_t>(out_.quads.size());
+        walk(config_.raster, piece, out_);
         out_.pieces.push_back(piece);
         ++out_.primitives.back().piece_count;
         return end;
@@ -194,8 +221,6 @@ private:
                           .after_depth = from.after_depth,
                           .samples_written = from.samples_written,
                           .after_alpha = from.after_alpha};
-        quad.new_tile =
-            starts_tile(config_.raster, out_.quads.empty() ? nullptr : &out_.quads.back(), quad);
         add_target_lines(from, quad);
         // With values, hidden fragments have texels, too.
         texels_.add(number, static_cast<std::uint8_t>(lanes & from.after_early_depth), quad);
@@ -281,6 +306,19 @@ private:
     std::vector<Ordered> order_; // of a piece
 };
 
+// What of a box lies in the quad's bin.
+PieceBox part_in_bin(const PieceBox& box, const RasterOrder& raster, const PreparedQuad& quad) {
+    if (box.empty()) return {};
+    const auto low = [&](std::uint32_t bound, std::uint32_t at) {
+        return static_cast<std::uint16_t>(std::max(bound, at / raster.bin_size * raster.bin_size));
+    };
+    const auto high = [&](std::uint32_t bound, std::uint32_t at) {
+        return static_cast<std::uint16_t>(
+            std::min(bound, (at / raster.bin_size + 1) * raster.bin_size));
+    };
+    return {low(box.x0, quad.x), low(box.y0, quad.y), high(box.x1, quad.x), high(box.y1, quad.y)};
+}
+
 } // namespace
 
 QuadValues PreparedScene::values_of(const PreparedQuad& quad) const {
@@ -307,15 +345,30 @@ void append(const WholeCommand& command,
 }
 
 void sort_by_screen_bins(const RasterOrder& raster, PreparedScene& scene) {
+    struct Placed {
+        std::uint32_t bin = 0, piece = 0, quad = 0;
+    };
+    std::vector<Placed> order;
+    order.reserve(scene.quads.size());
+    for (std::uint32_t piece = 0; piece < scene.pieces.size(); ++piece)
+        for (std::uint32_t i = scene.pieces[piece].begin; i < scene.pieces[piece].end; ++i)
+            order.push_back({screen_bin(raster, scene.quads[i].x, scene.quads[i].y), piece, i});
     std::stable_sort(
-        scene.quads.begin(), scene.quads.end(), [&](const PreparedQuad& a, const PreparedQuad& b) {
-            return screen_bin(raster, a.x, a.y) < screen_bin(raster, b.x, b.y);
-        });
-    const PreparedQuad* before = nullptr;
-    for (PreparedQuad& quad : scene.quads) {
-        quad.new_tile = starts_tile(raster, before, quad);
-        before = &quad;
+        order.begin(), order.end(), [](const Placed& a, const Placed& b) { return a.bin < b.bin; });
+    const std::vector<PreparedPiece> whole = std::exchange(scene.pieces, {});
+    const std::vector<PreparedQuad> quads = std::exchange(scene.quads, {});
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Placed& placed = order[i];
+        if (i == 0 || placed.bin != order[i - 1].bin || placed.piece != order[i - 1].piece) {
+            const auto at = static_cast<std::uint32_t>(i);
+            const PieceBox& box = whole[placed.piece].box;
+            scene.pieces.push_back({at, at, part_in_bin(box, raster, quads[placed.quad]), 0});
+        }
+        scene.quads.push_back(quads[placed.quad]);
+        ++scene.pieces.back().end;
     }
+    for (PreparedPiece& piece : scene.pieces)
+        walk(raster, piece, scene);
 }
 
 } // namespace ffgpu::work

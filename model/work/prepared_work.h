@@ -24,7 +24,8 @@ struct PreparedQuad {
     std::uint32_t piece = 0;
     std::uint16_t x = 0, y = 0; // window pixel of lane 0
     std::uint8_t covered = 0, after_early_depth = 0, after_stencil = 0, after_depth = 0;
-    bool new_tile = false;          // first of a traversal tile of its primitive's piece
+    bool new_tile = false;          // first of a block of its piece's walk
+    std::uint32_t empty_blocks = 0; // walked before that block, since the last that holds quads
     std::uint16_t filter_steps = 0; // bilinear (or simpler) samples a fragment, over all textures
     std::uint16_t texel_reads = 0;
     std::uint16_t texel_line_count = 0;
@@ -47,6 +48,12 @@ struct PreparedQuad {
 struct PreparedPiece {
     std::uint32_t begin = 0, end = 0; // in PreparedScene::quads
     PieceBox box;
+    std::uint32_t empty_blocks = 0; // walked after the last one that holds quads
+};
+
+// Memory that an image reads: rows of bytes.
+struct ImageMemory {
+    std::uint64_t address = 0, row_bytes = 0, stride = 0, rows = 0;
 };
 
 // A primitive as it leaves geometry.
@@ -65,9 +72,11 @@ struct TexturePart {
 };
 
 struct PreparedDraw {
-    WorkKind kind = WorkKind::Draw; // or an image
-    std::uint32_t number = 0;       // PrimitiveKey::draw
-    GeometryWork geometry;          // Its primitives and pieces are the scene's.
+    WorkKind kind = WorkKind::Draw;                        // or an image
+    std::uint32_t number = 0;                              // PrimitiveKey::draw
+    std::uint32_t register_writes = 0, register_words = 0; // as WorkDraw has them
+    ImageMemory image;
+    GeometryWork geometry; // Its primitives and pieces are the scene's.
     std::uint32_t first_primitive = 0, primitive_count = 0; // in PreparedScene::primitives
     bool early_depth = false;
     std::uint32_t first_quad = 0; // immediate machines: the draw's quads stand together
@@ -89,7 +98,7 @@ struct PreparedDraw {
 struct PreparedScene {
     std::vector<PreparedDraw> draws;
     std::vector<PreparedPrimitive> primitives;
-    std::vector<PreparedPiece> pieces; // of an immediate machine: tile-based ones walk the quads
+    std::vector<PreparedPiece> pieces; // in the order in which they are walked
     std::vector<PreparedQuad> quads;
     std::vector<std::uint64_t> texel_lines; // line numbers
     std::vector<TexturePart> texture_parts;
@@ -123,7 +132,8 @@ void append(const WholeCommand& command,
             PreparedScene& scene);
 
 // Brings the quads of a whole scene into the order of a tile-based machine: screen bins in row
-// order, inside each as they were.
+// order, inside each as they were. A piece has a part in each bin in which it has quads, and the
+// walk of a part stays in the bin; of the pieces before set-up needs the numbers alone.
 void sort_by_screen_bins(const RasterOrder& raster, PreparedScene& scene);
 
 } // namespace ffgpu::work

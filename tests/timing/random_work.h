@@ -44,6 +44,7 @@ public:
         config.fragment.pipe_queue = power(5);
         config.fragment.combiner_cycles = 1 + below(4);
         config.fragment.latency = 1 + below(30);
+        front_end(config);
         if (below(4) == 0) config.raster.architecture = work::Architecture::TileBased;
         config.texel_cache.bilinear_quads_per_cycle = power(3);
         caches(config);
@@ -89,6 +90,9 @@ public:
         geometry.vertex_bytes = 16 + 4 * below(12);
         geometry.vertex_address = std::uint64_t{7} << 26;
         geometry.lights = static_cast<std::uint8_t>(below(4));
+        geometry.index_address = std::uint64_t{6} << 26;
+        geometry.index_bytes = static_cast<std::uint8_t>(2 * below(3));
+        geometry.interpolants = static_cast<std::uint8_t>(below(9));
         const std::uint32_t distinct = 1 + below(vertices);
         for (std::uint32_t i = 0; i < vertices; ++i)
             geometry.vertices.push_back(below(3) == 0 ? below(distinct) : i % distinct);
@@ -101,6 +105,26 @@ public:
 
 private:
     static constexpr std::uint16_t Size = 128, TextureSize = 256;
+
+    void front_end(TimingConfig& config) {
+        config.host.bytes_per_cycle = below(3) == 0 ? 0 : power(6);
+        config.host.queue = power(5);
+        config.vertex.index_cache_lines = below(3);
+        config.vertex.index_queue = power(7);
+        config.vertex.fetch_bytes_per_cycle = 4 * below(10);
+        config.vertex.vertices_per_cycle = power(3);
+        config.vertex.reuse_policy = static_cast<ReusePolicy>(below(2));
+        config.vertex.units = 1 + below(6);
+        config.vertex.order_entries = power(5);
+        config.clip.plane_cycles = below(8);
+        config.clip.queue = power(5);
+        config.setup.units = 1 + below(4);
+        config.setup.attribute_cycles = below(3);
+        config.raster.traversal = static_cast<Traversal>(below(6));
+        config.raster.empty_tile_cycles = below(3);
+        if (below(3) == 0) config.scan_out.refresh_cycles = 500 + below(5000);
+        config.scan_out.queue = power(5);
+    }
 
     void caches(TimingConfig& config) {
         for (CachePace* const pace : {static_cast<CachePace*>(&config.texel_cache),

@@ -17,6 +17,7 @@ struct RasterConfig : work::RasterOrder {
     static constexpr std::string_view Name = "raster";
     std::uint32_t quads_per_cycle = 1;
     std::uint32_t tile_cycles = 1;
+    std::uint32_t empty_tile_cycles = 1;
     std::uint32_t queue = 64;
 
     template <class Self, class Visitor>
@@ -34,7 +35,15 @@ struct RasterConfig : work::RasterOrder {
               {.unit = "cycles",
                .minimum = 0,
                .maximum = 64,
-               .meaning = "to step to a primitive's next tile"});
+               .meaning = "to step to a tile, row or column of a primitive that holds quads"});
+        field("empty_tile_cycles",
+              self.empty_tile_cycles,
+              {.unit = "cycles",
+               .minimum = 0,
+               .maximum = 64,
+               .meaning =
+                   "to step over one of a primitive's box that holds none; 0: such tiles are "
+                   "not walked"});
         field("queue",
               self.queue,
               {.unit = "quads",

@@ -1,0 +1,93 @@
+// HostBus: what the host sends, in its order, bytes_per_cycle at a time. Draws, clears and copies,
+// with the registers that were written before them, go on to the command processor. Uploads are
+// written to memory as they come over the bus; what follows them waits until the last is on its
+// way. A read by the driver waits for the machine to be drained, reads memory, and brings the data
+// back over the same bus; the host sends nothing meanwhile.
+
+#pragma once
+
+#include "model/timing/bursts.h"
+#include "model/timing/channel.h"
+#include "model/timing/config.h"
+#include "model/timing/host_command.h"
+#include "model/timing/request_port.h"
+#include "model/timing/unit.h"
+
+#include <deque>
+
+namespace ffgpu::timing {
+
+class HostStatistics : public StatisticsGroup {
+public:
+    Counter& command_bytes =
+        count("host_command_bytes", "bytes", "of commands and register writes on the bus");
+    Counter& written_bytes =
+        count("host_written_bytes", "bytes", "that the driver wrote to device memory");
+    Counter& read_bytes =
+        count("host_read_bytes", "bytes", "that the driver read from device memory");
+};
+
+class HostBus final : public Unit {
+public:
+    struct Ports {
+        Channel<CommandToken>& commands_out;
+        Channel<Drained>& drained_in;
+        RequestPort& requests_out;
+        Channel<std::uint64_t>& responses_in;
+        CommandLedger& ledger;
+    };
+
+    HostBus(sc_core::sc_module_name name,
+            const Clock& clock,
+            const HostConfig& config,
+            const Ports& ports)
+        : Unit(name, clock)
+        , config_(config)
+        , ports_(ports) {}
+
+    // The host's side; called while the simulation is paused.
+    void enqueue(TimedScene& scene);
+    void enqueue(work::PreparedTransfer&& transfer);
+    void enqueue(const HostTransfer& transfer);
+    void enqueue_frame_end();
+    // Nothing is left to send: the clock must not go on without the host.
+    bool starves() const { return commands_.empty(); }
+
+    const HostStatistics& statistics() const { return statistics_; }
+
+private:
+    // Bytes of memory that are written or read.
+    struct Data {
+        bool is_write = true;
+        Bursts bursts;
+        std::size_t entry = 0; // of the ledger
+    };
+    struct Command {
+        std::uint64_t bytes = 0; // on the bus, before anything comes of it
+        CommandToken token;      // none: data alone
+        Data data{};
+    };
+
+    Activity step() override;
+    bool may_sleep() const override { return true; }
+    void add(Command command, std::uint32_t register_writes, std::uint32_t register_words);
+    bool advance(Activity& reason);
+    bool carry(Activity& reason);
+    bool hand_over(Activity& reason);
+    bool upload(Activity& reason);
+    bool read_back(Activity& reason);
+    void end_command();
+
+    const HostConfig config_;
+    const Ports ports_;
+    HostStatistics statistics_;
+    std::deque<Command> commands_;
+    std::uint32_t next_draw_ = 0; // number of the draw that a transfer precedes
+
+    std::uint64_t budget_ = 0; // bytes that the bus still carries in this cycle
+    // Of the first command:
+    bool under_way_ = false; // It was handed over, or its next burst is on the bus.
+    std::uint64_t arriving_ = 0, arrived_ = 0; // bytes that the driver reads
+};
+
+} // namespace ffgpu::timing

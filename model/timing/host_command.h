@@ -1,0 +1,31 @@
+// What the host sends, and what of it the command processor reads.
+
+#pragma once
+
+#include "model/timing/tokens.h"
+#include "model/work/machine_order.h"
+
+#include <memory>
+#include <variant>
+
+namespace ffgpu::timing {
+
+// A clear or a copy.
+struct TransferCommand {
+    work::PreparedTransfer work;
+    std::size_t entry = 0; // of the ledger
+};
+
+// The pipe is to be empty and the caches written back: before the driver reads, and at the end of a
+// frame, where the memory has to be done, too.
+struct DrainCommand {
+    bool ends_frame = false;
+};
+
+using CommandToken =
+    std::variant<std::monostate, DrawToken, std::shared_ptr<TransferCommand>, DrainCommand>;
+
+// What CommandProcessor tells the host's bus: a DrainCommand is carried out.
+struct Drained {};
+
+} // namespace ffgpu::timing
