@@ -82,15 +82,18 @@ private:
     const Json& counters_;
 };
 
-const std::set<std::string> Units = {"command_processor",
+const std::set<std::string> Units = {"host",
+                                     "command_processor",
                                      "vertex_fetch",
                                      "geometry",
+                                     "clip",
                                      "setup",
                                      "raster",
                                      "depth",
                                      "texture",
                                      "fragment",
                                      "color",
+                                     "scan_out",
                                      "arbiter",
                                      "memory"};
 
@@ -108,7 +111,8 @@ void check_units(const TimedFrame& frame) {
 struct CacheNames {
     std::string cache, group, client;
 };
-const CacheNames Caches[] = {{"vertex_cache", "vertex", "vertex"},
+const CacheNames Caches[] = {{"index_cache", "vertex", "index"},
+                             {"vertex_cache", "vertex", "vertex"},
                              {"texel_cache", "texel_cache", "texture"},
                              {"depth_cache", "depth_cache", "depth"},
                              {"color_cache", "color_cache", "color"}};

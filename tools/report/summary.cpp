@@ -1,5 +1,7 @@
 #include "tools/report/summary.h"
 
+#include "model/timing/memory_request.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -131,7 +133,8 @@ std::string describe_buses(const Figures& timing) {
 std::string describe_latency(const Figures& timing) {
     std::string text = "  read latency, cycles on average:";
     const char* separator = " ";
-    for (const std::string client : {"command", "vertex", "texture", "depth", "color"}) {
+    for (const std::string_view name : timing::ClientNames) {
+        const std::string client(name);
         std::uint64_t reads = 0;
         for (const char* range : {"below_32",
                                   "below_64",
@@ -153,15 +156,20 @@ std::string describe_latency(const Figures& timing) {
 
 std::string describe_memory(const Figures& timing, std::size_t frames) {
     std::string text = "  memory traffic a frame, KB read + written:";
-    for (const std::string client : {"command", "vertex", "texture", "depth", "color"}) {
-        const auto kilobytes = [&](const char* what) {
-            return ratio(timing["memory_" + client + what], frames) / 1024;
-        };
-        text += fmt::format(
-            " {} {:.0f} + {:.0f}", client, kilobytes("_read_bytes"), kilobytes("_written_bytes"));
-        text += client == "color" ? "\n" : ",";
+    const char* separator = " ";
+    for (const std::string_view name : timing::ClientNames) {
+        const std::string client = "memory_" + std::string(name);
+        const std::uint64_t read = timing[client + "_read_bytes"];
+        const std::uint64_t written = timing[client + "_written_bytes"];
+        if (read + written == 0) continue;
+        text += fmt::format("{}{} {:.0f} + {:.0f}",
+                            separator,
+                            name,
+                            ratio(read, frames) / 1024,
+                            ratio(written, frames) / 1024);
+        separator = ", ";
     }
-    return text;
+    return text + '\n';
 }
 
 } // namespace
