@@ -123,9 +123,9 @@ TEST_CASE_METHOD(DrawFixture, "arrays of every type and stride become the same f
     entry::NormalPointer(GL_BYTE, Stride, data[0].normal);
     entry::ClientActiveTexture(GL_TEXTURE2);
     entry::TexCoordPointer(2, GL_DOUBLE, Stride, data[0].tex_coord);
-    for (const GLenum array :
+    for (const int array :
          {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY})
-        entry::EnableClientState(array);
+        entry::EnableClientState(static_cast<GLenum>(array));
     entry::DrawArrays(GL_TRIANGLES, 0, 3);
     const auto all = draws();
     REQUIRE(all.size() == 1);

@@ -143,7 +143,7 @@ TEST_CASE("a primitive takes the clipper plane_cycles for each plane, one that n
             return triangles(count, {.pieces = 1, .planes = planes, .fate = PrimitiveFate::Drawn});
         };
         INFO(int{planes} << " planes");
-        CHECK(cycles_of_1000(config, make) == 1000u * std::max(planes * 5, 3)); // or its vertices
+        CHECK(cycles_of_1000(config, make) == 1000u * std::max(planes * 5u, 3u)); // or its vertices
         CHECK(run(config, make(10)).at("clip_planes") == 10u * planes);
     }
     CHECK(cycles_of_1000(config, culled) == 3000);

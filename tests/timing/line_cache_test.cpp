@@ -87,8 +87,8 @@ TEST_CASE("hits are served while fills are at their limit, misses are not") {
     CHECK(bench.cache.look_up({.number = 1}).missed);
     CHECK(bench.cache.look_up({.number = 2}).missed);
     CHECK_FALSE(bench.cache.look_up({.number = 3}).accepted);
-    for (int i = 0; i < 5; ++i) {
-        const LookupResult hit = bench.cache.look_up({.number = 1 + i % 2u});
+    for (std::uint64_t i = 0; i < 5; ++i) {
+        const LookupResult hit = bench.cache.look_up({.number = 1 + i % 2});
         CHECK(hit.accepted);
         CHECK_FALSE(hit.missed);
     }
