@@ -8,6 +8,8 @@
 
 #pragma once
 
+#include "model/packets/work_stream.h"
+
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -15,9 +17,32 @@
 
 namespace ffgpu::timing {
 
-enum class CommandKind : std::uint8_t { Draw, Image, Clear, Copy, HostWrite, HostRead, FrameEnd };
-inline constexpr std::array<std::string_view, 7> CommandKindNames{
-    "draw", "image", "clear", "copy", "host_write", "host_read", "frame_end"};
+enum class CommandKind : std::uint8_t {
+    Draw,
+    Image,
+    Clear,
+    Copy,
+    HostWrite,
+    HostRead,
+    TileStore, // of bins of a tile-based machine, in the end needed by what comes next
+    FrameEnd
+};
+inline constexpr std::array<std::string_view, 8> CommandKindNames{
+    "draw", "image", "clear", "copy", "host_write", "host_read", "tile_store", "frame_end"};
+
+constexpr CommandKind command_kind(WorkKind kind) {
+    switch (kind) {
+    case WorkKind::Draw:
+        return CommandKind::Draw;
+    case WorkKind::Image:
+        return CommandKind::Image;
+    case WorkKind::Clear:
+        return CommandKind::Clear;
+    case WorkKind::Copy:
+        break;
+    }
+    return CommandKind::Copy;
+}
 
 struct CommandCycles {
     CommandKind kind = CommandKind::Draw;

@@ -56,6 +56,11 @@ Activity CommandProcessor::begin(TransferCommand& command) {
         write_back(ports_.color_cache);
         write_back(ports_.depth_cache);
     }
+    for (const work::PlacedLine& line : transfer.tile_lines)
+        requests_.push_back({.address = line.address,
+                             .bytes = line.bytes,
+                             .write = true,
+                             .client = line.depth ? Client::Depth : Client::Color});
     for (const work::TransferLine& part : transfer.lines) {
         LineCache& cache = part.depth ? ports_.depth_cache : ports_.color_cache;
         part.write ? overwrite(cache, part.line) : read(cache, part.line.number);

@@ -6,6 +6,7 @@
 
 #include "model/timing/config/cache.h"
 #include "model/timing/config/clip.h"
+#include "model/timing/config/clock.h"
 #include "model/timing/config/command_processor.h"
 #include "model/timing/config/fragment.h"
 #include "model/timing/config/host.h"
@@ -14,6 +15,7 @@
 #include "model/timing/config/setup.h"
 #include "model/timing/config/texel_l2.h"
 #include "model/timing/config/texture.h"
+#include "model/timing/config/tiles.h"
 #include "model/timing/config/vertex.h"
 #include "model/timing/memory/config.h"
 #include "model/work/config.h"
@@ -24,12 +26,14 @@ namespace ffgpu::timing {
 
 struct TimingConfig {
     HostConfig host;
+    ClockConfig clock;
     CommandProcessorConfig command_processor;
     VertexConfig vertex;
     ClipConfig clip;
     SetupConfig setup;
     RasterConfig raster;
     TextureConfig texture;
+    TilesConfig tiles;
     TexelCacheConfig texel_cache;
     TexelL2Config texel_l2;
     DepthCacheConfig depth_cache;
@@ -43,7 +47,8 @@ struct TimingConfig {
         return {.raster = raster,
                 .texel_cache = texel_cache,
                 .depth_cache = depth_cache,
-                .color_cache = color_cache};
+                .color_cache = color_cache,
+                .tiles = tiles};
     }
 
     // Calls group(name, group) for each; then Group::visit names its fields.
@@ -53,12 +58,14 @@ struct TimingConfig {
             group(std::remove_cvref_t<decltype(member)>::Name, member);
         };
         each(self.host);
+        each(self.clock);
         each(self.command_processor);
         each(self.vertex);
         each(self.clip);
         each(self.setup);
         each(self.raster);
         each(self.texture);
+        each(self.tiles);
         each(self.texel_cache);
         each(self.texel_l2);
         each(self.depth_cache);

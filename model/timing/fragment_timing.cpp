@@ -28,8 +28,7 @@ Activity FragmentTiming::step(std::size_t number) {
     }
     if (pipe.waiting.empty()) return Activity::Idle;
     if (!exit_.can_push(number)) return Activity::StalledOutput;
-    const std::uint32_t cycles =
-        pipe.waiting.front().draw().combiners * config_.fragment.combiner_cycles;
+    const std::uint32_t cycles = config_.fragment.cycles(pipe.waiting.front().draw().combiners);
     pipe.cycles_left = std::max(cycles, 1u) - 1;
     exit_.push(number, pipe.waiting.front());
     pipe.waiting.pop_front();

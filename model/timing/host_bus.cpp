@@ -24,13 +24,15 @@ void HostBus::enqueue(TimedScene& scene) {
 }
 
 void HostBus::enqueue(work::PreparedTransfer&& transfer) {
-    const CommandKind kind =
-        transfer.kind == WorkKind::Clear ? CommandKind::Clear : CommandKind::Copy;
+    const bool is_store = !transfer.tile_lines.empty();
+    const CommandKind kind = is_store ? CommandKind::TileStore : command_kind(transfer.kind);
     const std::size_t entry = ports_.ledger.open(kind, transfer.number, 1);
     const std::uint32_t writes = transfer.register_writes, words = transfer.register_words;
-    add({.token = std::make_shared<TransferCommand>(TransferCommand{std::move(transfer), entry})},
-        writes,
-        words);
+    Command command{
+        .token = std::make_shared<TransferCommand>(TransferCommand{std::move(transfer), entry})};
+    if (!is_store) return add(std::move(command), writes, words);
+    commands_.push_back(std::move(command)); // The machine's own: nothing of it is on the bus.
+    wake();
 }
 
 void HostBus::enqueue(const HostTransfer& transfer) {

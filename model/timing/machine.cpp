@@ -64,6 +64,7 @@ Machine::Machine(const SimulationContext& kernel,
     , primitives(clock, config.clip.queue, config.vertex.latency, assembly_width(config))
     , clipped(clock, config.setup.queue)
     , setups(clock, config.setup.queue)
+    , bins(clock, 1)
     , raster_to_depth(clock, config.raster.queue)
     , depth_to_texture(clock, config.fragment.queue)
     , texture_to_fragment(clock, config.fragment.queue)
@@ -103,10 +104,18 @@ Machine::Machine(const SimulationContext& kernel,
     , geometry("geometry", clock, config, {.vertices_in = vertices, .primitives_out = primitives})
     , clip("clip", clock, config, {.primitives_in = primitives, .primitives_out = clipped})
     , setup("setup", clock, config, {.primitives_in = clipped, .setups_out = setups})
+    , tiles(config.raster.architecture == Architecture::TileBased
+                ? std::make_unique<TilePath>(clock,
+                                             config,
+                                             TilePath::Ports{.setups_in = setups,
+                                                             .bins_out = bins,
+                                                             .in_flight = in_flight,
+                                                             .memory_in_flight = memory_in_flight})
+                : nullptr)
     , raster("raster",
              clock,
              config.raster,
-             {.setups_in = setups, .quads_out = raster_to_depth},
+             {.setups_in = setups, .bins_in = bins, .quads_out = raster_to_depth},
              in_flight)
     , depth("depth",
             clock,
@@ -156,7 +165,11 @@ void Machine::connect_links() {
     vertices.connect(vertex_fetch, geometry);
     primitives.connect(geometry, clip);
     clipped.connect(clip, setup);
-    setups.connect(setup, raster);
+    if (tiles) {
+        tiles->connect(setup, raster, arbiter);
+    } else {
+        setups.connect(setup, raster);
+    }
     raster_to_depth.connect(raster, depth);
     depth_to_texture.connect(depth, texture);
     texture_to_fragment.connect(texture, fragment);
@@ -189,6 +202,7 @@ MemoryArbiter::Ports Machine::memory_ports() {
     ports.requests_in.insert(ports.requests_in.end(),
                              {&host_requests.channel(), &screen_requests.channel()});
     ports.responses_out.insert(ports.responses_out.end(), {&host_responses, &screen_responses});
+    if (tiles) tiles->add_to(ports);
     return ports;
 }
 
@@ -255,6 +269,10 @@ std::vector<Unit*> Machine::units() {
                            &scan_out,
                            &arbiter};
     if (Unit* unit = texel_caches.unit()) all.insert(all.begin() + 9, unit); // behind texture
+    if (tiles) {
+        const std::vector<Unit*> more = tiles->units();
+        all.insert(all.begin() + 6, more.begin(), more.end()); // behind set-up
+    }
     if (Unit* unit = memory->unit()) all.push_back(unit);
     return all;
 }
@@ -315,6 +333,9 @@ std::vector<const StatisticsGroup*> Machine::statistics() {
     groups.push_back(&clip.statistics());
     groups.push_back(&raster.statistics());
     groups.push_back(&scan_out.statistics());
+    if (tiles)
+        for (const StatisticsGroup* const group : tiles->statistics())
+            groups.push_back(group);
     groups.push_back(&texture.statistics());
     for (const CachePort* port : {&index_port, &vertex_port})
         groups.push_back(&port->cache.statistics());

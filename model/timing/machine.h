@@ -20,6 +20,7 @@
 #include "model/timing/simulation_context.h"
 #include "model/timing/texel_caches.h"
 #include "model/timing/texture_timing.h"
+#include "model/timing/tile_path.h"
 #include "model/timing/vertex_fetch.h"
 #include "model/work/machine_order.h"
 
@@ -76,6 +77,7 @@ public:
     Channel<VertexToken> vertices;
     Channel<PrimitiveToken> primitives, clipped;
     Channel<SetupToken> setups;
+    Channel<BinToken> bins; // tile-based
     Channel<QuadToken> raster_to_depth, depth_to_texture, texture_to_fragment, fragment_to_depth,
         depth_to_color;
 
@@ -85,6 +87,7 @@ public:
     GeometryTiming geometry;
     ClipTiming clip;
     SetupTiming setup;
+    std::unique_ptr<TilePath> tiles; // of a tile-based machine
     RasterTiming raster;
     DepthTiming depth;
     TextureTiming texture;

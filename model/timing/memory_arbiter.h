@@ -1,4 +1,4 @@
-// MemoryArbiter: takes the clients' requests in turn (round robin) and sends them to the memory
+// MemoryArbiter: takes the clients' requests in turn (round robin) and sends them to the
 // memory through a TLM-2.0 socket, one a memory channel and cycle. It counts what each client asked
 // for and how long it waited, whatever memory is bound to the socket.
 //
@@ -26,7 +26,8 @@ namespace ffgpu::timing {
 class MemoryArbiter final : public Unit {
 public:
     struct Ports {
-        // A port each, of one client or another; responses are tickets of reads that are done.
+        // A port each, of one client or another; responses are tickets of reads that are done, null
+        // where a port only writes.
         std::vector<Channel<MemoryRequest>*> requests_in;
         std::vector<Channel<std::uint64_t>*> responses_out;
     };

@@ -17,11 +17,12 @@ enum class Client : std::uint8_t {
     Index,
     Host,
     ScanOut,
+    Parameter,
     Count
 };
 inline constexpr std::size_t Clients = static_cast<std::size_t>(Client::Count);
 inline constexpr std::array<std::string_view, Clients> ClientNames{
-    "command", "vertex", "texture", "depth", "color", "index", "host", "scan_out"};
+    "command", "vertex", "texture", "depth", "color", "index", "host", "scan_out", "parameter"};
 
 struct MemoryRequest {
     std::uint64_t address = 0;

@@ -4,24 +4,37 @@
 
 namespace ffgpu::timing {
 
+bool RasterTiming::take() {
+    if (config_.architecture == Architecture::TileBased) {
+        if (!ports_.bins_in.can_pop()) return false;
+        take(ports_.bins_in.pop());
+    } else {
+        if (!ports_.setups_in.can_pop()) return false;
+        take(ports_.setups_in.pop());
+    }
+    return true;
+}
+
+void RasterTiming::take(const BinToken& token) {
+    scene_ = token.pass.scene;
+    take_pieces(token.plan().pieces_begin, token.plan().pieces_end);
+}
+
 void RasterTiming::take(const SetupToken& token) {
     scene_ = token.draw.scene;
-    const work::PreparedScene& work = scene_->work;
-    if (config_.architecture == Architecture::Immediate) {
-        piece_ = token.begin;
-        end_piece_ = token.end;
-    } else if (token.last && ++draws_taken_ == work.draws.size()) {
-        piece_ = 0;
-        end_piece_ = static_cast<std::uint32_t>(work.pieces.size());
-        draws_taken_ = 0;
-    }
-    if (piece_ != end_piece_) {
-        quad_ = work.pieces[piece_].begin;
-        in_flight_.enter(work.pieces[end_piece_ - 1].end - quad_);
-    }
+    take_pieces(token.begin, token.end);
     ends_draw_ = token.last;
     draw_ = token.draw.draw;
     if (piece_ == end_piece_) end_record();
+}
+
+void RasterTiming::take_pieces(std::uint32_t begin, std::uint32_t end) {
+    piece_ = begin;
+    end_piece_ = end;
+    if (begin == end) return;
+    const auto& pieces = scene_->work.pieces;
+    quad_ = pieces[begin].begin;
+    in_flight_.enter(pieces[end - 1].end - quad_);
 }
 
 // The draw itself is through: its quads are counted now.
@@ -81,8 +94,7 @@ Activity RasterTiming::step() {
         return Activity::Busy;
     }
     if (piece_ == end_piece_) {
-        if (!ports_.setups_in.can_pop()) return Activity::Idle;
-        take(ports_.setups_in.pop());
+        if (!take()) return Activity::Idle;
         if (piece_ == end_piece_) return Activity::Busy;
     }
     return walk_piece();

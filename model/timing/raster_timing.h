@@ -1,15 +1,15 @@
 // RasterTiming: walks the blocks of each piece's box (work/block_walk.h) and makes the quads of
 // those that are not empty, quads_per_cycle of them. A block with quads takes tile_cycles and then
 // its quads' cycles; one without takes empty_tile_cycles; a piece takes a cycle at least. An
-// immediate machine follows the primitives; a tile-based one first takes in all primitives of a
-// scene and then walks it screen bin by screen bin.
+// immediate machine follows the primitives, a tile-based one the bins, in each of them the parts of
+// the pieces in its list.
 
 #pragma once
 
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
 #include "model/timing/in_flight.h"
-#include "model/timing/tokens.h"
+#include "model/timing/tile_tokens.h"
 #include "model/timing/unit.h"
 
 namespace ffgpu::timing {
@@ -23,7 +23,8 @@ public:
 class RasterTiming final : public Unit {
 public:
     struct Ports {
-        Channel<SetupToken>& setups_in;
+        Channel<SetupToken>& setups_in; // immediate
+        Channel<BinToken>& bins_in;     // tile-based
         Channel<QuadToken>& quads_out;
     };
 
@@ -43,7 +44,10 @@ private:
     Activity step() override;
     bool may_sleep() const override { return true; }
     Cycle next_work(Activity last) const override;
+    bool take();
     void take(const SetupToken& token);
+    void take(const BinToken& token);
+    void take_pieces(std::uint32_t begin, std::uint32_t end);
     void end_record();
     Activity walk_piece();
     Cycle cycles_to(const PreparedQuad& quad) const;
@@ -55,13 +59,12 @@ private:
     InFlight& in_flight_;
     RasterStatistics statistics_;
     TimedScene* scene_ = nullptr;
-    std::uint32_t draw_ = 0; // of the record under way
+    std::uint32_t draw_ = 0; // immediate: of the record under way
     bool ends_draw_ = false;
     std::uint32_t piece_ = 0, end_piece_ = 0;
-    std::uint32_t quad_ = 0;        // of the piece
-    bool in_block_ = false;         // Its block was stepped to.
-    Cycle walked_at_ = 0;           // the first cycle after the steps under way
-    std::uint32_t draws_taken_ = 0; // tile-based: of the scene
+    std::uint32_t quad_ = 0; // of the piece
+    bool in_block_ = false;  // Its block was stepped to.
+    Cycle walked_at_ = 0;    // the first cycle after the steps under way
 };
 
 } // namespace ffgpu::timing

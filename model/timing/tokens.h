@@ -3,10 +3,12 @@
 #pragma once
 
 #include "model/timing/command_ledger.h"
+#include "model/timing/unit.h"
 #include "model/work/prepared_work.h"
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace ffgpu::timing {
 
@@ -23,7 +25,9 @@ struct TimedScene {
     TimedScene(work::PreparedScene&& prepared, CommandLedger& ledger)
         : work(std::move(prepared))
         , ledger_(ledger)
-        , first_entry_(open_draws()) {}
+        , first_entry_(open_draws()) {
+        index_bins();
+    }
 
     work::PreparedScene work;
     std::vector<HostWrite> host_writes; // before its draws; the vertex fetch takes them
@@ -35,16 +39,26 @@ struct TimedScene {
     }
     // By the unit that ends a quad: the last of the pipe, or one in which no fragment was left.
     void retire_quad(std::uint32_t quad, std::uint64_t now) {
-        ++ended_quads_;
+        end_quad(quad, now);
         ledger_.retire(first_entry_ + work.quads[quad].draw, now);
     }
     void end_dead_quad(std::uint32_t quad, std::uint64_t now) {
-        ++ended_quads_;
+        end_quad(quad, now);
         ledger_.end_part(first_entry_ + work.quads[quad].draw, now);
     }
+    // Tile-based: all quads of the bin ended in cycles before this one.
+    bool bin_is_drawn(std::uint32_t bin, std::uint64_t now) const {
+        return bins_[bin].quads_left == 0 && bins_[bin].changed < now;
+    }
+    // The unit that asks it.
+    void set_bin_waiter(Unit& waiter) { bin_waiter_ = &waiter; }
+    // Tile-based: by the unit that stores bins.
+    void end_pass() { ++ended_passes_; }
+
     // No token points in here any more.
     bool is_done() const {
-        return ended_draws_ == work.draws.size() && ended_quads_ == work.quads.size();
+        return ended_draws_ == work.draws.size() && ended_quads_ == work.quads.size() &&
+               ended_passes_ == work.tiles.passes.size();
     }
 
 private:
@@ -52,18 +66,41 @@ private:
     std::size_t open_draws() {
         std::size_t first = 0;
         for (const PreparedDraw& draw : work.draws) {
-            const CommandKind kind =
-                draw.kind == WorkKind::Image ? CommandKind::Image : CommandKind::Draw;
-            const std::size_t entry =
-                ledger_.open(kind, draw.number, std::uint64_t{draw.quad_count} + 1);
+            const std::size_t entry = ledger_.open(
+                command_kind(draw.kind), draw.number, std::uint64_t{draw.quad_count} + 1);
             if (&draw == work.draws.data()) first = entry;
         }
         return first;
     }
 
+    void index_bins() {
+        if (work.tiles.passes.empty()) return;
+        bin_of_quad_.resize(work.quads.size());
+        for (const work::TileBin& bin : work.tiles.bins) {
+            for (std::uint32_t quad = bin.quads_begin; quad < bin.quads_end; ++quad)
+                bin_of_quad_[quad] = static_cast<std::uint32_t>(bins_.size());
+            bins_.push_back({bin.quads_end - bin.quads_begin, 0});
+        }
+    }
+    void end_quad(std::uint32_t quad, std::uint64_t now) {
+        ++ended_quads_;
+        if (bins_.empty()) return;
+        Bin& bin = bins_[bin_of_quad_[quad]];
+        bin.changed = now;
+        if (--bin.quads_left == 0) bin_waiter_->wake();
+    }
+
+    struct Bin {
+        std::uint32_t quads_left = 0;
+        std::uint64_t changed = 0;
+    };
+
     CommandLedger& ledger_;
     std::size_t first_entry_;
-    std::uint64_t ended_draws_ = 0, ended_quads_ = 0;
+    std::uint64_t ended_draws_ = 0, ended_quads_ = 0, ended_passes_ = 0;
+    std::vector<Bin> bins_;
+    std::vector<std::uint32_t> bin_of_quad_;
+    Unit* bin_waiter_ = nullptr;
 };
 
 struct DrawToken {
@@ -97,7 +134,7 @@ struct PrimitiveToken {
     }
 };
 
-// A piece that was set up, or a primitive without one. Tile-based machines walk the scene's.
+// A piece that was set up, or a primitive without one. Tile-based machines bin it.
 struct SetupToken {
     DrawToken draw;
     std::uint32_t begin = 0, end = 0;

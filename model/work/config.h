@@ -4,6 +4,7 @@
 #pragma once
 
 #include "model/base/parameters.h"
+#include "model/work/tile_config.h"
 
 #include <array>
 #include <cstdint>
@@ -149,6 +150,7 @@ struct WorkConfig {
     TexelCacheShape texel_cache;
     CacheShape depth_cache;
     CacheShape color_cache;
+    TileOrder tiles;
 };
 
 } // namespace ffgpu::work

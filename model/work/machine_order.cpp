@@ -1,5 +1,7 @@
 #include "model/work/machine_order.h"
 
+#include "model/work/target_clear.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -33,6 +35,18 @@ void add_lines(const std::vector<WrittenLine>& lines,
         transfer.lines.push_back({depth, write, line});
 }
 
+// Calls read(at, bytes) for each piece of device memory that the command reads, but its targets'.
+template <class Read>
+void for_each_read(const WholeCommand& command, Read&& read) {
+    const WorkDraw& draw = command.draw;
+    if (draw.kind == WorkKind::Image)
+        read(draw.image.address, std::uint64_t{draw.image.stride} * draw.image.height);
+    for (const std::uint8_t unit : command.units) {
+        const TextureImage& image = draw.state->images[unit];
+        if (image.shape.kind != TextureKind::None) read(image.address, texture_bytes(image.shape));
+    }
+}
+
 } // namespace
 
 PlacedLevel MachineOrder::shown() {
@@ -48,41 +62,59 @@ void MachineOrder::note_shown(const WorkDraw& draw) {
 }
 
 void MachineOrder::command(std::shared_ptr<const WholeCommand> command) {
-    note_shown(command->draw);
-    switch (command->draw.kind) {
+    const WorkDraw& draw = command->draw;
+    note_shown(draw);
+    last_number_ = draw.number;
+    if (is_tile_based() && draw.kind != WorkKind::Copy) return gather(*command);
+    switch (draw.kind) {
     case WorkKind::Draw:
-    case WorkKind::Image:
-        return draw(*command);
+    case WorkKind::Image: {
+        PreparedScene scene;
+        append(*command, config_, addresses_, scene);
+        return out_.scene(std::move(scene));
+    }
     case WorkKind::Clear:
-        end_scene();
-        return clear(command->draw);
+        return clear(draw);
     case WorkKind::Copy:
+        if (tiles_.resolve(draw)) {
+            end_scene();
+            return destination_written(draw.copy);
+        }
         end_scene();
-        return copy(command->draw);
+        return copy(draw);
     }
 }
 
-void MachineOrder::draw(const WholeCommand& command) {
-    const bool immediate = config_.raster.architecture == Architecture::Immediate;
-    const Targets targets = command.draw.state ? command.draw.state->targets : Targets{};
-    if (!scene_.draws.empty() && (!(targets == scene_targets_) || reads_scene(command)))
-        end_scene();
-    scene_targets_ = targets;
-    append(command, config_, addresses_, scene_);
-    if (immediate) end_scene();
+void MachineOrder::gather(const WholeCommand& command) {
+    const WorkDraw& draw = command.draw;
+    const Targets targets = draw.state ? draw.state->targets : Targets{};
+    if (!(targets == tiles_.targets()) || reads_scene(command)) end_scene();
+    for_each_read(command,
+                  [&](std::uint64_t at, std::uint64_t bytes) { deferred_.need_range(at, bytes); });
+    if (draw.kind == WorkKind::Clear) {
+        tiles_.clear(draw);
+    } else {
+        tiles_.draw(command);
+    }
 }
 
+// Stores that became due while the scene was planned come before it.
 void MachineOrder::end_scene() {
-    if (scene_.draws.empty()) return;
-    if (config_.raster.architecture == Architecture::TileBased)
-        sort_by_screen_bins(config_.raster, scene_);
-    out_.scene(std::exchange(scene_, {}));
+    if (tiles_.empty()) return;
+    PreparedScene scene = tiles_.take(deferred_);
+    store_due();
+    out_.scene(std::move(scene));
+}
+
+void MachineOrder::store_due() {
+    PreparedTransfer transfer{.number = last_number_, .tile_lines = deferred_.take_due()};
+    if (!transfer.tile_lines.empty()) out_.transfer(std::move(transfer));
 }
 
 bool MachineOrder::scene_draws_into(std::uint64_t at, std::uint64_t bytes) const {
-    if (scene_.draws.empty()) return false;
+    if (tiles_.empty()) return false;
     bool found = false;
-    Targets::for_each(scene_targets_, [&](const Surface& target) {
+    Targets::for_each(tiles_.targets(), [&](const Surface& target) {
         found = found || (target.format != Format::None &&
                           overlap(at, bytes, target.address, target.bytes()));
     });
@@ -90,19 +122,17 @@ bool MachineOrder::scene_draws_into(std::uint64_t at, std::uint64_t bytes) const
 }
 
 bool MachineOrder::reads_scene(const WholeCommand& command) const {
-    const WorkDraw& draw = command.draw;
-    if (draw.kind == WorkKind::Image &&
-        scene_draws_into(draw.image.address, std::uint64_t{draw.image.stride} * draw.image.height))
-        return true;
-    return std::any_of(command.units.begin(), command.units.end(), [&](std::uint8_t unit) {
-        const TextureImage& image = draw.state->images[unit];
-        return image.shape.kind != TextureKind::None &&
-               scene_draws_into(image.address, texture_bytes(image.shape));
+    bool found = false;
+    for_each_read(command, [&](std::uint64_t at, std::uint64_t bytes) {
+        found = found || scene_draws_into(at, bytes);
     });
+    return found;
 }
 
 void MachineOrder::host_transfer(const HostTransfer& transfer) {
     if (scene_draws_into(transfer.at, transfer.bytes)) end_scene();
+    deferred_.need_range(transfer.at, transfer.bytes);
+    store_due();
     if (transfer.is_write) addresses_.memory_written(transfer.at, transfer.bytes);
     out_.host_transfer(transfer);
     access(transfer);
@@ -137,6 +167,8 @@ void MachineOrder::access(const HostTransfer& transfer) {
 
 void MachineOrder::end_frame(std::uint32_t frame) {
     end_scene();
+    deferred_.end_frame();
+    store_due();
     out_.end_frame(frame);
 }
 
@@ -165,33 +197,12 @@ void MachineOrder::clear(const WorkDraw& draw) {
                               .number = draw.number,
                               .register_writes = draw.register_writes,
                               .register_words = draw.register_words};
-    const Registers& state = *draw.state;
-    const Scissor& scissor = state.scissor;
-    Rectangle rectangle{
-        scissor.x, scissor.y, scissor.x + scissor.width, scissor.y + scissor.height};
-    Targets::for_each(state.targets, [&rectangle](const Surface& target) {
-        if (target.format != Format::None)
-            rectangle = intersect(rectangle, {0, 0, target.width, target.height});
-    });
-    const auto clear = [&](const Surface& target, bool depth, PixelBytes pixel, SurfaceFill fill) {
-        if (target.format == Format::None) return;
-        fill.place = addresses_.surface(target, shape(depth));
-        fill.rectangle = rectangle;
-        clear_lines(fill, depth, pixel, transfer);
-        transfer.fills.push_back(fill);
-    };
-    if (draw.clear.color)
-        for (const Surface& target : state.targets.color)
-            clear(target,
-                  false,
-                  cleared_color_bytes(target.format, state.blend.write_mask),
-                  color_fill(state, target.format, draw.clear.color_value));
-    const Surface& depth = state.targets.depth;
-    if (draw.clear.depth || draw.clear.stencil)
-        clear(depth,
-              true,
-              cleared_depth_bytes(depth.format, draw.clear, state.stencil.front.write_mask),
-              depth_fill(state, depth.format, draw.clear));
+    for (TargetClear& of : target_clears(draw)) {
+        if (of.depth ? !(draw.clear.depth || draw.clear.stencil) : !draw.clear.color) continue;
+        of.fill.place = addresses_.surface(of.target, shape(of.depth));
+        clear_lines(of.fill, of.depth, of.bytes, transfer);
+        transfer.fills.push_back(of.fill);
+    }
     out_.transfer(std::move(transfer));
 }
 
@@ -202,6 +213,9 @@ void MachineOrder::copy(const WorkDraw& draw) {
                               .register_writes = draw.register_writes,
                               .register_words = draw.register_words};
     const CopyRectangleCommand& copy = draw.copy;
+    for (const Surface& surface : {copy.source, copy.destination})
+        deferred_.need_range(surface.address, surface.bytes());
+    store_due();
     const bool depth = format_info(copy.source.format).is_depth;
     const CacheShape& cache = depth ? config_.depth_cache : config_.color_cache;
     const auto lines = [&](const Surface& surface, int x, int y) {
@@ -213,8 +227,12 @@ void MachineOrder::copy(const WorkDraw& draw) {
     add_lines(lines(copy.source, copy.source_x, copy.source_y), depth, false, transfer);
     add_lines(
         lines(copy.destination, copy.destination_x, copy.destination_y), depth, true, transfer);
-    addresses_.memory_written(copy.destination.address, copy.destination.bytes());
+    destination_written(copy);
     out_.transfer(std::move(transfer));
+}
+
+void MachineOrder::destination_written(const CopyRectangleCommand& copy) {
+    addresses_.memory_written(copy.destination.address, copy.destination.bytes());
 }
 
 } // namespace ffgpu::work

@@ -4,16 +4,18 @@
 // An immediate machine makes a scene of each draw. A tile-based one gathers draws into a scene
 // until
 //   - the targets change, or a frame ends;
-//   - a clear or a copy comes: they are done on surfaces in memory;
+//   - a copy comes: it is done on surfaces in memory, but for the resolve of a whole target;
 //   - the driver reads or writes bytes of the scene's targets;
 //   - a draw reads a texture or an image that the scene draws into.
-// All of these are what the application did: nothing of how the host drew can end a scene.
+// All of these are what the application did: nothing of how the host drew can end a scene. Clears
+// are part of a scene.
 
 #pragma once
 
 #include "model/work/prepared_work.h"
 #include "model/work/surface_fill.h"
 #include "model/work/surface_lines.h"
+#include "model/work/tile_scene.h"
 
 #include <cstdint>
 #include <memory>
@@ -29,14 +31,15 @@ struct TransferLine {
     bool whole = false; // written: what is written of a pixel is, of all the line's pixels
 };
 
-// A clear or a copy.
+// A clear or a copy; or what bins of a tile-based machine's scenes have to store after all.
 struct PreparedTransfer {
     WorkKind kind = WorkKind::Clear;
     std::uint32_t number = 0;
     bool writes_back_caches = false;                       // before it
     std::uint32_t register_writes = 0, register_words = 0; // as WorkDraw has them
     std::vector<TransferLine> lines{};
-    std::vector<SurfaceFill> fills{}; // a clear's, of the targets in turn
+    std::vector<SurfaceFill> fills{};     // a clear's, of the targets in turn
+    std::vector<PlacedLine> tile_lines{}; // not empty: the third
 };
 
 // What a target holds before the commands from here on (with values).
@@ -63,7 +66,9 @@ public:
     MachineOrder(const WorkConfig& config, MachineSink& out)
         : config_(config)
         , out_(out)
-        , addresses_(config.texel_cache) {}
+        , addresses_(config.texel_cache)
+        , tiles_(config_, addresses_)
+        , deferred_(config.raster.bin_size) {}
 
     void command(std::shared_ptr<const WholeCommand> command) override;
     void content(const std::shared_ptr<const SurfaceContent>& content) override;
@@ -76,9 +81,11 @@ public:
 
 private:
     void note_shown(const WorkDraw& draw);
-    void draw(const WholeCommand& command);
+    bool is_tile_based() const { return config_.raster.architecture == Architecture::TileBased; }
+    void gather(const WholeCommand& command);
     void clear(const WorkDraw& draw);
     void copy(const WorkDraw& draw);
+    void destination_written(const CopyRectangleCommand& copy);
     void end_scene();
     void access(const HostTransfer& transfer);
     const CacheShape& shape(bool depth) const {
@@ -88,16 +95,18 @@ private:
                      bool depth,
                      PixelBytes pixel,
                      PreparedTransfer& transfer) const;
+    void store_due();
     bool scene_draws_into(std::uint64_t at, std::uint64_t bytes) const;
     bool reads_scene(const WholeCommand& command) const;
 
     const WorkConfig config_;
     MachineSink& out_;
     AddressMap addresses_;
-    PreparedScene scene_;        // tile-based: what was gathered
-    Targets scene_targets_;      // of its draws
     std::vector<Surface> known_; // whose content was told
     Surface shown_;
+    TileScene tiles_; // what a tile-based machine has gathered
+    DeferredStores deferred_;
+    std::uint32_t last_number_ = 0; // of a command
 };
 
 } // namespace ffgpu::work

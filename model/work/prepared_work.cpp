@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 namespace ffgpu::work {
@@ -344,22 +345,25 @@ void append(const WholeCommand& command,
     Appender(command, config, scene).run(addresses);
 }
 
-void sort_by_screen_bins(const RasterOrder& raster, PreparedScene& scene) {
+void sort_quads(const RasterOrder& raster,
+                const std::vector<std::uint64_t>& keys,
+                PreparedScene& scene) {
     struct Placed {
-        std::uint32_t bin = 0, piece = 0, quad = 0;
+        std::uint64_t key = 0;
+        std::uint32_t piece = 0, quad = 0;
     };
     std::vector<Placed> order;
     order.reserve(scene.quads.size());
     for (std::uint32_t piece = 0; piece < scene.pieces.size(); ++piece)
         for (std::uint32_t i = scene.pieces[piece].begin; i < scene.pieces[piece].end; ++i)
-            order.push_back({screen_bin(raster, scene.quads[i].x, scene.quads[i].y), piece, i});
+            order.push_back({keys[i], piece, i});
     std::stable_sort(
-        order.begin(), order.end(), [](const Placed& a, const Placed& b) { return a.bin < b.bin; });
+        order.begin(), order.end(), [](const Placed& a, const Placed& b) { return a.key < b.key; });
     const std::vector<PreparedPiece> whole = std::exchange(scene.pieces, {});
     const std::vector<PreparedQuad> quads = std::exchange(scene.quads, {});
     for (std::size_t i = 0; i < order.size(); ++i) {
         const Placed& placed = order[i];
-        if (i == 0 || placed.bin != order[i - 1].bin || placed.piece != order[i - 1].piece) {
+        if (i == 0 || placed.key != order[i - 1].key || placed.piece != order[i - 1].piece) {
             const auto at = static_cast<std::uint32_t>(i);
             const PieceBox& box = whole[placed.piece].box;
             scene.pieces.push_back({at, at, part_in_bin(box, raster, quads[placed.quad]), 0});

@@ -7,6 +7,7 @@
 #include "model/packets/quad_values.h"
 #include "model/work/address_map.h"
 #include "model/work/config.h"
+#include "model/work/tile_plan.h"
 #include "model/work/whole_command.h"
 
 #include <algorithm>
@@ -104,6 +105,7 @@ struct PreparedScene {
     std::vector<TexturePart> texture_parts;
     std::vector<std::uint64_t> target_lines;
     std::vector<std::uint32_t> values; // words, where the work has values
+    TilePlan tiles;                    // of a tile-based machine
 
     std::span<const std::uint64_t> lines_of(const PreparedQuad& quad) const {
         return std::span(texel_lines).subspan(quad.texel_lines_begin, quad.texel_line_count);
@@ -131,9 +133,12 @@ void append(const WholeCommand& command,
             AddressMap& addresses,
             PreparedScene& scene);
 
-// Brings the quads of a whole scene into the order of a tile-based machine: screen bins in row
-// order, inside each as they were. A piece has a part in each bin in which it has quads, and the
-// walk of a part stays in the bin; of the pieces before set-up needs the numbers alone.
-void sort_by_screen_bins(const RasterOrder& raster, PreparedScene& scene);
+// Brings the quads of a whole scene into the order of their keys, a key each, which differ from
+// screen bin to screen bin; where keys are equal, as they were. A piece has a part for each key of
+// its quads, and the walk of a part stays in the bin; of the pieces before set-up needs the numbers
+// alone.
+void sort_quads(const RasterOrder& raster,
+                const std::vector<std::uint64_t>& keys,
+                PreparedScene& scene);
 
 } // namespace ffgpu::work

@@ -6,7 +6,6 @@
 #include "model/memory/color_pixel.h"
 #include "model/packets/rectangle.h"
 #include "model/work/address_map.h"
-#include "model/work/surface_lines.h"
 
 #include <cstdint>
 

@@ -16,13 +16,14 @@ constexpr PixelBytes shared_bytes(std::uint32_t bytes, bool some, bool all) {
     return {some ? bytes : 0, all ? bytes : 0};
 }
 
-// The lines of a surface, which collect what is written of them.
+// The lines of a part of a surface, which collect what is written of them.
 class Collector {
 public:
-    Collector(const PlacedLevel& place, const LineGrain& grain)
+    // Of bytes [begin, end) of memory.
+    Collector(std::uint64_t begin, std::uint64_t end, const LineGrain& grain)
         : grain_(grain)
-        , first_(place.base / grain.line_bytes())
-        , lines_((place.base + place.layer_bytes - 1) / grain.line_bytes() - first_ + 1) {}
+        , first_(begin / grain.line_bytes())
+        , lines_((end - 1) / grain.line_bytes() - first_ + 1) {}
 
     // Bytes [begin, end) of memory.
     void add(std::uint64_t begin, std::uint64_t end, bool covered) {
@@ -135,7 +136,12 @@ std::vector<WrittenLine> rectangle_lines(const PlacedLevel& place,
     const std::uint32_t element = place.layout.element_bytes;
     const std::uint32_t sample = element / place.samples;
     const bool whole = pixel.covered == (1u << sample) - 1;
-    Collector lines(place, grain);
+    // In every layout the first and the last byte are those of the corners.
+    const auto corner = [&](int x, int y) {
+        return place.address(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0);
+    };
+    Collector lines(
+        corner(cut.x0, cut.y0), corner(cut.x1 - 1, cut.y1 - 1) + place.layout.element_bytes, grain);
     const auto add = [&](std::uint64_t begin, std::uint64_t end) {
         if (whole) return lines.add(begin, end, true);
         lines.add_pixels(begin, end, sample, pixel);

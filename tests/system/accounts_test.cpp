@@ -97,9 +97,13 @@ const std::set<std::string> Units = {"host",
                                      "arbiter",
                                      "memory"};
 
-void check_units(const TimedFrame& frame) {
-    CHECK(frame.names("_busy_cycles") == Units);
-    for (const std::string& unit : Units) {
+const std::set<std::string> TileUnits = {"binner", "parameter_fetch", "tile_memory"};
+
+void check_units(const TimedFrame& frame, bool tile_based) {
+    std::set<std::string> units = Units;
+    if (tile_based) units.insert(TileUnits.begin(), TileUnits.end());
+    CHECK(frame.names("_busy_cycles") == units);
+    for (const std::string& unit : units) {
         INFO(unit);
         CHECK(frame[unit + "_busy_cycles"] + frame[unit + "_idle_cycles"] +
                   frame.sum(unit + "_stalled_", "_cycles") ==
@@ -125,9 +129,10 @@ void check_cache(const TimedFrame& frame, const CacheNames& names, std::uint64_t
     CHECK(of("misses_without_fetch") <= of("misses"));
     CHECK(of("read_bytes") ==
           line_bytes * (of("misses") - of("misses_without_fetch") + of("partial_fetches")));
-    const std::string client = "memory_" + names.client;
-    CHECK(frame[client + "_read_bytes"] == of("read_bytes"));
-    CHECK(frame[client + "_written_bytes"] == of("written_bytes"));
+    const std::string client = "memory_" + names.client, tile = "tile_" + names.client;
+    CHECK(frame[client + "_read_bytes"] == of("read_bytes") + frame.sum(tile, "_loaded_bytes"));
+    CHECK(frame[client + "_written_bytes"] ==
+          of("written_bytes") + frame.sum(tile, "_stored_bytes"));
 }
 
 void check_accounts(const Json& statistics) {
@@ -136,7 +141,7 @@ void check_accounts(const Json& statistics) {
     for (const Json& frame : statistics["frames"]) {
         INFO("frame " << frame["frame"]);
         const TimedFrame timing(frame["timing"]);
-        check_units(timing);
+        check_units(timing, statistics["configuration"]["raster"]["architecture"] == "tile_based");
         for (const CacheNames& cache : Caches)
             check_cache(timing, cache, statistics["configuration"][cache.group]["line_bytes"]);
         const Json& memory = statistics["configuration"]["memory"];

@@ -79,6 +79,10 @@ TEST_CASE("From one file, each machine's statistics are those of its live run") 
         CHECK(timed(work, Immediate) == immediate);
         const std::string tile_based = live(trace, TileBased);
         CHECK(tile_based != immediate);
+        const auto functional = [](const std::string& statistics) {
+            return nlohmann::json::parse(statistics)["totals"]["functional"];
+        };
+        CHECK(functional(tile_based) == functional(immediate));
         CHECK(timed(work, TileBased) == tile_based);
         CHECK(timed(work, Narrow) == live(trace, Narrow));
     }

@@ -1,6 +1,7 @@
 // Values in the work stream: who follows them knows every byte of the targets, whatever the host.
 
 #include "model/work/machine_order.h"
+#include "model/work/scene_writes.h"
 #include "model/work/surface_contents.h"
 #include "model/work/work_file_reader.h"
 #include "tests/gpu/depth_scene.h"
@@ -21,25 +22,16 @@ public:
         , colors(color_lines_) {}
 
     void scene(PreparedScene&& scene) override {
-        for (const PreparedQuad& quad : scene.quads) {
-            const PreparedDraw& draw = scene.draws[quad.draw];
-            REQUIRE(draw.has_values);
-            const QuadValues values = scene.values_of(quad);
-            each_line(draw.depth_place, depth_lines_, [&](std::uint64_t line) {
-                depths.write(draw.depth_place, quad, values.depth_words, line);
-            });
-            for (std::size_t i = 0; i < draw.color_places.size(); ++i)
-                each_line(draw.color_places[i], color_lines_, [&](std::uint64_t line) {
-                    colors.write(draw.color_places[i], quad, values.colors[i], line);
-                });
-            ++quads;
-        }
+        for_each_write(
+            scene,
+            [this](const SurfaceFill& part) { fill(part); },
+            [&](const PreparedQuad& quad) { write(scene, quad); });
+        fills_in_scenes += scene.tiles.fills.size();
+        cut_scenes += scene.tiles.passes.size() > 1;
     }
     void transfer(PreparedTransfer&& transfer) override {
-        for (const SurfaceFill& fill : transfer.fills) {
-            depths.fill(fill);
-            colors.fill(fill);
-        }
+        for (const SurfaceFill& part : transfer.fills)
+            fill(part);
     }
     void content(PreparedContent&& told) override {
         places[told.content->surface.address] = told;
@@ -51,6 +43,25 @@ public:
     void end_frame(std::uint32_t) override {}
 
 private:
+    void fill(const SurfaceFill& part) {
+        depths.fill(part);
+        colors.fill(part);
+    }
+
+    void write(const PreparedScene& scene, const PreparedQuad& quad) {
+        const PreparedDraw& draw = scene.draws[quad.draw];
+        REQUIRE(draw.has_values);
+        const QuadValues values = scene.values_of(quad);
+        each_line(draw.depth_place, depth_lines_, [&](std::uint64_t line) {
+            depths.write(draw.depth_place, quad, values.depth_words, line);
+        });
+        for (std::size_t i = 0; i < draw.color_places.size(); ++i)
+            each_line(draw.color_places[i], color_lines_, [&](std::uint64_t line) {
+                colors.write(draw.color_places[i], quad, values.colors[i], line);
+            });
+        ++quads;
+    }
+
     // All lines of the surface: slow, and knows nothing of which a quad touches.
     template <class Each>
     static void each_line(const PlacedLevel& place, std::uint32_t line_bytes, Each&& each) {
@@ -63,7 +74,7 @@ private:
 public:
     SurfaceContents depths, colors;
     std::map<DeviceAddress, PreparedContent> places;
-    std::size_t quads = 0, changed_lines = 0;
+    std::size_t quads = 0, changed_lines = 0, fills_in_scenes = 0, cut_scenes = 0;
 };
 
 std::uint32_t in_memory(FunctionalGpu& gpu, const Surface& surface, int x, int y, unsigned sample) {
@@ -99,6 +110,7 @@ WorkConfig config_of(std::uint32_t seed) {
     config.color_cache.layout = static_cast<Layout>(seed / 2 % 2);
     config.raster.traversal = static_cast<Traversal>(seed % 3);
     config.raster.architecture = static_cast<Architecture>(seed / 3 % 2);
+    if (seed / 6 % 2) config.tiles.parameter_buffer_bytes = 1024; // several passes a scene
     return config;
 }
 
@@ -111,6 +123,7 @@ const std::vector<test::DepthSceneKind> Kinds{
 };
 
 TEST_CASE("Values followed in a machine's order are the bytes of the targets") {
+    std::size_t cut_scenes = 0; // that took several passes
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         const test::DepthSceneKind& kind = Kinds[seed % Kinds.size()];
         INFO("seed " << seed);
@@ -136,8 +149,12 @@ TEST_CASE("Values followed in a machine's order are the bytes of the targets") {
             random.scene.gpu.hide_from_work(false);
         }
         CHECK(follower.quads > 100);
+        if (config.raster.architecture == Architecture::TileBased)
+            CHECK(follower.fills_in_scenes > 0);
+        cut_scenes += follower.cut_scenes;
         random.scene.gpu.set_work_sink(nullptr);
     }
+    CHECK(cut_scenes > 10);
 }
 
 CommandList random_work(std::uint32_t seed,

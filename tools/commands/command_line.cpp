@@ -59,6 +59,7 @@ int run_command_line(int count, const char* const* arguments, const char* versio
     add_dump_command(application, run);
     add_completion_command(application, run);
     add_manual_command(application, run);
+    add_presets_command(application, run);
     try {
         if (count > 1) check_verb(application, arguments[1]);
         application.parse(count, arguments);

@@ -22,5 +22,6 @@ void add_info_command(CLI::App& application, Run& run);
 void add_dump_command(CLI::App& application, Run& run);
 void add_completion_command(CLI::App& application, Run& run);
 void add_manual_command(CLI::App& application, Run& run);
+void add_presets_command(CLI::App& application, Run& run);
 
 } // namespace ffgpu::tools

@@ -17,7 +17,7 @@ void add_config_command(CLI::App& application, Run& run) {
     CLI::App* const verb = application.add_subcommand(
         "config", "Prints the configuration as TOML, each parameter with unit, range and meaning");
     verb->add_option("--config", options->file, "Start from this file instead of the defaults")
-        ->type_name("F.toml");
+        ->type_name("F.toml|preset:NAME");
     verb->add_option("--set", options->settings, "Change a parameter: texel_cache.ways=8")
         ->type_name("NAME=VALUE");
     verb->footer("Example: ffgpu config > my.toml");

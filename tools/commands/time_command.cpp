@@ -24,7 +24,7 @@ void add_time_command(CLI::App& application, Run& run) {
         ->type_name("DIR")
         ->required();
     verb->add_option("--config", arguments->config, "Parameters; ffgpu config prints them")
-        ->type_name("F.toml");
+        ->type_name("F.toml|preset:NAME");
     verb->add_option("--set", arguments->settings, "Change a parameter: texel_cache.ways=8")
         ->type_name("NAME=VALUE");
     verb->footer("Example: ffgpu time corridor.ffw -o out/two_ways --set texel_cache.ways=2");

@@ -2,6 +2,7 @@
 
 #include "model/base/input_error.h"
 #include "tools/config/nearest_name.h"
+#include "tools/config/preset.h"
 
 #include <bit>
 #include <cctype>
@@ -181,6 +182,7 @@ std::string written(const Field& field, const ParameterInfo& info) {
 } // namespace
 
 void read_config_file(const std::string& path, Configuration& configuration) {
+    if (is_preset(path)) return apply_preset(path, configuration);
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     if (!file.is_open() || file.bad()) throw InputError(path + ": cannot be read");

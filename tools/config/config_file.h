@@ -8,8 +8,8 @@
 
 namespace ffgpu::tools {
 
-// Sets the parameters that the file names. Throws InputError for a key that does not exist (with
-// the nearest one that does), a wrong type, or a value out of range.
+// Sets the parameters that the file, or preset:NAME, names. Throws InputError for a key that does
+// not exist (with the nearest one that does), a wrong type, or a value out of range.
 void read_config_file(const std::string& path, Configuration& configuration);
 
 // The same for one assignment, "texel_cache.ways = 8"; a choice needs no quotes there.

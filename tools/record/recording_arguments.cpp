@@ -3,6 +3,7 @@
 #include "model/base/input_error.h"
 #include "model/device/limits.h"
 #include "tools/config/config_file.h"
+#include "tools/config/preset.h"
 
 #include <filesystem>
 #include <fstream>
@@ -49,7 +50,7 @@ void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {
     verb.add_option("--frames", arguments.frames, "Write and measure only these frames")
         ->type_name("A-B");
     verb.add_option("--config", arguments.config, "Parameters; ffgpu config prints them")
-        ->type_name("F.toml");
+        ->type_name("F.toml|preset:NAME");
     verb.add_option("--set", arguments.settings, "Change a parameter: texel_cache.ways=8")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false); // What follows the first is no other setting.
@@ -115,7 +116,7 @@ std::string to_json(RecordingArguments arguments) {
     make_absolute(arguments.output);
     make_absolute(arguments.capture);
     make_absolute(arguments.save_work);
-    make_absolute(arguments.config);
+    if (!is_preset(arguments.config)) make_absolute(arguments.config);
     if (arguments.threads)
         arguments.settings.push_back("gpu.threads=" + std::to_string(*arguments.threads));
     nlohmann::ordered_json file;

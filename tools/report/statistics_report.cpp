@@ -75,6 +75,7 @@ double per(std::uint64_t amount, std::uint64_t of) {
 
 struct StatisticsReport::Content {
     bool with_timing = false;
+    timing::ClockConfig clock;
     Json configuration;
     TextSpool frames; // each as the array in the file holds it, with commas between
     std::size_t frame_count = 0;
@@ -84,6 +85,7 @@ struct StatisticsReport::Content {
 StatisticsReport::StatisticsReport(const Configuration& configuration, bool with_timing)
     : content_(std::make_unique<Content>()) {
     content_->with_timing = with_timing;
+    content_->clock = configuration.timing.clock;
     content_->configuration = describe(configuration, with_timing);
 }
 
@@ -114,6 +116,7 @@ void StatisticsReport::add(const work::FrameFigures& frame, const TimedFigures& 
                 {{"kind", timing::CommandKindNames[static_cast<std::size_t>(command.kind)]},
                  {"draw", command.number},
                  {"cycles", command.cycles}});
+        json["milliseconds"] = content_->clock.milliseconds(timed.frame->cycles);
         json["commands"] = std::move(commands);
     }
     content_->frames.append((content_->frame_count++ == 0 ? "\n" : ",\n") + indented(json));
@@ -133,7 +136,7 @@ void StatisticsReport::write(const TextSink& out) const {
 }
 
 std::string StatisticsReport::summary() const {
-    return summarize(content_->totals, content_->frame_count);
+    return summarize(content_->totals, content_->frame_count, content_->clock);
 }
 
 } // namespace ffgpu::tools

@@ -174,7 +174,7 @@ std::string describe_memory(const Figures& timing, std::size_t frames) {
 
 } // namespace
 
-std::string summarize(const Json& totals, std::size_t frames) {
+std::string summarize(const Json& totals, std::size_t frames, const timing::ClockConfig& clock) {
     if (frames == 0) return "no frames\n";
     static const Json none = Json::object();
     const auto group = [&](const char* name) -> const Json& {
@@ -195,6 +195,11 @@ std::string summarize(const Json& totals, std::size_t frames) {
                         cycles,
                         ratio(cycles, frames),
                         ratio(cycles, fragments));
+    const double milliseconds = clock.milliseconds(cycles) / static_cast<double>(frames);
+    text += fmt::format("at {} MHz: {:.3f} ms a frame, {:.1f} frames/s\n",
+                        clock.core_mhz,
+                        milliseconds,
+                        1000.0 / milliseconds);
     return text + describe_units(timing) + describe_caches(timing) + describe_buses(timing) +
            describe_latency(timing) + describe_memory(timing, frames);
 }

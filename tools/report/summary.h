@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "model/timing/config/clock.h"
+
 #include <cstddef>
 #include <string>
 
@@ -10,7 +12,9 @@
 
 namespace ffgpu::tools {
 
-// `totals` as in stats.json.
-std::string summarize(const nlohmann::ordered_json& totals, std::size_t frames);
+// `totals` as in stats.json; `clock` makes milliseconds of cycles.
+std::string summarize(const nlohmann::ordered_json& totals,
+                      std::size_t frames,
+                      const timing::ClockConfig& clock);
 
 } // namespace ffgpu::tools

@@ -4,6 +4,7 @@
 
 #include "model/base/parameters.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -19,9 +20,17 @@ struct FragmentConfig {
     Distribution distribution = Distribution::Tiles;
     std::uint32_t distribution_width = 8;
     std::uint32_t pipe_queue = 32;
+    std::uint32_t quad_cycles = 1;
+    std::uint32_t combiners = 1;
     std::uint32_t combiner_cycles = 1;
     std::uint32_t latency = 12;
     std::uint32_t queue = 64;
+
+    // That a quad with so many enabled environments takes its pipe.
+    std::uint32_t cycles(std::uint32_t environments) const {
+        const std::uint32_t rounds = (environments + combiners - 1) / combiners;
+        return std::max(quad_cycles, rounds * combiner_cycles);
+    }
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
@@ -44,12 +53,24 @@ struct FragmentConfig {
                .minimum = 1,
                .maximum = 4096,
                .meaning = "before each pipe's texture unit and its environments"});
+        field("quad_cycles",
+              self.quad_cycles,
+              {.unit = "cycles",
+               .minimum = 1,
+               .maximum = 64,
+               .meaning = "that a quad takes its pipe at least: 4 for one pixel a cycle"});
+        field("combiners",
+              self.combiners,
+              {.unit = "environments",
+               .minimum = 1,
+               .maximum = 8,
+               .meaning = "of a pipe, side by side"});
         field("combiner_cycles",
               self.combiner_cycles,
               {.unit = "cycles",
                .minimum = 1,
                .maximum = 64,
-               .meaning = "a quad and enabled texture environment"});
+               .meaning = "a quad and enabled texture environment of each of them"});
         field("latency",
               self.latency,
               {.unit = "cycles",

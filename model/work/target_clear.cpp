@@ -1,0 +1,42 @@
+#include "model/work/target_clear.h"
+
+namespace ffgpu::work {
+
+Rectangle cleared_rectangle(const Registers& state) {
+    const Scissor& scissor = state.scissor;
+    Rectangle rectangle{
+        scissor.x, scissor.y, scissor.x + scissor.width, scissor.y + scissor.height};
+    Targets::for_each(state.targets, [&rectangle](const Surface& target) {
+        if (target.format != Format::None)
+            rectangle = intersect(rectangle, {0, 0, target.width, target.height});
+    });
+    return rectangle;
+}
+
+std::vector<TargetClear> target_clears(const WorkDraw& draw) {
+    const Registers& state = *draw.state;
+    const Rectangle rectangle = cleared_rectangle(state);
+    std::vector<TargetClear> clears;
+    const auto add = [&](const Surface& target, bool depth) -> TargetClear* {
+        if (target.format == Format::None) return nullptr;
+        clears.push_back({.target = target, .depth = depth, .bytes = {}, .fill = {}});
+        clears.back().fill.rectangle = rectangle;
+        return &clears.back();
+    };
+    for (const Surface& target : state.targets.color) {
+        TargetClear* const color = add(target, false);
+        if (!color || !draw.clear.color) continue;
+        color->bytes = cleared_color_bytes(target.format, state.blend.write_mask);
+        color->fill = color_fill(state, target.format, draw.clear.color_value);
+        color->fill.rectangle = rectangle;
+    }
+    const Format format = state.targets.depth.format;
+    TargetClear* const depth = add(state.targets.depth, true);
+    if (!depth || !(draw.clear.depth || draw.clear.stencil)) return clears;
+    depth->bytes = cleared_depth_bytes(format, draw.clear, state.stencil.front.write_mask);
+    depth->fill = depth_fill(state, format, draw.clear);
+    depth->fill.rectangle = rectangle;
+    return clears;
+}
+
+} // namespace ffgpu::work
