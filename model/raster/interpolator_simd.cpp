@@ -30,12 +30,14 @@ namespace HWY_NAMESPACE {
 // convert with care for numbers that do not fit.
 constexpr float ToLowerBits = 0x1p23f;
 
-HWY_INLINE void store_color(VF value, std::uint16_t* plane, std::size_t lane) {
-    const Floats d;
-    const hn::Rebind<std::uint16_t, Floats> halves;
-    const VF clamped = hn::Min(hn::Max(value, hn::Zero(d)), hn::Set(d, 255.0f));
-    const VF rounded = hn::Floor(hn::Add(clamped, hn::Set(d, 0.5f)));
-    const auto bits = hn::BitCast(Words(), hn::Add(rounded, hn::Set(d, ToLowerBits)));
+template <class V>
+HWY_INLINE void store_color(V value, std::uint16_t* plane, std::size_t lane) {
+    const hn::DFromV<V> d;
+    const hn::Rebind<std::uint16_t, decltype(d)> halves;
+    const V clamped = hn::Min(hn::Max(value, hn::Zero(d)), hn::Set(d, 255.0f));
+    const V rounded = hn::Floor(hn::Add(clamped, hn::Set(d, 0.5f)));
+    const hn::RebindToUnsigned<decltype(d)> words;
+    const auto bits = hn::BitCast(words, hn::Add(rounded, hn::Set(d, ToLowerBits)));
     store_lanes(halves, hn::TruncateTo(halves, bits), plane, lane);
 }
 
@@ -59,7 +61,7 @@ void color_run(const LaneRun& run,
     for_planes<Channels>(run,
                          static_cast<unsigned>(first),
                          planes,
-                         [&](unsigned i, VF value, std::size_t lane)
+                         [&](unsigned i, auto value, std::size_t lane)
                              HWY_ATTR { store_color(value, out[i], lane); });
 }
 
@@ -90,7 +92,6 @@ void place_quads(const FragmentBatch& batch, PerspectivePlanes& planes) {
 void InterpolatePerspective(std::span<const BatchRun> runs,
                             const FragmentBatch& batch,
                             PerspectivePlanes& planes) {
-    const Floats d;
     place_quads(batch, planes);
     for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
         const SetupRecord& record = run.record;
@@ -98,17 +99,20 @@ void InterpolatePerspective(std::span<const BatchRun> runs,
             std::fill(planes.w.begin() + run.first, planes.w.begin() + run.end, 1.0f);
             return;
         }
-        const VI floor = hn::Set(Ints(), record.inverse_w_floor);
         for_integers_of(
-            run, record.plane_count, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
-                const VF inverse = hn::ConvertTo(d, hn::Max(integers, floor));
+            run, record.plane_count, planes, [&](auto integers, std::size_t lane) HWY_ATTR {
+                const hn::DFromV<decltype(integers)> ints;
+                const hn::RebindToFloat<decltype(ints)> d;
+                const auto floor = hn::Set(ints, record.inverse_w_floor);
+                const auto inverse = hn::ConvertTo(d, hn::Max(integers, floor));
                 store_lanes(d, hn::Div(hn::Set(d, 1.0f), inverse), planes.w.data(), lane);
             });
     });
 }
 
-HWY_INLINE VF in_fog_range_lanes(VF value) {
-    const Floats d;
+template <class V>
+HWY_INLINE V in_fog_range_lanes(V value) {
+    const hn::DFromV<V> d;
     const auto large = hn::Min(hn::Max(value, hn::Set(d, -LargestFog)), hn::Set(d, LargestFog));
     return hn::IfThenElseZero(hn::Ge(hn::Abs(value), hn::Set(d, LeastFog)), large);
 }
@@ -141,8 +145,8 @@ void InterpolateColors(const InterpolantLayout& layout,
             for_planes<1>(run,
                           static_cast<unsigned>(layout.fog),
                           planes,
-                          [&](unsigned, VF value, std::size_t lane) HWY_ATTR {
-                              store_lanes(Floats(),
+                          [&](unsigned, auto value, std::size_t lane) HWY_ATTR {
+                              store_lanes(hn::DFromV<decltype(value)>(),
                                           in_fog_range_lanes(value),
                                           batch.fog_coordinate.data(),
                                           lane);
@@ -165,12 +169,13 @@ void divided_run(const LaneRun& run,
                  const TexCoordSource& source,
                  const PerspectivePlanes& planes,
                  const std::array<float*, 3>& out) {
-    const Floats d;
     alignas(64) std::array<float, BatchFragments> over_q;
     const unsigned q = source.first + 3;
-    for_integers_of(run, q, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
-        const auto is_zero = hn::Eq(integers, hn::Zero(Ints()));
-        const VF divisor = hn::ConvertTo(d, hn::IfThenElse(is_zero, hn::Set(Ints(), 1), integers));
+    for_integers_of(run, q, planes, [&](auto integers, std::size_t lane) HWY_ATTR {
+        const hn::DFromV<decltype(integers)> ints;
+        const hn::RebindToFloat<decltype(ints)> d;
+        const auto is_zero = hn::Eq(integers, hn::Zero(ints));
+        const auto divisor = hn::ConvertTo(d, hn::IfThenElse(is_zero, hn::Set(ints, 1), integers));
         store_lanes(d, hn::Div(hn::Set(d, 1.0f), divisor), over_q.data(), lane);
     });
     const StoredPlane* const stored = run.record.planes();
@@ -181,8 +186,8 @@ void divided_run(const LaneRun& run,
                       planes,
                       over_q.data(),
                       {divided_scale(stored[plane].scale(), stored[q].scale())},
-                      [&](unsigned, VF value, std::size_t lane)
-                          HWY_ATTR { store_lanes(d, value, out[i], lane); });
+                      [&](unsigned, auto value, std::size_t lane)
+                          HWY_ATTR { store_lanes(hn::DFromV<decltype(value)>(), value, out[i], lane); });
     }
 }
 
@@ -195,8 +200,8 @@ void coordinate_runs(const TexCoordSource& source,
     for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
         if (source.divides(run.record)) return divided_run(run, source, planes, out);
         for_planes<Count>(
-            run, source.first, planes, [&](unsigned i, VF value, std::size_t lane) HWY_ATTR {
-                store_lanes(Floats(), value, out[i], lane);
+            run, source.first, planes, [&](unsigned i, auto value, std::size_t lane) HWY_ATTR {
+                store_lanes(hn::DFromV<decltype(value)>(), value, out[i], lane);
             });
     });
 }
@@ -224,16 +229,15 @@ void InterpolateDirections(const TexCoordSource& source,
                            const PerspectivePlanes& planes,
                            const FragmentBatch& batch,
                            TexCoordPlanes& out) {
-    const Floats d;
     const std::array<float*, 3> all = begin_coordinates(source, batch.lanes(), out);
     if (source.carried == 0) return;
     for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
         const std::array<float, 3> scales = direction_scales(run.record, source);
         for (unsigned i = 0; i < source.coordinates(); ++i) {
-            const VF scale = hn::Set(d, scales[i]);
             for_integers_of(
-                run, source.first + i, planes, [&](VI integers, std::size_t lane) HWY_ATTR {
-                    const VF value = hn::Mul(hn::ConvertTo(d, integers), scale);
+                run, source.first + i, planes, [&](auto integers, std::size_t lane) HWY_ATTR {
+                    const hn::RebindToFloat<hn::DFromV<decltype(integers)>> d;
+                    const auto value = hn::Mul(hn::ConvertTo(d, integers), hn::Set(d, scales[i]));
                     store_lanes(d, value, all[i], lane);
                 });
         }

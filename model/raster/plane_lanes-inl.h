@@ -20,12 +20,16 @@ HWY_BEFORE_NAMESPACE();
 namespace ffgpu::HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
+// As many fragments at once as a vector has lanes; of short runs, which would leave most of it
+// empty, half as many.
 using Floats = hn::CappedTag<float, 16>;
-using Ints = hn::RebindToSigned<Floats>;
-using Words = hn::RebindToUnsigned<Floats>;
-using Halves = hn::Repartition<std::int16_t, Floats>;
-using VF = hn::Vec<Floats>;
-using VI = hn::Vec<Ints>;
+using FewFloats = hn::CappedTag<float, 8>;
+template <class F>
+using IntsOf = hn::RebindToSigned<F>;
+template <class F>
+using WordsOf = hn::RebindToUnsigned<F>;
+template <class F>
+using HalvesOf = hn::Repartition<std::int16_t, F>;
 
 // The lanes of one primitive.
 struct LaneRun {
@@ -43,8 +47,8 @@ HWY_INLINE void for_runs(std::span<const BatchRun> runs, const FragmentBatch& ba
 }
 
 // A vector of a batch's lanes from `lane` on. One that would leave the batch is cut off at its end.
-HWY_INLINE VF load_lanes(const float* plane, std::size_t lane) {
-    const Floats d;
+template <class F>
+HWY_INLINE hn::Vec<F> load_lanes(F d, const float* plane, std::size_t lane) {
     if (lane + hn::Lanes(d) <= BatchFragments) [[likely]]
         return hn::LoadU(d, plane + lane);
     alignas(64) std::array<float, 16> rest{};
@@ -74,68 +78,117 @@ constexpr std::array<Number, Lanes> quad_of_lane() {
 alignas(64) constexpr std::array<std::int32_t, 64> QuadOfLane = quad_of_lane<std::int32_t, 64>();
 
 // Of each pair of halves with another, summed.
-HWY_INLINE VI products(hn::Vec<Halves> a, hn::Vec<Halves> b) {
-    VI other = hn::Zero(Ints());
-    const VI sum = hn::ReorderWidenMulAccumulate(Ints(), a, b, hn::Zero(Ints()), other);
+template <class H>
+HWY_INLINE auto products(H a, H b) {
+    const hn::Repartition<std::int32_t, hn::DFromV<H>> d;
+    auto other = hn::Zero(d);
+    const auto sum = hn::ReorderWidenMulAccumulate(d, a, b, hn::Zero(d), other);
     return hn::RearrangeToOddPlusEven(sum, other);
 }
 
-HWY_INLINE hn::Vec<Halves> spread_pair(std::uint32_t pair) {
-    return hn::BitCast(Halves(), hn::Set(Words(), pair));
+template <class F>
+HWY_INLINE hn::Vec<HalvesOf<F>> spread_pair(F, std::uint32_t pair) {
+    return hn::BitCast(HalvesOf<F>(), hn::Set(WordsOf<F>(), pair));
 }
 
 // A plane at the corners of the quads at these pairs, relative to the reference pixel. Its parts
 // come from the record each time: kept in registers those of four planes would not fit.
-HWY_INLINE VI corners_at(const StoredPlane& plane, hn::Vec<Halves> at) {
+template <class F>
+HWY_INLINE hn::Vec<IntsOf<F>>
+corners_at(F f, const StoredPlane& plane, hn::Vec<HalvesOf<F>> at) {
     constexpr int Low = StoredPlane::LowBits, Middle = StoredPlane::MiddleBits;
+    const IntsOf<F> d;
+    const WordsOf<F> words;
     const auto fraction =
-        hn::And(hn::Set(Words(), plane.fraction_and_scale), hn::Set(Words(), StoredPlane::LowMask));
-    const VI carried = hn::ShiftRight<Low>(
-        hn::Add(products(spread_pair(plane.low), at), hn::BitCast(Ints(), fraction)));
-    const VI upper = hn::ShiftLeft<Middle>(products(spread_pair(plane.high), at));
-    return hn::Add(hn::Add(products(spread_pair(plane.middle), at), upper),
-                   hn::Add(hn::Set(Ints(), plane.whole), carried));
+        hn::And(hn::Set(words, plane.fraction_and_scale), hn::Set(words, StoredPlane::LowMask));
+    const auto carried = hn::ShiftRight<Low>(
+        hn::Add(products(spread_pair(f, plane.low), at), hn::BitCast(d, fraction)));
+    const auto upper = hn::ShiftLeft<Middle>(products(spread_pair(f, plane.high), at));
+    return hn::Add(hn::Add(products(spread_pair(f, plane.middle), at), upper),
+                   hn::Add(hn::Set(d, plane.whole), carried));
 }
 
-// What the lanes of a quad have more than its corner.
-HWY_INLINE VI offsets_of(const StoredPlane& plane) {
+// The lanes of quads whose corners these are, one in each lane.
+template <class F>
+HWY_INLINE hn::Vec<IntsOf<F>>
+lanes_at(F, const StoredPlane& plane, hn::Vec<IntsOf<F>> corners) {
     alignas(16) static constexpr std::int32_t AllButFirst[4] = {0, -1, -1, -1};
-    const Ints d;
+    const IntsOf<F> d;
     const auto* const last = reinterpret_cast<const std::int32_t*>(&plane.high);
-    return hn::And(hn::LoadDup128(d, last), hn::LoadDup128(d, AllButFirst));
+    const auto offset = hn::And(hn::LoadDup128(d, last), hn::LoadDup128(d, AllButFirst));
+    return hn::Add(corners, offset);
 }
 
-// For vectors that cover the run: calls begin(lane), then body(what that gave, i, integers, lane)
-// with the integers of planes first + i from `lane` on.
+// The planes from one on, of a run.
+struct RunPlanes {
+    const LaneRun& run;
+    const StoredPlane* stored;
+    const std::uint32_t* places; // PerspectivePlanes
+
+    template <class F>
+    HWY_INLINE hn::Vec<HalvesOf<F>> places_from(F d, std::size_t lane) const {
+        const SetupRecord& record = run.record;
+        const auto reference =
+            spread_pair(d,
+                        static_cast<std::uint32_t>(record.x_reference & 0xffff) |
+                            static_cast<std::uint32_t>(record.y_reference) << 16);
+        const auto at = hn::LoadU(WordsOf<F>(), places + lane / 4);
+        return hn::Sub(hn::BitCast(HalvesOf<F>(), at), reference);
+    }
+};
+
+// A run that fits a vector: a lane has its quad's place from the start.
+template <unsigned Count, class F, class Begin, class Body>
+HWY_INLINE void for_few_integers(F d, const RunPlanes& planes, Begin&& begin, Body&& body) {
+    const IntsOf<F> ints;
+    const std::size_t lane = planes.run.first;
+    const auto corners = hn::BitCast(ints, planes.places_from(d, lane));
+    const auto quads = hn::SetTableIndices(ints, QuadOfLane.data());
+    const auto at = hn::BitCast(HalvesOf<F>(), hn::TableLookupLanes(corners, quads));
+    const auto shared = begin(d, lane);
+    for (unsigned i = 0; i < Count; ++i) {
+        const StoredPlane& plane = planes.stored[i];
+        body(shared, i, lanes_at(d, plane, corners_at(d, plane, at)), lane);
+    }
+}
+
+template <unsigned Count, class F, class Begin, class Body>
+HWY_INLINE void for_many_integers(F d, const RunPlanes& planes, Begin&& begin, Body&& body) {
+    constexpr std::size_t N = hn::MaxLanes(d);
+    const IntsOf<F> ints;
+    const LaneRun& run = planes.run;
+    for (std::size_t first = run.first; first < run.end; first += 4 * N) {
+        const auto at = planes.places_from(d, first);
+        hn::Vec<IntsOf<F>> corners[Count];
+        for (unsigned i = 0; i < Count; ++i)
+            corners[i] = corners_at(d, planes.stored[i], at);
+        for (std::size_t quarter = 0; quarter < 4; ++quarter) {
+            const std::size_t lane = first + quarter * N;
+            if (lane >= run.end) break;
+            const auto quads = hn::SetTableIndices(ints, QuadOfLane.data() + quarter * N);
+            const auto shared = begin(d, lane);
+            for (unsigned i = 0; i < Count; ++i)
+                body(shared,
+                     i,
+                     lanes_at(d, planes.stored[i], hn::TableLookupLanes(corners[i], quads)),
+                     lane);
+        }
+    }
+}
+
+// For vectors that cover the run: calls begin(tag, lane), then body(what that gave, i, integers,
+// lane) with the integers of planes first + i from `lane` on.
 template <unsigned Count, class Begin, class Body>
 HWY_INLINE void for_integers(const LaneRun& run,
                              unsigned first_plane,
                              const PerspectivePlanes& planes,
                              Begin&& begin,
                              Body&& body) {
-    constexpr std::size_t N = hn::MaxLanes(Floats());
-    const SetupRecord& record = run.record;
-    const auto reference = spread_pair(static_cast<std::uint32_t>(record.x_reference & 0xffff) |
-                                       static_cast<std::uint32_t>(record.y_reference) << 16);
-    const StoredPlane* const stored = record.planes() + first_plane;
-    for (std::size_t first = run.first; first < run.end; first += 4 * N) {
-        const auto places = hn::LoadU(Words(), planes.places.data() + first / 4);
-        const auto at = hn::Sub(hn::BitCast(Halves(), places), reference);
-        VI corners[Count];
-        for (unsigned i = 0; i < Count; ++i)
-            corners[i] = corners_at(stored[i], at);
-        for (std::size_t quarter = 0; quarter < 4; ++quarter) {
-            const std::size_t lane = first + quarter * N;
-            if (lane >= run.end) break;
-            const auto quads = hn::SetTableIndices(Ints(), QuadOfLane.data() + quarter * N);
-            const auto shared = begin(lane);
-            for (unsigned i = 0; i < Count; ++i)
-                body(shared,
-                     i,
-                     hn::Add(hn::TableLookupLanes(corners[i], quads), offsets_of(stored[i])),
-                     lane);
-        }
-    }
+    const RunPlanes of{run, run.record.planes() + first_plane, planes.places.data()};
+    if (run.end - run.first <= hn::MaxLanes(FewFloats()))
+        for_few_integers<Count>(FewFloats(), of, begin, body);
+    else
+        for_many_integers<Count>(Floats(), of, begin, body);
 }
 
 // Planes `first` and on times `w`, an array of all lanes, and each its scale: body(i, value, lane).
@@ -150,10 +203,11 @@ HWY_INLINE void for_values(const LaneRun& run,
         run,
         first,
         planes,
-        [&](std::size_t lane) HWY_ATTR { return load_lanes(w, lane); },
-        [&](VF by, unsigned i, VI integers, std::size_t lane) HWY_ATTR {
-            const VF value = hn::Mul(hn::ConvertTo(Floats(), integers), by);
-            body(i, hn::Mul(value, hn::Set(Floats(), scales[i])), lane);
+        [&](auto d, std::size_t lane) HWY_ATTR { return load_lanes(d, w, lane); },
+        [&](auto by, unsigned i, auto integers, std::size_t lane) HWY_ATTR {
+            const hn::DFromV<decltype(by)> d;
+            const auto value = hn::Mul(hn::ConvertTo(d, integers), by);
+            body(i, hn::Mul(value, hn::Set(d, scales[i])), lane);
         });
 }
 
@@ -175,8 +229,8 @@ for_integers_of(const LaneRun& run, unsigned plane, const PerspectivePlanes& pla
         run,
         plane,
         planes,
-        [](std::size_t) { return 0; },
-        [&](int, unsigned, VI integers, std::size_t lane) HWY_ATTR { body(integers, lane); });
+        [](auto, std::size_t) { return 0; },
+        [&](int, unsigned, auto integers, std::size_t lane) HWY_ATTR { body(integers, lane); });
 }
 
 } // namespace
