@@ -50,37 +50,61 @@ HWY_INLINE VL load_places(const std::uint16_t* places, std::size_t quad, int ref
     return hn::PromoteTo(Longs(), hn::Sub(at, hn::Set(wider, reference)));
 }
 
-// At the point that lies `position` (1/256 pixel) beside each centre.
+// What the lanes of a run's depth plane share, at the point that lies `position` (1/256 pixel)
+// beside each centre.
+struct DepthLanes {
+    static constexpr std::size_t N = hn::MaxLanes(Longs());
+    using Words = hn::Repartition<std::uint32_t, Longs>;
+
+    alignas(64) std::array<std::int64_t, 8> offsets; // of the lanes of two quads
+    VL lowest, highest;
+
+    HWY_INLINE explicit DepthLanes(const SetupRecord& record)
+        : lowest(hn::Set(Longs(), std::int64_t{record.depth_min}))
+        , highest(hn::Set(Longs(), std::int64_t{record.depth_max})) {
+        const auto [origin, dx, dy] = record.depth;
+        offsets = {0, dx, dy, dx + dy, 0, dx, dy, dx + dy};
+    }
+    // The values of lanes part N and on, each in the lower half of its 64 bits.
+    HWY_INLINE hn::Vec<Words> values(VL corners, std::size_t part) const {
+        const Longs d;
+        const auto quads = hn::SetTableIndices(d, LongQuadOfLane.data() + part * N);
+        const auto sum = hn::Add(hn::TableLookupLanes(corners, quads),
+                                 hn::LoadU(d, offsets.data() + part * N % 4));
+        const auto depth = hn::ShiftRight<DepthPlane::FractionBits>(sum);
+        return hn::BitCast(Words(), hn::Min(hn::Max(depth, lowest), highest));
+    }
+};
+
 HWY_INLINE void depth_run(SubPixelPoint position,
                           const LaneRun& run,
                           const FragmentBatch& batch,
                           std::uint32_t* out) {
-    constexpr std::size_t N = hn::MaxLanes(Longs());
+    constexpr std::size_t N = DepthLanes::N;
     const Longs d;
-    const hn::RebindToUnsigned<Longs> wide;
-    const hn::Rebind<std::uint32_t, Longs> narrow;
+    const DepthLanes::Words words;
     const SetupRecord& record = run.record;
     const DepthPlane& plane = record.depth;
     constexpr auto Half = std::int64_t{1} << (DepthPlane::FractionBits - 1);
     const auto origin = hn::Set(d, plane.origin + Half + plane.beside(position));
     const DepthStep dx(plane.dx), dy(plane.dy);
-    alignas(64) const std::int64_t offsets[8] = {
-        0, plane.dx, plane.dy, plane.dx + plane.dy, 0, plane.dx, plane.dy, plane.dx + plane.dy};
-    const auto lowest = hn::Set(d, std::int64_t{record.depth_min});
-    const auto highest = hn::Set(d, std::int64_t{record.depth_max});
+    const DepthLanes lanes(record);
     for (std::size_t first = run.first; first < run.end; first += 4 * N) {
         const VL x = load_places(batch.x.data(), first / 4, record.x_reference);
         const VL y = load_places(batch.y.data(), first / 4, record.y_reference);
         const VL corners = hn::Add(origin, hn::Add(dx.times(x), dy.times(y)));
-        for (std::size_t part = 0; part < 4; ++part) {
+        for (std::size_t part = 0; part < 4; part += 2) {
             const std::size_t lane = first + part * N;
             if (lane >= run.end) break;
-            const auto quads = hn::SetTableIndices(d, LongQuadOfLane.data() + part * N);
-            const auto sum =
-                hn::Add(hn::TableLookupLanes(corners, quads), hn::LoadU(d, offsets + part * N % 4));
-            const auto depth = hn::ShiftRight<DepthPlane::FractionBits>(sum);
-            const auto clamped = hn::Min(hn::Max(depth, lowest), highest);
-            store_lanes(narrow, hn::TruncateTo(narrow, hn::BitCast(wide, clamped)), out, lane);
+            const auto values = lanes.values(corners, part);
+            if (run.end - lane <= N) {
+                const hn::Rebind<std::uint32_t, Longs> narrow;
+                const auto longs = hn::BitCast(hn::RebindToUnsigned<Longs>(), values);
+                store_lanes(narrow, hn::TruncateTo(narrow, longs), out, lane);
+                break;
+            }
+            const auto next = lanes.values(corners, part + 1);
+            store_lanes(words, hn::ConcatEven(words, next, values), out, lane);
         }
     }
 }

@@ -25,11 +25,12 @@ namespace ffgpu {
 // What the evaluation of a batch's planes shares. Needed only where the batch's runs have planes to
 // evaluate: see needs_perspective().
 struct PerspectivePlanes {
-    static constexpr unsigned Padded = BatchQuads + 16; // Vectors of quads may run over the end.
+    // Vectors of lanes, or of quads, may run over the end.
+    static constexpr unsigned PaddedLanes = BatchFragments + 16, PaddedQuads = BatchQuads + 16;
 
-    alignas(64) std::array<float, BatchFragments> w;
+    alignas(64) std::array<float, PaddedLanes> w;
     // Of quads' corners: x in the lower half, y in the upper.
-    alignas(64) std::array<std::uint32_t, Padded> places;
+    alignas(64) std::array<std::uint32_t, PaddedQuads> places;
 };
 
 void interpolate_depth(std::span<const BatchRun> runs, FragmentBatch& batch);

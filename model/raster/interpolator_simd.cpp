@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -26,20 +27,34 @@ HWY_BEFORE_NAMESPACE();
 namespace ffgpu {
 namespace HWY_NAMESPACE {
 
-// Adding it leaves a small integer in the lower bits; rounding down first is quicker than to
-// convert with care for numbers that do not fit.
-constexpr float ToLowerBits = 0x1p23f;
+// A colour's channel of a primitive: product * scale clamped to 0 .. 255, then floor(that + 1/2).
+// As powers of two are exact, the limit is scaled instead, and product and sum are one rounding.
+class ColorRounding {
+public:
+    explicit ColorRounding(float scale)
+        : scale_(scale)
+        , highest_(std::bit_cast<float>(std::bit_cast<std::uint32_t>(255.0f) +
+                                        std::bit_cast<std::uint32_t>(1.0f) -
+                                        std::bit_cast<std::uint32_t>(scale))) {}
 
-template <class V>
-HWY_INLINE void store_color(V value, std::uint16_t* plane, std::size_t lane) {
-    const hn::DFromV<V> d;
-    const hn::Rebind<std::uint16_t, decltype(d)> halves;
-    const V clamped = hn::Min(hn::Max(value, hn::Zero(d)), hn::Set(d, 255.0f));
-    const V rounded = hn::Floor(hn::Add(clamped, hn::Set(d, 0.5f)));
-    const hn::RebindToUnsigned<decltype(d)> words;
-    const auto bits = hn::BitCast(words, hn::Add(rounded, hn::Set(d, ToLowerBits)));
-    store_lanes(halves, hn::TruncateTo(halves, bits), plane, lane);
-}
+    template <class V>
+    HWY_INLINE void store(V product, std::uint16_t* plane, std::size_t lane) const {
+        const hn::DFromV<V> d;
+        const hn::RebindToUnsigned<decltype(d)> words;
+        const hn::Rebind<std::uint16_t, decltype(d)> halves;
+        const V clamped = hn::Min(hn::Max(product, hn::Zero(d)), hn::Set(d, highest_));
+        const V sum = hn::MulAdd(clamped, hn::Set(d, scale_), hn::Set(d, 0.5f));
+        // With its last bit it is no integer, so that less 1/2 it is rounded as the floor is.
+        const auto inside = hn::Or(hn::BitCast(words, sum), hn::Set(words, 1));
+        const V shifted = hn::Add(hn::BitCast(d, inside), hn::Set(d, ToLowerBits - 0.5f));
+        store_lanes(halves, hn::TruncateTo(halves, hn::BitCast(words, shifted)), plane, lane);
+    }
+
+private:
+    // Adding it leaves a small integer in the lower bits.
+    static constexpr float ToLowerBits = 0x1p23f;
+    float scale_, highest_;
+};
 
 void fill(std::uint16_t* plane, std::size_t first, std::size_t end, std::uint16_t value) {
     for (std::size_t lane = first; lane < end; ++lane)
@@ -58,11 +73,14 @@ void color_run(const LaneRun& run,
             fill(out[i], run.first, run.end, constant[i]);
         return;
     }
-    for_planes<Channels>(run,
-                         static_cast<unsigned>(first),
-                         planes,
-                         [&](unsigned i, auto value, std::size_t lane)
-                             HWY_ATTR { store_color(value, out[i], lane); });
+    const std::array<float, Channels> scales =
+        scales_of<Channels>(run, static_cast<unsigned>(first));
+    for_products<Channels>(run,
+                           static_cast<unsigned>(first),
+                           planes,
+                           planes.w.data(),
+                           [&](unsigned i, auto product, std::size_t lane)
+                               HWY_ATTR { ColorRounding(scales[i]).store(product, out[i], lane); });
 }
 
 HWY_INLINE void depth_beside(SubPixelPoint position,
@@ -169,7 +187,7 @@ void divided_run(const LaneRun& run,
                  const TexCoordSource& source,
                  const PerspectivePlanes& planes,
                  const std::array<float*, 3>& out) {
-    alignas(64) std::array<float, BatchFragments> over_q;
+    alignas(64) std::array<float, PerspectivePlanes::PaddedLanes> over_q;
     const unsigned q = source.first + 3;
     for_integers_of(run, q, planes, [&](auto integers, std::size_t lane) HWY_ATTR {
         const hn::DFromV<decltype(integers)> ints;
@@ -181,13 +199,15 @@ void divided_run(const LaneRun& run,
     const StoredPlane* const stored = run.record.planes();
     for (unsigned i = 0; i < source.coordinates(); ++i) {
         const unsigned plane = source.first + i;
-        for_values<1>(run,
-                      plane,
-                      planes,
-                      over_q.data(),
-                      {divided_scale(stored[plane].scale(), stored[q].scale())},
-                      [&](unsigned, auto value, std::size_t lane)
-                          HWY_ATTR { store_lanes(hn::DFromV<decltype(value)>(), value, out[i], lane); });
+        const float scale = divided_scale(stored[plane].scale(), stored[q].scale());
+        for_products<1>(run,
+                        plane,
+                        planes,
+                        over_q.data(),
+                        [&](unsigned, auto product, std::size_t lane) HWY_ATTR {
+                            const hn::DFromV<decltype(product)> d;
+                            store_lanes(d, hn::Mul(product, hn::Set(d, scale)), out[i], lane);
+                        });
     }
 }
 

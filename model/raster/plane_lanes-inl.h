@@ -21,9 +21,10 @@ namespace ffgpu::HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 // As many fragments at once as a vector has lanes; of short runs, which would leave most of it
-// empty, half as many.
+// empty, those of two quads or of one.
 using Floats = hn::CappedTag<float, 16>;
-using FewFloats = hn::CappedTag<float, 8>;
+using PairFloats = hn::CappedTag<float, 8>;
+using QuadFloats = hn::CappedTag<float, 4>;
 template <class F>
 using IntsOf = hn::RebindToSigned<F>;
 template <class F>
@@ -46,25 +47,18 @@ HWY_INLINE void for_runs(std::span<const BatchRun> runs, const FragmentBatch& ba
     }
 }
 
-// A vector of a batch's lanes from `lane` on. One that would leave the batch is cut off at its end.
-template <class F>
-HWY_INLINE hn::Vec<F> load_lanes(F d, const float* plane, std::size_t lane) {
-    if (lane + hn::Lanes(d) <= BatchFragments) [[likely]]
-        return hn::LoadU(d, plane + lane);
-    alignas(64) std::array<float, 16> rest{};
-    std::copy(plane + lane, plane + BatchFragments, rest.begin());
-    return hn::Load(d, rest.data());
-}
-
+// To a batch's lanes from `lane` on. What would leave the batch is cut off.
 template <class D>
 HWY_INLINE void store_lanes(D d, hn::Vec<D> value, hn::TFromD<D>* plane, std::size_t lane) {
     if (lane + hn::Lanes(d) <= BatchFragments) [[likely]] {
         hn::StoreU(value, d, plane + lane);
         return;
     }
-    alignas(64) std::array<hn::TFromD<D>, 16> rest;
-    hn::Store(value, d, rest.data());
-    std::copy_n(rest.begin(), BatchFragments - lane, plane + lane);
+    const hn::CappedTag<hn::TFromD<D>, 4> quad;
+    alignas(64) std::array<hn::TFromD<D>, 16> all;
+    hn::Store(value, d, all.data());
+    for (std::size_t i = 0; lane + i < BatchFragments; i += 4)
+        hn::StoreU(hn::Load(quad, all.data() + i), quad, plane + lane + i);
 }
 
 // The lanes of a vector's quads, a vector a quarter of them: the number of each lane's quad.
@@ -94,8 +88,7 @@ HWY_INLINE hn::Vec<HalvesOf<F>> spread_pair(F, std::uint32_t pair) {
 // A plane at the corners of the quads at these pairs, relative to the reference pixel. Its parts
 // come from the record each time: kept in registers those of four planes would not fit.
 template <class F>
-HWY_INLINE hn::Vec<IntsOf<F>>
-corners_at(F f, const StoredPlane& plane, hn::Vec<HalvesOf<F>> at) {
+HWY_INLINE hn::Vec<IntsOf<F>> corners_at(F f, const StoredPlane& plane, hn::Vec<HalvesOf<F>> at) {
     constexpr int Low = StoredPlane::LowBits, Middle = StoredPlane::MiddleBits;
     const IntsOf<F> d;
     const WordsOf<F> words;
@@ -110,8 +103,7 @@ corners_at(F f, const StoredPlane& plane, hn::Vec<HalvesOf<F>> at) {
 
 // The lanes of quads whose corners these are, one in each lane.
 template <class F>
-HWY_INLINE hn::Vec<IntsOf<F>>
-lanes_at(F, const StoredPlane& plane, hn::Vec<IntsOf<F>> corners) {
+HWY_INLINE hn::Vec<IntsOf<F>> lanes_at(F, const StoredPlane& plane, hn::Vec<IntsOf<F>> corners) {
     alignas(16) static constexpr std::int32_t AllButFirst[4] = {0, -1, -1, -1};
     const IntsOf<F> d;
     const auto* const last = reinterpret_cast<const std::int32_t*>(&plane.high);
@@ -185,40 +177,55 @@ HWY_INLINE void for_integers(const LaneRun& run,
                              Begin&& begin,
                              Body&& body) {
     const RunPlanes of{run, run.record.planes() + first_plane, planes.places.data()};
-    if (run.end - run.first <= hn::MaxLanes(FewFloats()))
-        for_few_integers<Count>(FewFloats(), of, begin, body);
+    const std::size_t lanes = run.end - run.first;
+    if (lanes <= hn::MaxLanes(QuadFloats()))
+        for_few_integers<Count>(QuadFloats(), of, begin, body);
+    else if (lanes <= hn::MaxLanes(PairFloats()))
+        for_few_integers<Count>(PairFloats(), of, begin, body);
     else
         for_many_integers<Count>(Floats(), of, begin, body);
 }
 
-// Planes `first` and on times `w`, an array of all lanes, and each its scale: body(i, value, lane).
+// Planes `first` and on times `w`, an array of PaddedLanes, without their scales: body(i, product,
+// lane).
 template <unsigned Count, class Body>
-HWY_INLINE void for_values(const LaneRun& run,
-                           unsigned first,
-                           const PerspectivePlanes& planes,
-                           const float* w,
-                           const std::array<float, Count>& scales,
-                           Body&& body) {
+HWY_INLINE void for_products(const LaneRun& run,
+                             unsigned first,
+                             const PerspectivePlanes& planes,
+                             const float* w,
+                             Body&& body) {
     for_integers<Count>(
         run,
         first,
         planes,
-        [&](auto d, std::size_t lane) HWY_ATTR { return load_lanes(d, w, lane); },
+        [&](auto d, std::size_t lane) HWY_ATTR { return hn::LoadU(d, w + lane); },
         [&](auto by, unsigned i, auto integers, std::size_t lane) HWY_ATTR {
             const hn::DFromV<decltype(by)> d;
-            const auto value = hn::Mul(hn::ConvertTo(d, integers), by);
-            body(i, hn::Mul(value, hn::Set(d, scales[i])), lane);
+            body(i, hn::Mul(hn::ConvertTo(d, integers), by), lane);
         });
 }
 
-// The same times 1 / w.
-template <unsigned Count, class Body>
-HWY_INLINE void
-for_planes(const LaneRun& run, unsigned first, const PerspectivePlanes& planes, Body&& body) {
+template <unsigned Count>
+HWY_INLINE std::array<float, Count> scales_of(const LaneRun& run, unsigned first) {
     std::array<float, Count> scales;
     for (unsigned i = 0; i < Count; ++i)
         scales[i] = run.record.planes()[first + i].scale();
-    for_values<Count>(run, first, planes, planes.w.data(), scales, body);
+    return scales;
+}
+
+// The planes' values: times 1 / w, and each its scale: body(i, value, lane).
+template <unsigned Count, class Body>
+HWY_INLINE void
+for_planes(const LaneRun& run, unsigned first, const PerspectivePlanes& planes, Body&& body) {
+    const std::array<float, Count> scales = scales_of<Count>(run, first);
+    for_products<Count>(run,
+                        first,
+                        planes,
+                        planes.w.data(),
+                        [&](unsigned i, auto product, std::size_t lane) HWY_ATTR {
+                            const hn::DFromV<decltype(product)> d;
+                            body(i, hn::Mul(product, hn::Set(d, scales[i])), lane);
+                        });
 }
 
 // The integers of one plane: body(integers, lane).
