@@ -74,7 +74,7 @@ void StageTap::perspective(const PerspectivePlanes& planes) {
         perspective_.inverse_w[lane] =
             record.perspective ? plane_value(record, record.inverse_w(), x, y) : 1;
     });
-    perspective_.w = planes.w;
+    std::copy_n(planes.w.begin(), perspective_.w.size(), perspective_.w.begin());
     tap_.probe.perspective(tap_.batch, perspective_);
 }
 
