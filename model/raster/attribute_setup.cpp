@@ -41,16 +41,18 @@ struct Numerators {
 
 Numerators numerators(const Integers& q, const PlaneBasis& basis) {
     const std::int64_t e1 = q[1] - q[0], e2 = q[2] - q[0];
-    return {e1 * basis.x1 + e2 * basis.x2, e1 * basis.y1 + e2 * basis.y2};
+    const auto whole = [](double x) { return static_cast<std::int64_t>(x); };
+    return {e1 * whole(basis.x1) + e2 * whole(basis.x2),
+            e1 * whole(basis.y1) + e2 * whole(basis.y2)};
 }
 
 // How far the exponent has to rise for all lanes to fit.
 int shift_for_lanes(const Integers& q, const AttributeFrame& frame) {
     constexpr double Limit = 0x1p31 - 0x1p20;
     const Numerators n = numerators(q, frame.basis);
-    const double pixel = 256 / static_cast<double>(frame.basis.divisor);
     const double steps =
-        (std::fabs(static_cast<double>(n.x)) + std::fabs(static_cast<double>(n.y))) * pixel;
+        (std::fabs(static_cast<double>(n.x)) + std::fabs(static_cast<double>(n.y))) *
+        frame.basis.per_divisor;
     const std::int64_t largest = std::max({std::abs(q[0]), std::abs(q[1]), std::abs(q[2])});
     int shift = 0;
     for (double reached = static_cast<double>(largest) + frame.reach * steps; reached >= Limit;
@@ -71,7 +73,7 @@ BlockPlane set_up_block_plane(const std::array<double, 3>& values, const Attribu
         plane.exponent += shift;
         q = quantised(values, plane.exponent);
     }
-    const ExactQuotient quotient(frame.basis.divisor);
+    const ExactQuotient quotient(frame.basis.divisor, frame.basis.per_divisor);
     const Numerators n = numerators(q, frame.basis);
     plane.dx = quotient(n.x);
     plane.dy = quotient(n.y);

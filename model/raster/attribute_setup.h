@@ -16,8 +16,9 @@ namespace ffgpu {
 //     dy = ((v1 - v0) y1 + (v2 - v0) y2) 256 / divisor.
 // A line has v2 = v0, a point v2 = v1 = v0.
 struct PlaneBasis {
-    std::int32_t x1 = 0, x2 = 0, y1 = 0, y2 = 0; // 1/256 pixel
-    std::int64_t divisor = 1;                    // positive
+    double x1 = 0, x2 = 0, y1 = 0, y2 = 0; // integers, 1/256 pixel
+    std::int64_t divisor = 1;              // positive, below 2^47
+    double per_divisor = 256;              // 256 / divisor, rounded: the one division of set-up
 };
 
 // From vertex 0 to the centre of the reference pixel, in 1/256 pixel.

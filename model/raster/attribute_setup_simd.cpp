@@ -29,64 +29,43 @@ using VD = hn::Vec<Doubles>;
 using VI = hn::Vec<Integers>;
 using VW = hn::Vec<Words>;
 
-// Adding and subtracting it rounds to the nearest integer, ties to even; below 2^51.
+// A number plus it is rounded to the nearest integer, ties to even, which stands in two's
+// complement in the lower 51 bits: all that is read of the sums below.
 constexpr double Rounder = 0x1.8p52;
 
 HWY_INLINE VD constant(double x) {
     return hn::Set(Doubles(), x);
 }
 
-// A number rounded to an integer, as binary64.
-struct Rounded {
-    VD shifted; // by Rounder
-
-    explicit HWY_INLINE Rounded(VD x)
-        : shifted(hn::Add(x, constant(Rounder))) {}
-    HWY_INLINE VD value() const { return hn::Sub(shifted, constant(Rounder)); }
-    HWY_INLINE VW bits() const {
-        return hn::Sub(hn::BitCast(Words(), shifted), hn::BitCast(Words(), constant(Rounder)));
-    }
-};
-
-HWY_INLINE VD rounded(VD x) {
-    return Rounded(x).value();
+HWY_INLINE VW bits_of(VD x) {
+    return hn::BitCast(Words(), x);
 }
 
-// The constants of a primitive, spread.
+// The constants of a primitive.
 struct Frame {
-    VD x1, x2, y1, y2, factor, offset_x, offset_y, reach;
+    const PlaneBasis& basis;
+    double factor, offset_x, offset_y, reach;
+
+    explicit Frame(const AttributeFrame& frame)
+        : basis(frame.basis)
+        , factor(ExactQuotient::factor(frame.basis.per_divisor))
+        , offset_x(frame.offset.x)
+        , offset_y(frame.offset.y)
+        , reach(static_cast<double>(frame.reach) / (1 << AttributePlane::GuardBits)) {}
 };
 
-HWY_INLINE Frame spread(const AttributeFrame& frame) {
-    const PlaneBasis& basis = frame.basis;
-    return {constant(basis.x1),
-            constant(basis.x2),
-            constant(basis.y1),
-            constant(basis.y2),
-            constant(ExactQuotient(basis.divisor).factor()),
-            constant(frame.offset.x),
-            constant(frame.offset.y),
-            constant(static_cast<double>(frame.reach) / (1 << AttributePlane::GuardBits))};
-}
-
-// A gradient, and how far it is from where its rounding could be in doubt: not positive if it is.
+// A gradient, and how far its estimate is from it.
 struct Gradient {
-    VD estimate;
-    Rounded rounded;
-    VD margin;
+    VD shifted; // by Rounder
+    VD value;
+    VD off;
 };
 
-HWY_INLINE Gradient gradient(VD numerator, VD factor) {
-    const VD estimate = hn::Mul(numerator, factor);
-    const Rounded rounded(estimate);
-    // Two roundings are 2^-52 of it, and little more.
-    const VD error = hn::Mul(hn::Abs(estimate), constant(0x1.4p-52));
-    const VD off = hn::Abs(hn::Sub(estimate, rounded.value()));
-    return {estimate, rounded, hn::Sub(hn::Sub(constant(0.5), off), error)};
-}
-
-HWY_INLINE VD largest_of(VD a, VD b, VD c) {
-    return hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Abs(c));
+HWY_INLINE Gradient gradient(VD numerator, double factor) {
+    const VD by = constant(factor);
+    const VD shifted = hn::MulAdd(numerator, by, constant(Rounder));
+    const VD value = hn::Sub(shifted, constant(Rounder));
+    return {shifted, value, hn::Abs(hn::MulSub(numerator, by, value))};
 }
 
 // As many values as a vector has and the layout carries, promoted; the others are 0.
@@ -113,39 +92,64 @@ HWY_INLINE std::array<VD, 3> load_values(const AttributeValues& values, unsigned
         hn::IfThenElse(lanes_of(values.color_bits(), first), constant(255), constant(1));
     const auto is_k = lanes_of(std::uint64_t{1} << count, first);
     const auto at = [&](unsigned j) HWY_ATTR {
-        const VD value = hn::Mul(load_floats(values.of[j], first, count), factor);
-        return hn::Mul(hn::IfThenElse(is_k, constant(1), value), constant(values.k[j]));
+        const VD k = constant(values.k[j]);
+        // 255 k is exact, so that there is one rounding.
+        const VD value = hn::Mul(load_floats(values.of[j], first, count), hn::Mul(factor, k));
+        return hn::IfThenElse(is_k, k, value);
     };
     return {at(0), at(1), at(2)};
 }
 
-// StoredPlane, of vectors: its 32 bytes as four words of 64 bits. `scale` is the bits of a
-// binary32.
-HWY_INLINE void store(VW c, VW dx, VW dy, VW scale, StoredPlane* to) {
-    constexpr int Low = StoredPlane::LowBits, High = Low + StoredPlane::MiddleBits;
-    const Words d;
-    const VW half = hn::Set(d, AttributePlane::Half);
-    const VW low_mask = hn::Set(d, StoredPlane::LowMask);
-    const VW upper_word = hn::Set(d, ~std::uint64_t{0} << 32);
-    const VW middle_mask = hn::Set(d, std::uint64_t{StoredPlane::MiddleMask} << 32);
-    const VW top_mask = hn::Set(d, 0xffff);
-    // Without guard bits, in the upper word.
-    const auto above = [&](VW x)
-                           HWY_ATTR { return hn::And(hn::ShiftLeft<32 - Low>(x), upper_word); };
-    const auto low_and_middle = [&](VW x) HWY_ATTR {
-        return hn::OrAnd(hn::And(x, low_mask), hn::ShiftLeft<32 - Low>(x), middle_mask);
-    };
-    const auto high = [&](VW x) HWY_ATTR { return hn::And(hn::ShiftRight<High>(x), top_mask); };
-    const auto pair = [&](VW x, VW y) HWY_ATTR { return hn::Or(x, hn::ShiftLeft<16>(y)); };
+// Bits of `a` where the mask has them, else of `b`.
+HWY_INLINE VW select(std::uint64_t mask, VW a, VW b) {
+    const VW bits = hn::Set(Words(), mask);
+    return hn::OrAnd(hn::AndNot(bits, b), bits, a);
+}
 
-    const VW whole = hn::Add(c, half), right = hn::Add(dx, half), up = hn::Add(dy, half);
-    const VW up_only = hn::ShiftRight<32>(above(up));
-    hn::StoreInterleaved4(hn::OrAnd(hn::Or(scale, above(whole)), whole, low_mask),
-                          pair(low_and_middle(dx), low_and_middle(dy)),
-                          hn::Or(pair(high(dx), high(dy)), above(right)),
-                          hn::Or(up_only, above(hn::Add(right, dy))),
-                          d,
-                          reinterpret_cast<std::uint64_t*>(to));
+// StoredPlane, of vectors: its 32 bytes as four words of 64 bits. `c` includes Half, `exponent`
+// stands where fraction_and_scale has it; of the steps the lower 51 bits count.
+HWY_INLINE void store(VW c, VW dx, VW dy, VW exponent, StoredPlane* to) {
+    constexpr int Low = StoredPlane::LowBits, High = Low + StoredPlane::MiddleBits;
+    constexpr std::uint64_t LowerWord = 0xffffffff, EvenHalves = 0x0000ffff0000ffff;
+    constexpr std::uint64_t Parts =
+        std::uint64_t{StoredPlane::MiddleMask} << 32 | StoredPlane::LowMask;
+    const Words d;
+    // Low bits where they stand, those above the guard bits in the upper word.
+    const VW x = select(LowerWord, dx, hn::ShiftLeft<32 - Low>(dx));
+    const VW y = select(LowerWord, dy, hn::ShiftLeft<32 - Low>(dy));
+    const VW steps =
+        hn::And(select(EvenHalves, x, hn::ShiftLeft<16>(y)), hn::Set(d, Parts << 16 | Parts));
+    const VW high = select(EvenHalves, hn::ShiftRight<High>(dx), hn::ShiftRight<High - 16>(dy));
+    const VW half = hn::Set(d, AttributePlane::Half);
+    const VW right = hn::Add(dx, half), up = hn::Add(dy, half);
+    hn::StoreInterleaved4(
+        hn::Or(hn::ShiftLeft<32 - Low>(c), exponent),
+        steps,
+        select(LowerWord, high, hn::ShiftLeft<32 - Low>(right)),
+        select(LowerWord, hn::ShiftRight<Low>(up), hn::ShiftLeft<32 - Low>(hn::Add(right, dy))),
+        d,
+        reinterpret_cast<std::uint64_t*>(to));
+}
+
+// c + Half, of vertex 0 shifted by Rounder and the way to the reference pixel.
+HWY_INLINE VW reference_value(VD q0, const Gradient& x, const Gradient& y, const Frame& frame) {
+    constexpr double HalfUp = 128 + 256 * AttributePlane::Half;
+    const VD by_x = hn::MulAdd(x.value, constant(frame.offset_x), constant(Rounder + HalfUp));
+    const VD way = hn::MulAdd(y.value, constant(frame.offset_y), by_x);
+    const VI whole =
+        hn::Sub(hn::BitCast(Integers(), way), hn::BitCast(Integers(), constant(Rounder)));
+    return hn::Add(hn::ShiftLeft<AttributePlane::GuardBits>(bits_of(q0)),
+                   hn::BitCast(Words(), hn::ShiftRight<8>(whole)));
+}
+
+// Lanes whose gradients are beyond doubt and whose exponent has not to rise.
+HWY_INLINE hn::Mask<Doubles> sure(const Gradient& x, const Gradient& y, double reach) {
+    const VD steps = hn::Add(hn::Abs(x.value), hn::Abs(y.value));
+    // Two roundings are 2^-52 of a quotient, and little more.
+    const VD doubt = hn::MulAdd(steps, constant(0x1.4p-52), hn::Max(x.off, y.off));
+    const VD reached = hn::Mul(steps, constant(reach));
+    constexpr double Room = 0x1p31 - 0x1p21 - (1 << ValueBits);
+    return hn::And(hn::Lt(doubt, constant(0.5 - 0x1p-50)), hn::Lt(reached, constant(Room)));
 }
 
 // Attributes `first` and on; returns a bit for each that the specification has to set up.
@@ -153,52 +157,45 @@ HWY_INLINE std::uint64_t set_up_lanes(const AttributeValues& values,
                                       unsigned first,
                                       const Frame& frame,
                                       StoredPlane* planes) {
-    const Doubles d;
-    const Integers di;
-    const auto [a0, a1, a2] = load_values(values, first);
+    constexpr auto Field = [](int exponent) { return static_cast<std::uint64_t>(exponent) << 52; };
     constexpr double Least = 1.0 / (std::uint64_t{1} << (1 - LeastExponent));
-    const VD largest = hn::Max(largest_of(a0, a1, a2), constant(Least));
-    const VI field = hn::ShiftRight<52>(hn::BitCast(di, largest));
-    const VI scale_field = hn::Sub(hn::Set(di, 1023 + 1022 + ValueBits), field);
-    const VD scale = hn::BitCast(d, hn::ShiftLeft<52>(scale_field));
+    constexpr int ToScale = 52 - (23 - StoredPlane::ScaleShift);
+    const Words d;
+    const auto [a0, a1, a2] = load_values(values, first);
+    const VD largest =
+        hn::Max(hn::Max(hn::Abs(a0), constant(Least)), hn::Max(hn::Abs(a1), hn::Abs(a2)));
+    const VW exponent = hn::And(bits_of(largest), hn::Set(d, Field(0x7ff)));
+    const VD scale =
+        hn::BitCast(Doubles(), hn::Sub(hn::Set(d, Field(1023 + 1022 + ValueBits)), exponent));
 
-    const VD q0 = rounded(hn::Mul(a0, scale));
-    const VD q1 = rounded(hn::Mul(a1, scale));
-    const VD q2 = rounded(hn::Mul(a2, scale));
-    const VD e1 = hn::Sub(q1, q0), e2 = hn::Sub(q2, q0);
-    const Gradient x =
-        gradient(hn::Add(hn::Mul(e1, frame.x1), hn::Mul(e2, frame.x2)), frame.factor);
-    const Gradient y =
-        gradient(hn::Add(hn::Mul(e1, frame.y1), hn::Mul(e2, frame.y2)), frame.factor);
+    const VD q0 = hn::MulAdd(a0, scale, constant(Rounder));
+    const VD e1 = hn::Sub(hn::MulAdd(a1, scale, constant(Rounder)), q0);
+    const VD e2 = hn::Sub(hn::MulAdd(a2, scale, constant(Rounder)), q0);
+    const auto numerator = [&](double by1, double by2) HWY_ATTR {
+        return hn::MulAdd(e1, constant(by1), hn::Mul(e2, constant(by2)));
+    };
+    const PlaneBasis& basis = frame.basis;
+    const Gradient x = gradient(numerator(basis.x1, basis.x2), frame.factor);
+    const Gradient y = gradient(numerator(basis.y1, basis.y2), frame.factor);
 
-    // Halves go up: the sum has no more than 8 fraction bits.
-    const VD way = hn::Add(hn::Mul(x.rounded.value(), frame.offset_x),
-                           hn::Mul(y.rounded.value(), frame.offset_y));
-    const VD to_reference = rounded(hn::Add(hn::Mul(way, constant(0x1p-8)), constant(0x1p-10)));
-    const VD c = hn::Add(hn::Mul(q0, constant(1 << AttributePlane::GuardBits)), to_reference);
-    const VI exponent = hn::Sub(field, hn::Set(di, 1022 - 127 + values.base_exponent()));
-    store(Rounded(c).bits(),
-          x.rounded.bits(),
-          y.rounded.bits(),
-          hn::BitCast(Words(), hn::ShiftLeft<23>(exponent)),
+    const auto base = static_cast<std::uint64_t>(1022 - 127 + values.base_exponent());
+    store(reference_value(q0, x, y, frame),
+          bits_of(x.shifted),
+          bits_of(y.shifted),
+          hn::Sub(hn::ShiftRight<ToScale>(exponent), hn::Set(d, base << (52 - ToScale))),
           planes + first);
-
-    const VD steps = hn::Add(hn::Abs(x.estimate), hn::Abs(y.estimate));
-    const VD reached = hn::Add(largest_of(q0, q1, q2), hn::Mul(steps, frame.reach));
-    const auto sure = hn::And(hn::Gt(hn::Min(x.margin, y.margin), hn::Zero(d)),
-                              hn::Lt(reached, constant(0x1p31 - 0x1p21)));
     std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, hn::Not(sure), bits);
+    hn::StoreMaskBits(Doubles(), hn::Not(sure(x, y, frame.reach)), bits);
     return bits[0];
 }
 
 std::uint64_t
 SetUpPlanes(const AttributeValues& values, const AttributeFrame& frame, StoredPlane* planes) {
-    const Frame spread_frame = spread(frame);
+    const Frame constants(frame);
     const unsigned count = values.count();
     std::uint64_t left = 0;
     for (unsigned i = 0; i < count; i += static_cast<unsigned>(hn::Lanes(Doubles())))
-        left |= set_up_lanes(values, i, spread_frame, planes) << i;
+        left |= set_up_lanes(values, i, constants, planes) << i;
     return left & ((std::uint64_t{1} << count) - 1);
 }
 

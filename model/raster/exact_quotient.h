@@ -11,13 +11,13 @@ class ExactQuotient {
 public:
     static constexpr int Shift = 22;
 
-    // divisor in [1, 2^46].
-    explicit ExactQuotient(std::int64_t divisor)
+    // divisor in [1, 2^46]; per_divisor: 256 / divisor, rounded.
+    ExactQuotient(std::int64_t divisor, double per_divisor)
         : divisor_(divisor)
-        , factor_(static_cast<double>(1 << Shift) / static_cast<double>(divisor)) {}
+        , factor_(factor(per_divisor)) {}
 
     // What the estimate multiplies a numerator with: two roundings, 2^-52 off the quotient.
-    double factor() const { return factor_; }
+    static double factor(double per_divisor) { return per_divisor * (1 << (Shift - 8)); }
 
     // |numerator| at most 2^54, the quotient below 2^51.
     std::int64_t operator()(std::int64_t numerator) const {

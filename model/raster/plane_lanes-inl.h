@@ -93,7 +93,7 @@ HWY_INLINE hn::Vec<IntsOf<F>> corners_at(F f, const StoredPlane& plane, hn::Vec<
     const IntsOf<F> d;
     const WordsOf<F> words;
     const auto fraction =
-        hn::And(hn::Set(words, plane.fraction_and_scale), hn::Set(words, StoredPlane::LowMask));
+        hn::ShiftRight<StoredPlane::FractionShift>(hn::Set(words, plane.fraction_and_scale));
     const auto carried = hn::ShiftRight<Low>(
         hn::Add(products(spread_pair(f, plane.low), at), hn::BitCast(d, fraction)));
     const auto upper = hn::ShiftLeft<Middle>(products(spread_pair(f, plane.high), at));

@@ -40,7 +40,7 @@ struct DepthSteps {
 };
 
 DepthSteps depth_steps(const std::array<std::int64_t, 3>& z, const PlaneBasis& basis) {
-    const double scale = (1 << SubPixelBits) / static_cast<double>(basis.divisor);
+    const double scale = basis.per_divisor;
     const auto e1 = static_cast<double>(z[1] - z[0]);
     const auto e2 = static_cast<double>(z[2] - z[0]);
     return {e1 * (basis.x1 * scale) + e2 * (basis.x2 * scale),
@@ -132,6 +132,12 @@ std::uint8_t divided_units(const PlaneVertices& v, const InterpolantLayout& layo
     return static_cast<std::uint8_t>(units);
 }
 
+PlaneBasis basis_over(PlaneBasis basis, std::int64_t divisor) {
+    basis.divisor = divisor;
+    basis.per_divisor = (1 << SubPixelBits) / static_cast<double>(divisor);
+    return basis;
+}
+
 std::int32_t longest_axis(const WindowVertex& a, const WindowVertex& b) {
     return std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
 }
@@ -162,15 +168,15 @@ PlaneBasis triangle_basis(const PlaneVertices& v) {
     const std::int32_t dx2 = v[2]->x - v[0]->x, dy2 = v[2]->y - v[0]->y;
     const std::int64_t area = std::int64_t{dx1} * dy2 - std::int64_t{dx2} * dy1;
     if (area == 0) return {};
-    if (area < 0) return {-dy2, dy1, dx2, -dx1, -area};
-    return {dy2, -dy1, -dx2, dx1, area};
+    const double sign = area < 0 ? -1 : 1;
+    return basis_over({sign * dy2, -sign * dy1, -sign * dx2, sign * dx1}, std::abs(area));
 }
 
 PlaneBasis line_basis(const WindowVertex& from, const WindowVertex& to) {
     const std::int32_t dx = to.x - from.x, dy = to.y - from.y;
     const std::int64_t square = std::int64_t{dx} * dx + std::int64_t{dy} * dy;
     if (square == 0) return {};
-    return {.x1 = dx, .y1 = dy, .divisor = square};
+    return basis_over({.x1 = static_cast<double>(dx), .y1 = static_cast<double>(dy)}, square);
 }
 
 PlaneGeometry triangle_geometry(const PlaneVertices& vertices) {

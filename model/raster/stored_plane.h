@@ -18,9 +18,10 @@ struct alignas(16) StoredPlane {
     static constexpr int LowBits = AttributePlane::GuardBits, MiddleBits = 15;
     static constexpr std::uint32_t LowMask = (1u << LowBits) - 1,
                                    MiddleMask = (1u << MiddleBits) - 1;
-    static constexpr std::uint32_t ScaleMask = 0xff800000;
+    // The guard bits of c + Half stand above the scale's exponent, which is 15 bits below its place
+    // in a binary32: a shift drops each to have the other.
+    static constexpr int FractionShift = 32 - LowBits, ScaleShift = 15;
 
-    // Of c + Half: its guard bits, beside them the scale's exponent as binary32 has it.
     std::uint32_t fraction_and_scale = 0;
     std::int32_t whole = 0; // of c + Half, without guard bits
     std::uint32_t low = 0, middle = 0;
@@ -29,8 +30,8 @@ struct alignas(16) StoredPlane {
 
     StoredPlane() = default;
     explicit StoredPlane(const AttributePlane& plane)
-        : fraction_and_scale(part(plane.c + AttributePlane::Half, 0, LowMask) |
-                             std::bit_cast<std::uint32_t>(plane.scale))
+        : fraction_and_scale(part(plane.c + AttributePlane::Half, 0, LowMask) << FractionShift |
+                             std::bit_cast<std::uint32_t>(plane.scale) >> ScaleShift)
         , whole(static_cast<std::int32_t>((plane.c + AttributePlane::Half) >> LowBits))
         , low(pair(plane, 0, LowMask))
         , middle(pair(plane, LowBits, MiddleMask))
@@ -39,10 +40,10 @@ struct alignas(16) StoredPlane {
         , up(plane.lane_offsets()[2])
         , diagonal(plane.lane_offsets()[3]) {}
 
-    float scale() const { return std::bit_cast<float>(fraction_and_scale & ScaleMask); }
+    float scale() const { return std::bit_cast<float>(fraction_and_scale << ScaleShift); }
     AttributePlane plane() const {
         const std::int64_t c =
-            std::int64_t{whole} * (1 << LowBits) + (fraction_and_scale & LowMask);
+            std::int64_t{whole} * (1 << LowBits) + (fraction_and_scale >> FractionShift);
         return {c - AttributePlane::Half, step(0), step(16), scale()};
     }
 
