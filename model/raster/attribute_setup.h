@@ -15,9 +15,10 @@ namespace ffgpu {
 //     dx = ((v1 - v0) x1 + (v2 - v0) x2) 256 / divisor,
 //     dy = ((v1 - v0) y1 + (v2 - v0) y2) 256 / divisor.
 // A line has v2 = v0, a point v2 = v1 = v0.
+// All but the last are integers; binary64, as most of set-up multiplies in it.
 struct PlaneBasis {
-    double x1 = 0, x2 = 0, y1 = 0, y2 = 0; // integers, 1/256 pixel
-    std::int64_t divisor = 1;              // positive, below 2^47
+    double x1 = 0, x2 = 0, y1 = 0, y2 = 0; // 1/256 pixel
+    double divisor = 1;                    // positive, below 2^47
     double per_divisor = 256;              // 256 / divisor, rounded: the one division of set-up
 };
 
@@ -50,7 +51,7 @@ BlockPlane set_up_block_plane(const std::array<double, 3>& values, const Attribu
 // A primitive's attributes at its vertices, and what they are multiplied by.
 struct AttributeValues {
     std::array<const float*, 3> of; // each vertex's, by the layout
-    InterpolantLayout layout;
+    const InterpolantLayout& layout;
     bool perspective = false;
     std::array<double, 3> k{1, 1, 1}; // With perspective: the greatest is in [1, 2).
 

@@ -69,13 +69,12 @@ HWY_INLINE Gradient gradient(VD numerator, double factor) {
 }
 
 // As many values as a vector has and the layout carries, promoted; the others are 0.
-HWY_INLINE VD load_floats(const float* from, unsigned first, unsigned count) {
+HWY_INLINE VD load_floats(const float* from, unsigned first, unsigned carried) {
     const hn::Rebind<float, Doubles> d;
-    const auto carried = hn::FirstN(d, count > first ? count - first : 0);
-    if (first + hn::Lanes(d) <= MaxInterpolants)
-        return hn::PromoteTo(Doubles(), hn::MaskedLoad(carried, d, from + first));
+    if (first + hn::Lanes(d) <= MaxInterpolants) [[likely]]
+        return hn::PromoteTo(Doubles(), hn::MaskedLoad(hn::FirstN(d, carried), d, from + first));
     std::array<float, 8> rest{};
-    std::copy(from + first, from + std::max(count, first), rest.begin());
+    std::copy_n(from + first, carried, rest.begin());
     return hn::PromoteTo(Doubles(), hn::LoadU(d, rest.data()));
 }
 
@@ -88,13 +87,15 @@ HWY_INLINE hn::Mask<Doubles> lanes_of(std::uint64_t bits, unsigned first) {
 // The attributes from `first` on at the three vertices: AttributeValues::at().
 HWY_INLINE std::array<VD, 3> load_values(const AttributeValues& values, unsigned first) {
     const unsigned count = values.layout.count;
+    const unsigned carried =
+        std::min(std::max(count, first) - first, static_cast<unsigned>(hn::Lanes(Doubles())));
     const VD factor =
         hn::IfThenElse(lanes_of(values.color_bits(), first), constant(255), constant(1));
     const auto is_k = lanes_of(std::uint64_t{1} << count, first);
     const auto at = [&](unsigned j) HWY_ATTR {
         const VD k = constant(values.k[j]);
         // 255 k is exact, so that there is one rounding.
-        const VD value = hn::Mul(load_floats(values.of[j], first, count), hn::Mul(factor, k));
+        const VD value = hn::Mul(load_floats(values.of[j], first, carried), hn::Mul(factor, k));
         return hn::IfThenElse(is_k, k, value);
     };
     return {at(0), at(1), at(2)};

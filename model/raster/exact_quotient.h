@@ -12,8 +12,8 @@ public:
     static constexpr int Shift = 22;
 
     // divisor in [1, 2^46]; per_divisor: 256 / divisor, rounded.
-    ExactQuotient(std::int64_t divisor, double per_divisor)
-        : divisor_(divisor)
+    ExactQuotient(double divisor, double per_divisor)
+        : divisor_(static_cast<std::int64_t>(divisor))
         , factor_(factor(per_divisor)) {}
 
     // What the estimate multiplies a numerator with: two roundings, 2^-52 off the quotient.

@@ -47,7 +47,8 @@ DepthSteps depth_steps(const std::array<std::int64_t, 3>& z, const PlaneBasis& b
             e1 * (basis.y1 * scale) + e2 * (basis.y2 * scale)};
 }
 
-std::array<std::int64_t, 3> vertex_depths(const SetupContext& context, const PlaneVertices& v) {
+inline std::array<std::int64_t, 3> vertex_depths(const SetupContext& context,
+                                                 const PlaneVertices& v) {
     return {plane_depth(context, v[0]->depth),
             plane_depth(context, v[1]->depth),
             plane_depth(context, v[2]->depth)};
@@ -62,7 +63,7 @@ ReferenceOffset reference_offset(const WindowVertex& vertex) {
 void set_up_depth(const SetupContext& context, const PlaneGeometry& geometry, SetupRecord& record) {
     const ReferenceOffset& offset = geometry.attributes.offset;
     const std::array<std::int64_t, 3> z = vertex_depths(context, geometry.vertices);
-    const DepthSteps steps = depth_steps(z, geometry.depth);
+    const DepthSteps steps = depth_steps(z, geometry.depth());
     DepthPlane& plane = record.depth;
     plane.dx = round_clamped(steps.dx, MaxDepthStep);
     plane.dy = round_clamped(steps.dy, MaxDepthStep);
@@ -121,6 +122,9 @@ bool set_up_constant(const PlaneVertices& v, int first, std::array<std::uint8_t,
 }
 
 std::uint8_t divided_units(const PlaneVertices& v, const InterpolantLayout& layout) {
+    // No byte of it has more bits than 4 = with q.
+    const auto components = std::bit_cast<std::uint64_t>(layout.tex_components);
+    if ((components & 0x0404040404040404) == 0) return 0;
     unsigned units = 0;
     for (unsigned unit = 0; unit < TextureUnits; ++unit) {
         if (layout.tex_coord[unit] < 0 || layout.tex_components[unit] < 4) continue;
@@ -132,20 +136,8 @@ std::uint8_t divided_units(const PlaneVertices& v, const InterpolantLayout& layo
     return static_cast<std::uint8_t>(units);
 }
 
-PlaneBasis basis_over(PlaneBasis basis, std::int64_t divisor) {
-    basis.divisor = divisor;
-    basis.per_divisor = (1 << SubPixelBits) / static_cast<double>(divisor);
-    return basis;
-}
-
 std::int32_t longest_axis(const WindowVertex& a, const WindowVertex& b) {
     return std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
-}
-
-// Of the longest edge.
-std::int32_t longest_axis(const PlaneVertices& v) {
-    return std::max(std::max(longest_axis(*v[0], *v[1]), longest_axis(*v[1], *v[2])),
-                    longest_axis(*v[2], *v[0]));
 }
 
 // The cyclic order that puts the longest edge first.
@@ -156,6 +148,33 @@ PlaneVertices longest_edge_first(const PlaneVertices& v) {
     return b >= c ? PlaneVertices{v[1], v[2], v[0]} : PlaneVertices{v[2], v[0], v[1]};
 }
 
+constexpr double One = 1 << SubPixelBits;
+
+// Two sides of a triangle, from its first vertex: integers of 23 bits, so that products are exact.
+struct TriangleSides {
+    double dx1, dy1, dx2, dy2, area;
+
+    explicit TriangleSides(const PlaneVertices& v)
+        : dx1(v[1]->x - v[0]->x)
+        , dy1(v[1]->y - v[0]->y)
+        , dx2(v[2]->x - v[0]->x)
+        , dy2(v[2]->y - v[0]->y)
+        , area(dx1 * dy2 - dx2 * dy1) {}
+
+    PlaneBasis basis() const {
+        if (area == 0) return {};
+        const double sign = std::copysign(1.0, area), divisor = std::fabs(area);
+        return {sign * dy2, -sign * dy1, -sign * dx2, sign * dx1, divisor, One / divisor};
+    }
+    // Less than 1/256 pixel high over its longest edge.
+    bool are_sliver() const {
+        const auto longest = [](double a, double b) {
+            return std::max(std::max(std::fabs(a), std::fabs(b)), std::fabs(b - a));
+        };
+        return std::fabs(area) < std::max(longest(dx1, dx2), longest(dy1, dy2));
+    }
+};
+
 } // namespace
 
 std::uint8_t color_byte(float color) {
@@ -163,41 +182,39 @@ std::uint8_t color_byte(float color) {
     return static_cast<std::uint8_t>(std::min(positive, 1.0f) * 255.0f + 0.5f);
 }
 
-PlaneBasis triangle_basis(const PlaneVertices& v) {
-    const std::int32_t dx1 = v[1]->x - v[0]->x, dy1 = v[1]->y - v[0]->y;
-    const std::int32_t dx2 = v[2]->x - v[0]->x, dy2 = v[2]->y - v[0]->y;
-    const std::int64_t area = std::int64_t{dx1} * dy2 - std::int64_t{dx2} * dy1;
-    if (area == 0) return {};
-    const double sign = area < 0 ? -1 : 1;
-    return basis_over({sign * dy2, -sign * dy1, -sign * dx2, sign * dx1}, std::abs(area));
+PlaneBasis triangle_basis(const PlaneVertices& vertices) {
+    return TriangleSides(vertices).basis();
 }
 
 PlaneBasis line_basis(const WindowVertex& from, const WindowVertex& to) {
-    const std::int32_t dx = to.x - from.x, dy = to.y - from.y;
-    const std::int64_t square = std::int64_t{dx} * dx + std::int64_t{dy} * dy;
+    const double dx = to.x - from.x, dy = to.y - from.y;
+    const double square = dx * dx + dy * dy;
     if (square == 0) return {};
-    return basis_over({.x1 = static_cast<double>(dx), .y1 = static_cast<double>(dy)}, square);
+    return {.x1 = dx, .y1 = dy, .divisor = square, .per_divisor = One / square};
 }
 
 PlaneGeometry triangle_geometry(const PlaneVertices& vertices) {
-    const PlaneBasis basis = triangle_basis(vertices);
-    if (basis.divisor >= longest_axis(vertices)) [[likely]]
-        return {vertices, basis, {basis, reference_offset(*vertices[0])}};
+    const TriangleSides sides(vertices);
+    if (!sides.are_sliver()) [[likely]]
+        return {vertices, {sides.basis(), reference_offset(*vertices[0])}};
     const PlaneVertices longest = longest_edge_first(vertices);
     const WindowVertex& from = *longest[0];
-    return {
-        longest, triangle_basis(longest), {line_basis(from, *longest[1]), reference_offset(from)}};
+    return {longest, {line_basis(from, *longest[1]), reference_offset(from)}, true};
 }
 
 PlaneGeometry line_geometry(const WindowVertex& from, const WindowVertex& to, float width) {
-    const PlaneBasis basis = line_basis(from, to);
     return {{&from, &to, &from},
-            basis,
-            {basis, reference_offset(from), static_cast<int>(width * 0.5f) + 3}};
+            {line_basis(from, to), reference_offset(from), static_cast<int>(width * 0.5f) + 3}};
 }
 
 PlaneGeometry point_geometry(const WindowVertex& vertex) {
-    return {{&vertex, &vertex, &vertex}, {}, {{}, reference_offset(vertex)}};
+    return {{&vertex, &vertex, &vertex}, {{}, reference_offset(vertex)}};
+}
+
+void set_up_triangle_planes(const SetupContext& context,
+                            const PlaneVertices& vertices,
+                            SetupRecord& record) {
+    set_up_planes(context, triangle_geometry(vertices), record);
 }
 
 void set_up_planes(const SetupContext& context,

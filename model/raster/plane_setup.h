@@ -17,8 +17,11 @@ PlaneBasis line_basis(const WindowVertex& from, const WindowVertex& to);
 // From which vertices, and how, the planes of a primitive follow.
 struct PlaneGeometry {
     PlaneVertices vertices;
-    PlaneBasis depth;
     AttributeFrame attributes;
+    // Attributes follow from the edge between the first two vertices, depth from all three.
+    bool sliver = false;
+
+    PlaneBasis depth() const { return sliver ? triangle_basis(vertices) : attributes.basis; }
 };
 
 // Triangles less than 1/256 pixel high have their attributes from their longest edge alone.
@@ -26,6 +29,11 @@ PlaneGeometry triangle_geometry(const PlaneVertices& vertices);
 // Of a line `width` pixels wide.
 PlaneGeometry line_geometry(const WindowVertex& from, const WindowVertex& to, float width);
 PlaneGeometry point_geometry(const WindowVertex& vertex);
+
+// triangle_geometry() and set_up_planes() in one.
+void set_up_triangle_planes(const SetupContext& context,
+                            const PlaneVertices& vertices,
+                            SetupRecord& record);
 
 // Fills reference pixel, depth, inverse_w, constant colours and all attribute planes of `record`.
 void set_up_planes(const SetupContext& context, const PlaneGeometry& geometry, SetupRecord& record);

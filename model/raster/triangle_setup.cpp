@@ -77,8 +77,7 @@ bool set_up_triangle(const SetupContext& context, const Primitive& primitive, Se
     }
     if (context.primitive.polygon_stipple) record.stipple = StippleKind::Polygon;
 
-    const PlaneGeometry geometry = triangle_geometry(v);
-    set_up_planes(context, geometry, record);
+    set_up_triangle_planes(context, v, record);
     if (context.primitive.offset_fill) add_depth_offset(context, v, triangle_basis(v), record);
     return true;
 }

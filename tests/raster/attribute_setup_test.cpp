@@ -27,7 +27,8 @@ std::int64_t wide_quotient(std::int64_t numerator, std::int64_t divisor) {
 }
 
 ExactQuotient quotient_by(std::int64_t divisor) {
-    return {divisor, 256 / static_cast<double>(divisor)};
+    const auto exact = static_cast<double>(divisor);
+    return {exact, 256 / exact};
 }
 
 std::int64_t random_bits(Random& random, int bits) {
@@ -94,9 +95,10 @@ void compare_forms(unsigned seed, unsigned frames) {
     for (unsigned n = 0; n < frames; ++n) {
         const AttributeFrame frame = random_frame(random);
         const std::array<WindowVertex, 3> v = random_attributes(random);
+        const InterpolantLayout layout = random_layout(random);
         AttributeValues values{
             .of = {v[0].attributes.data(), v[1].attributes.data(), v[2].attributes.data()},
-            .layout = random_layout(random),
+            .layout = layout,
             .perspective = random.below(2) == 0};
         if (values.perspective)
             values.k = {1 + static_cast<double>(random.unit()),
