@@ -36,7 +36,10 @@ public:
 
 private:
     Activity step() override;
-    bool may_sleep() const override { return !working_ && ports_.primitives_in.holds_nothing(); }
+    bool may_sleep() const override { return true; }
+    Cycle next_work(Activity last) const override {
+        return working_ && now() < clipped_at_ ? clipped_at_ : Unit::next_work(last);
+    }
     void begin(const PrimitiveToken& token);
 
     const TimingConfig& config_;

@@ -4,6 +4,8 @@
 #include "model/timing/unit.h"
 
 #include <algorithm>
+#include <bit>
+#include <utility>
 
 namespace ffgpu::timing {
 namespace {
@@ -21,8 +23,10 @@ Clock::Clock(sc_core::sc_module_name name, std::function<bool()> must_wait, Pace
 }
 
 std::size_t Clock::attach(Unit& unit) const {
+    check(units_.size() < 63, "a bit for each unit");
     units_.push_back(&unit);
-    due_.push_back(now_ + 1);
+    due_.push_back(Never);
+    wake(units_.size() - 1, now_ + 1);
     return units_.size() - 1;
 }
 
@@ -53,25 +57,41 @@ bool Clock::run_ahead() {
     const Cycle end = now_ + Quantum;
     while (now_ < end) {
         if (paused()) return false;
-        const Cycle due = *std::min_element(due_.begin(), due_.end());
+        const Cycle due = next_due();
         check(due != Never, "no unit of the timed machine will ever work again");
-        now_ = std::max(due, now_ + 1);
+        now_ = due;
         walk();
     }
     return true;
 }
 
+Cycle Clock::next_due() {
+    if (due_next_ != 0) return now_ + 1;
+    soonest_ = *std::min_element(due_.begin(), due_.end());
+    return soonest_;
+}
+
+// Of this cycle, a bit each. They are due no more.
+std::uint64_t Clock::take_due() {
+    std::uint64_t due = std::exchange(due_next_, 0);
+    if (pace_ == Pace::EveryCycle) due = (std::uint64_t{1} << units_.size()) - 1;
+    if (soonest_ > now_) return due;
+    soonest_ = Never;
+    for (std::size_t i = 0; i < due_.size(); ++i) {
+        if (due_[i] <= now_) {
+            due |= std::uint64_t{1} << i;
+            due_[i] = Never;
+        }
+        soonest_ = std::min(soonest_, due_[i]);
+    }
+    return due;
+}
+
 // Who is due is settled before the first unit runs: what wakes a unit in this cycle wakes it for
 // the next.
 void Clock::walk() {
-    walked_.clear();
-    for (std::size_t i = 0; i < units_.size(); ++i) {
-        if (due_[i] > now_ && pace_ != Pace::EveryCycle) continue;
-        due_[i] = Never;
-        walked_.push_back(units_[i]);
-    }
-    for (Unit* const unit : walked_)
-        unit->run_cycle();
+    for (std::uint64_t due = take_due(); due != 0; due &= due - 1)
+        units_[static_cast<std::size_t>(std::countr_zero(due))]->run_cycle();
 }
 
 } // namespace ffgpu::timing

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -53,7 +54,12 @@ public:
     // the clock as one that they cannot change: when they are due is not its time.
     std::size_t attach(Unit& unit) const;
     void wake(std::size_t place, Cycle at) const {
-        if (at < due_[place]) due_[place] = at;
+        if (at <= now_ + 1) {
+            due_next_ |= std::uint64_t{1} << place;
+        } else if (at < due_[place]) {
+            due_[place] = at;
+            soonest_ = std::min(soonest_, at);
+        }
     }
 
 private:
@@ -63,6 +69,9 @@ private:
     bool run_ahead();
     bool paused();
     void walk();
+    std::uint64_t take_due();
+    // The cycle in which a unit is due next.
+    Cycle next_due();
 
     std::function<bool()> must_wait_;
     Pace pace_;
@@ -71,8 +80,11 @@ private:
     Cycle now_ = 0;
     Cycle systemc_now_ = 0; // the cycle that SystemC's time stands at
     mutable std::vector<Unit*> units_;
-    mutable std::vector<Cycle> due_; // of each unit
-    std::vector<Unit*> walked_;      // in this cycle
+    // When each unit is due: in the next cycle (a bit each), or later; soonest_ is not after the
+    // first of those.
+    mutable std::uint64_t due_next_ = 0;
+    mutable std::vector<Cycle> due_;
+    mutable Cycle soonest_ = Never;
 };
 
 } // namespace ffgpu::timing

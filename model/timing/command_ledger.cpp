@@ -10,9 +10,26 @@ std::size_t CommandLedger::open(CommandKind kind, std::uint32_t number, std::uin
     return entries_.size() - 1;
 }
 
-void CommandLedger::charge(Entry& entry, std::uint64_t now) {
-    entry.listed.cycles += now - charged_until_;
-    charged_until_ = now;
+void CommandLedger::begin_cycle(std::uint64_t now) {
+    if (now == cycle_) return;
+    cycle_ = now;
+    oldest_before_ = oldest_;
+    charged_ = None;
+}
+
+// Units are called in any order: a command before the one that was charged in this cycle takes its
+// cycles over.
+void CommandLedger::charge(std::size_t entry, std::uint64_t now) {
+    if (charged_ == None) {
+        charge_ = now - charged_until_;
+        charged_until_ = now;
+    } else if (entry < charged_) {
+        entries_[charged_].listed.cycles -= charge_;
+    } else {
+        return;
+    }
+    entries_[entry].listed.cycles += charge_;
+    charged_ = entry;
 }
 
 void CommandLedger::count(Entry& entry) {
@@ -23,24 +40,29 @@ void CommandLedger::count(Entry& entry) {
 }
 
 void CommandLedger::retire(std::size_t entry, std::uint64_t now) {
-    charge(entries_[entry], now);
+    begin_cycle(now);
+    charge(entry, now);
     count(entries_[entry]);
 }
 
 void CommandLedger::end_part(std::size_t entry, std::uint64_t now) {
-    if (entry == oldest_) charge(entries_[entry], now);
+    begin_cycle(now);
+    if (entry == oldest_before_) charge(entry, now);
     count(entries_[entry]);
 }
 
 std::vector<CommandCycles> CommandLedger::end_frame(std::uint64_t now) {
     check(oldest_ == entries_.size(), "a frame ends with its commands");
     Entry& end = entries_.emplace_back(Entry{{CommandKind::FrameEnd, 0, 0}, 0});
-    charge(end, now);
+    end.listed.cycles = now - charged_until_;
+    charged_until_ = now;
     std::vector<CommandCycles> listed;
     for (const Entry& entry : entries_)
         listed.push_back(entry.listed);
     entries_.clear();
-    oldest_ = 0;
+    oldest_ = oldest_before_ = 0;
+    cycle_ = now;
+    charged_ = None;
     return listed;
 }
 

@@ -5,6 +5,8 @@
 //     leaves no quad), if no command before it is still under way;
 //   - a clear, a copy or a host transfer, where its last line leaves the command processor;
 //   - the end of the frame: what is left, which is the write-back of the caches.
+// Where several commands could have them in one cycle the first has, whoever of the units told it
+// first.
 
 #pragma once
 
@@ -62,17 +64,25 @@ public:
     std::vector<CommandCycles> end_frame(std::uint64_t now);
 
 private:
+    static constexpr std::size_t None = ~std::size_t{0};
+
     struct Entry {
         CommandCycles listed;
         std::uint64_t parts_left = 0;
     };
 
-    void charge(Entry& entry, std::uint64_t now);
+    void begin_cycle(std::uint64_t now);
+    void charge(std::size_t entry, std::uint64_t now);
     void count(Entry& entry);
 
     std::vector<Entry> entries_; // of the frame, in the order of the commands
     std::size_t oldest_ = 0;     // that is under way
     std::uint64_t charged_until_ = 0;
+    // Of the cycle of the last call:
+    std::uint64_t cycle_ = 0;
+    std::size_t oldest_before_ = 0; // oldest_ when it began
+    std::size_t charged_ = None;    // who has the cycles up to here; None: nobody was charged
+    std::uint64_t charge_ = 0;      // and how many
 };
 
 } // namespace ffgpu::timing

@@ -17,6 +17,7 @@
 namespace ffgpu::timing {
 
 inline std::uint32_t fragment_pipe(const TimingConfig& config, const QuadToken& token) {
+    if (config.raster.quads_per_cycle == 1) return 0;
     const PreparedQuad& quad = token.quad();
     const std::uint32_t width = config.fragment.distribution_width;
     const std::uint32_t pipes = config.raster.quads_per_cycle;
@@ -29,6 +30,11 @@ inline std::uint32_t fragment_pipe(const TimingConfig& config, const QuadToken& 
         break;
     }
     return (token.draw().number + quad.primitive) % pipes; // Draws of one primitive, too.
+}
+
+// The place of those that take turns, where none is further than once around.
+inline std::size_t turn(std::size_t place, std::size_t places) {
+    return place < places ? place : place - places;
 }
 
 // A unit's way out for the quads of all its pipes.

@@ -40,13 +40,13 @@ Activity FragmentTiming::step() {
     distribute();
     bool worked = false, stalled = false;
     for (std::size_t i = 0; i < pipes_.size(); ++i) {
-        const Activity activity = step((first_ + i) % pipes_.size());
+        const Activity activity = step(turn(first_ + i, pipes_.size()));
         worked |= activity == Activity::Busy;
         stalled |= activity == Activity::StalledOutput;
     }
     worked |= exit_.advance();
     if (worked) {
-        first_ = (first_ + 1) % pipes_.size();
+        first_ = turn(first_ + 1, pipes_.size());
         return Activity::Busy;
     }
     return stalled ? Activity::StalledOutput : Activity::Idle;

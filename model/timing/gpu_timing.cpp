@@ -1,7 +1,7 @@
 #include "model/timing/gpu_timing.h"
 
 #include "model/timing/cache_checks.h"
-#include "model/timing/machine.h"
+#include "model/timing/machine_thread.h"
 #include "model/timing/memory_lines.h"
 
 #include <utility>
@@ -21,27 +21,31 @@ GpuTiming::GpuTiming(const TimingConfig& config,
     check_caches(config);
     const SimulationContext::Scope scope(*context_);
     machine_ = std::make_unique<Machine>(*context_, config, evaluation, make_memory);
+    thread_ = std::make_unique<MachineThread>(*machine_);
+    order_ = std::make_unique<work::MachineOrder>(config.work(), *thread_);
 }
 
 GpuTiming::~GpuTiming() {
+    thread_.reset();
     const SimulationContext::Scope scope(*context_);
     machine_.reset();
 }
 
 void GpuTiming::command(std::shared_ptr<const work::WholeCommand> command) {
-    machine_->order.command(std::move(command));
+    order_->command(std::move(command));
 }
 
 void GpuTiming::host_transfer(const HostTransfer& transfer) {
-    machine_->order.host_transfer(transfer);
+    order_->host_transfer(transfer);
 }
 
 void GpuTiming::end_frame(std::uint32_t frame) {
-    machine_->order.end_frame(frame);
+    order_->end_frame(frame);
+    thread_->show(order_->shown());
 }
 
 void GpuTiming::catch_up() {
-    machine_->run();
+    thread_->catch_up();
 }
 
 void GpuTiming::set_on_frame(std::function<void(const FrameTiming&)> on_frame) {

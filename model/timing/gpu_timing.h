@@ -2,8 +2,9 @@
 // a pixel. machine.cpp wires the units and reads as the block diagram.
 //
 // Each GpuTiming has a SystemC simulation context of its own, so several can exist in a process,
-// one after the other or side by side; SystemC keeps the current one in a global, so only one
-// thread of a process may call them at a time.
+// one after the other or side by side. Its machine runs on a thread of its own, which also makes
+// the calls of on_frame and on_retire; SystemC keeps the current context in a global, so of several
+// machines one runs at a time.
 
 #pragma once
 
@@ -11,7 +12,7 @@
 #include "model/timing/command_ledger.h"
 #include "model/timing/config.h"
 #include "model/timing/memory_module.h"
-#include "model/work/whole_command.h"
+#include "model/work/machine_order.h"
 
 #include <cstdint>
 #include <functional>
@@ -37,6 +38,7 @@ struct FrameTiming {
 };
 
 class Machine;
+class MachineThread;
 class SimulationContext;
 
 class GpuTiming final : public work::CommandSink {
@@ -69,6 +71,8 @@ public:
 private:
     std::unique_ptr<SimulationContext> context_;
     std::unique_ptr<Machine> machine_;
+    std::unique_ptr<MachineThread> thread_;     // uses the machine
+    std::unique_ptr<work::MachineOrder> order_; // uses the thread
 };
 
 } // namespace ffgpu::timing

@@ -36,6 +36,7 @@ void HostBus::enqueue(work::PreparedTransfer&& transfer) {
 }
 
 void HostBus::enqueue(const HostTransfer& transfer) {
+    if (transfer.is_write && transfer.bytes == 0) return;
     const CommandKind kind = transfer.is_write ? CommandKind::HostWrite : CommandKind::HostRead;
     (transfer.is_write ? statistics_.written_bytes : statistics_.read_bytes) += transfer.bytes;
     const Data data{transfer.is_write,
@@ -52,6 +53,7 @@ void HostBus::enqueue(const HostTransfer& transfer) {
 }
 
 void HostBus::enqueue_frame_end() {
+    ends_frame_ = true;
     add({.token = DrainCommand{.ends_frame = true}}, 0, 0);
 }
 
@@ -61,6 +63,7 @@ Activity HostBus::step() {
         arriving_ -= bytes;
         arrived_ += bytes;
     }
+    if (now() < carried_at_) return Activity::Busy;
     budget_ = config_.bytes_per_cycle == 0 ? ~std::uint64_t{0} : config_.bytes_per_cycle;
     Activity reason = Activity::Idle;
     bool moved = false;
@@ -80,7 +83,9 @@ bool HostBus::advance(Activity& reason) {
         ports_.drained_in.pop();
         const bool ends_frame = std::get<DrainCommand>(command.token).ends_frame;
         command.token = {};
-        if (ends_frame) end_command();
+        if (!ends_frame) return true;
+        ends_frame_ = false;
+        end_command();
         return true;
     }
     if (drains) {
@@ -97,7 +102,15 @@ bool HostBus::carry(Activity& reason) {
     const std::uint64_t bytes = std::min(budget_, left);
     budget_ -= bytes;
     left -= bytes;
+    if (left > 0) carry_on(left);
     return true;
+}
+
+// The cycles that carry nothing else than these bytes, all but the last.
+void HostBus::carry_on(std::uint64_t& left) {
+    const std::uint64_t cycles = (left - 1) / config_.bytes_per_cycle;
+    left -= cycles * config_.bytes_per_cycle;
+    carried_at_ = now() + cycles + 1;
 }
 
 bool HostBus::hand_over(Activity& reason) {

@@ -39,19 +39,23 @@ public:
 
     HostBus(sc_core::sc_module_name name,
             const Clock& clock,
-            const HostConfig& config,
+            const TimingConfig& config,
             const Ports& ports)
         : Unit(name, clock)
-        , config_(config)
-        , ports_(ports) {}
+        , config_(config.host)
+        , ports_(ports)
+        , most_in_a_cycle_(std::size_t{config.host.queue} + config.memory.client_queue + 1) {}
 
     // The host's side; called while the simulation is paused.
     void enqueue(TimedScene& scene);
     void enqueue(work::PreparedTransfer&& transfer);
     void enqueue(const HostTransfer& transfer);
     void enqueue_frame_end();
-    // Nothing is left to send: the clock must not go on without the host.
-    bool starves() const { return commands_.empty(); }
+    // What is left to send could end within a cycle, in which the bus would go on to what the host
+    // has not told yet: the clock must not go on without the host.
+    bool starves() const {
+        return ends_frame_ ? commands_.empty() : commands_.size() <= most_in_a_cycle_;
+    }
 
     const HostStatistics& statistics() const { return statistics_; }
 
@@ -70,9 +74,13 @@ private:
 
     Activity step() override;
     bool may_sleep() const override { return true; }
+    Cycle next_work(Activity last) const override {
+        return now() < carried_at_ ? carried_at_ : Unit::next_work(last);
+    }
     void add(Command command, std::uint32_t register_writes, std::uint32_t register_words);
     bool advance(Activity& reason);
     bool carry(Activity& reason);
+    void carry_on(std::uint64_t& left);
     bool hand_over(Activity& reason);
     bool upload(Activity& reason);
     bool read_back(Activity& reason);
@@ -82,9 +90,13 @@ private:
     const Ports ports_;
     HostStatistics statistics_;
     std::deque<Command> commands_;
+    // Commands that can end in a cycle: handed over, uploads' last bursts, the end of a read.
+    const std::size_t most_in_a_cycle_;
+    bool ends_frame_ = false; // The last command does; the host tells nothing more before its end.
     std::uint32_t next_draw_ = 0; // number of the draw that a transfer precedes
 
     std::uint64_t budget_ = 0; // bytes that the bus still carries in this cycle
+    Cycle carried_at_ = 0;     // it carries the first command's bytes alone before
     // Of the first command:
     bool under_way_ = false; // It was handed over, or its next burst is on the bus.
     std::uint64_t arriving_ = 0, arrived_ = 0; // bytes that the driver reads

@@ -7,7 +7,7 @@
 namespace ffgpu::timing {
 namespace {
 
-constexpr std::size_t MostWaiting = 1 << 14; // quads that are prepared before they are run
+constexpr std::size_t MostWaiting = 1 << 11; // quads that are taken before they are run
 
 CacheConfig vertex_cache(const VertexConfig& config) {
     CacheConfig cache;
@@ -39,7 +39,6 @@ Machine::Machine(const SimulationContext& kernel,
                  const MakeMemory& make_memory)
     : context(kernel)
     , config(wanted)
-    , order(config.work(), *this)
     , clock(
           "clock", [this] { return must_wait(); }, evaluation.pace)
     , in_flight(clock)
@@ -73,7 +72,7 @@ Machine::Machine(const SimulationContext& kernel,
     , depth_to_color(clock, config.fragment.queue)
     , host("host",
            clock,
-           config.host,
+           config,
            {.commands_out = commands,
             .drained_in = drained,
             .requests_out = host_requests,
@@ -229,7 +228,9 @@ void Machine::end_frame(std::uint32_t number) {
     host.enqueue_frame_end();
     run();
     finish_frame(number);
-    const work::PlacedLevel picture = order.shown();
+}
+
+void Machine::show(const work::PlacedLevel& picture) {
     scan_out.show(picture.base, picture.layer_bytes);
 }
 

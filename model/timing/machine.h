@@ -49,8 +49,10 @@ public:
     void transfer(work::PreparedTransfer&& transfer) override;
     void host_transfer(const HostTransfer& transfer) override;
     void end_frame(std::uint32_t number) override;
+    // What the screen reads from its next refresh on.
+    void show(const work::PlacedLevel& picture);
 
-    // Runs until the command processor has nothing left to read. Time stands still then, so that
+    // Runs until the host's bus could have nothing left to send. Time stands still then, so that
     // nobody can see in a result how often this is done.
     void run();
 
@@ -59,7 +61,6 @@ public:
 
     const SimulationContext& context;
     const TimingConfig config;
-    work::MachineOrder order;
     Clock clock;
     InFlight in_flight, memory_in_flight, screen_in_flight;
     CommandLedger ledger;

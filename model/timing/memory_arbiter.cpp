@@ -25,7 +25,7 @@ Activity MemoryArbiter::step() {
 
     const std::size_t first = next_port_, ports = ports_.requests_in.size();
     for (std::size_t i = 0; i < ports && free_channels > 0; ++i) {
-        const std::size_t port = (first + i) % ports;
+        const std::size_t port = first + i < ports ? first + i : first + i - ports;
         Channel<MemoryRequest>& requests = *ports_.requests_in[port];
         if (!requests.can_pop()) continue;
         const std::uint32_t channel = memory_channel(config_, requests.front().address);
@@ -47,7 +47,7 @@ Activity MemoryArbiter::step() {
         }
         --free_channels;
         sent = true;
-        next_port_ = (port + 1) % ports;
+        next_port_ = port + 1 < ports ? port + 1 : 0;
     }
     if (sent) return Activity::Busy;
     for (const Channel<MemoryRequest>* requests : ports_.requests_in)

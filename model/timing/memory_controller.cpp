@@ -45,6 +45,7 @@ tlm::tlm_sync_enum MemoryController::on_forward(tlm::tlm_generic_payload& payloa
     Lane& lane = lanes_[memory_channel(config_, payload.get_address())];
     if (!lane.arrivals->can_push()) {
         lane.refused = &payload;
+        lane.due = std::min(lane.due, now() + 1);
         wake();
         return tlm::TLM_ACCEPTED;
     }
@@ -77,23 +78,29 @@ void MemoryController::deliver(Lane& lane) {
     }
 }
 
-// Busy while a bus carries data; all else that it does for a request is a stall.
-Activity MemoryController::step() {
+void MemoryController::step(Lane& lane) {
     const MemoryCycle begin = memory_time(now() - 1), end = memory_time(now());
     const Cycle back = config_.latency - config_.latency / 2;
+    lane.dram->advance(begin); // What went by while asleep: refreshes.
+    accept_arrivals(lane, begin);
+    lane.dram->advance(end);
+    std::deque<ServedRequest>& served = lane.dram->served();
+    lane.moves = !served.empty() && served.front().data.begin < end;
+    for (; !served.empty() && served.front().data.end <= end; served.pop_front())
+        lane.responses.push_back(
+            {now() + back, static_cast<tlm::tlm_generic_payload*>(served.front().request.payload)});
+    lane.waits = lane.dram->has_waiting() || !served.empty() || lane.arrivals->can_pop();
+    deliver(lane);
+    lane.due = next_work(lane);
+}
+
+// Busy while a bus carries data; all else that it does for a request is a stall.
+Activity MemoryController::step() {
     bool moving = false, waiting = false;
     for (Lane& lane : lanes_) {
-        lane.dram->advance(begin); // What went by while asleep: refreshes.
-        accept_arrivals(lane, begin);
-        lane.dram->advance(end);
-        std::deque<ServedRequest>& served = lane.dram->served();
-        moving |= !served.empty() && served.front().data.begin < end;
-        for (; !served.empty() && served.front().data.end <= end; served.pop_front())
-            lane.responses.push_back(
-                {now() + back,
-                 static_cast<tlm::tlm_generic_payload*>(served.front().request.payload)});
-        waiting |= lane.dram->has_waiting() || !served.empty() || lane.arrivals->can_pop();
-        deliver(lane);
+        if (lane.is_due(now())) step(lane);
+        moving |= lane.moves;
+        waiting |= lane.waits;
     }
     return moving ? Activity::Busy : waiting ? Activity::StalledMemory : Activity::Idle;
 }
@@ -106,16 +113,11 @@ void MemoryController::settle() {
     statistics_.set_bus_cycles(end * config_.channels);
 }
 
-Cycle MemoryController::next_work(Activity last) const {
-    const bool moves_on = std::ranges::any_of(lanes_, [this](const Lane& lane) {
-        return !lane.dram->served().empty() &&
-               lane.dram->served().front().data.begin < memory_time(now());
-    });
-    if (last == Activity::Busy && !moves_on) return now() + 1; // to say that it is not any more
+Cycle MemoryController::next_work(Activity) const {
     Cycle next = Never;
     for (const Lane& lane : lanes_)
-        next = std::min(next, next_work(lane));
-    return std::max(next, now() + 1);
+        next = std::min(next, lane.due);
+    return next;
 }
 
 // Refreshes of a channel that nobody waits for are made up for when somebody does.
@@ -124,12 +126,14 @@ Cycle MemoryController::next_work(const Lane& lane) const {
     if (lane.refused && !lane.arrivals->is_full()) return now() + 1;
     Cycle next = lane.responses.empty() ? Never : lane.responses.front().at;
     if (lane.dram->has_waiting()) next = std::min(next, core_time(lane.dram->next_work() + 1));
+    bool moves = false;
     if (!lane.dram->served().empty()) {
         const DataBurst& data = lane.dram->served().front().data;
-        const bool moves = data.begin < memory_time(now());
+        moves = data.begin < memory_time(now());
         next = std::min(next, core_time(moves ? data.end : data.begin + 1));
     }
-    return next;
+    if (lane.moves && !moves) next = now() + 1; // to say that it is not any more
+    return std::max(next, now() + 1);
 }
 
 } // namespace ffgpu::timing

@@ -43,10 +43,18 @@ private:
         tlm::tlm_generic_payload* refused = nullptr; // BEGIN_REQ that found no place
         std::unique_ptr<DramChannel> dram;
         std::deque<Response> responses; // in the order of their data
+        // What the last look at the lane said, and when it has to be looked at again.
+        bool moves = false, waits = false;
+        Cycle due = 0;
+
+        bool is_due(Cycle now) const {
+            return due <= now || (arrivals->can_pop() && (!waits || dram->has_room()));
+        }
     };
 
     Activity step() override;
     Cycle next_work(Activity last) const override;
+    void step(Lane& lane);
     Cycle next_work(const Lane& lane) const;
     tlm::tlm_sync_enum
     on_forward(tlm::tlm_generic_payload& payload, tlm::tlm_phase& phase, sc_core::sc_time& delay);
@@ -54,10 +62,12 @@ private:
     void deliver(Lane& lane);
     // Memory cycles that are over when core cycle `now` is.
     MemoryCycle memory_time(Cycle now) const {
+        if (config_.memory_clocks == config_.core_clocks) return now;
         return now * config_.memory_clocks / config_.core_clocks;
     }
     // The first core cycle that is not over before memory cycle `end` is.
     Cycle core_time(MemoryCycle end) const {
+        if (config_.memory_clocks == config_.core_clocks) return end;
         return (end * config_.core_clocks + config_.memory_clocks - 1) / config_.memory_clocks;
     }
 

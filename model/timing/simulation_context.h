@@ -1,8 +1,9 @@
 // SimulationContext: a SystemC kernel of one's own. SystemC keeps one kernel in a global; switching
-// that global is how several simulations live in a process (never two at the same moment).
+// that global is how several simulations live in a process, one running at a time.
 
 #pragma once
 
+#include <mutex>
 #include <systemc>
 
 namespace ffgpu::timing {
@@ -15,11 +16,12 @@ public:
     SimulationContext(const SimulationContext&) = delete;
     SimulationContext& operator=(const SimulationContext&) = delete;
 
-    // Makes the context the global one while it lives.
+    // Makes the context the global one while it lives; waits for scopes of other threads.
     class Scope {
     public:
         explicit Scope(const SimulationContext& context)
-            : before_(sc_core::sc_curr_simcontext) {
+            : one_at_a_time_(mutex())
+            , before_(sc_core::sc_curr_simcontext) {
             sc_core::sc_curr_simcontext = context.context_;
         }
         ~Scope() { sc_core::sc_curr_simcontext = before_; }
@@ -27,6 +29,12 @@ public:
         Scope& operator=(const Scope&) = delete;
 
     private:
+        static std::recursive_mutex& mutex() {
+            static std::recursive_mutex one;
+            return one;
+        }
+
+        const std::lock_guard<std::recursive_mutex> one_at_a_time_;
         sc_core::sc_simcontext* before_;
     };
 

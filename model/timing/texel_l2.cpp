@@ -45,7 +45,7 @@ bool TexelL2::look_up(std::size_t client, Activity& reason) {
     }
     const MemoryRequest& request = requests.front();
     const LookupResult result =
-        ports_.memory.cache.look_up({.number = request.address / config_.line_bytes});
+        ports_.memory.cache.look_up({.number = quotient(request.address, config_.line_bytes)});
     if (!result.accepted) {
         blame(reason, Activity::StalledRequests);
         return false;

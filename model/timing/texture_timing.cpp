@@ -39,13 +39,13 @@ Activity TextureTiming::step() {
     // The pipes share the cache's ports and the way out: a different one is first whenever one
     // has worked.
     for (std::size_t i = 0; i < pipes_.size(); ++i) {
-        const std::size_t pipe = (first_ + i) % pipes_.size();
+        const std::size_t pipe = turn(first_ + i, pipes_.size());
         worked |= pipes_[pipe].filter(exit_, pipe, now(), reason);
         worked |= pipes_[pipe].compare_tags(statistics_, reason);
     }
     worked |= exit_.advance();
     if (!worked) return reason;
-    first_ = (first_ + 1) % pipes_.size();
+    first_ = turn(first_ + 1, pipes_.size());
     return Activity::Busy;
 }
 

@@ -50,8 +50,7 @@ public:
             last_ = activity;
         }
         Cycle due = next_work(activity);
-        for (const Link* const input : inputs_)
-            if (input->arrival() > clock_.now()) due = std::min(due, input->arrival());
+        if (due > clock_.now() + 1) due = std::min(due, next_arrival());
         clock_.wake(place_, due);
     }
 
@@ -81,6 +80,14 @@ protected:
     Cycle now() const { return clock_.now(); }
 
 private:
+    // Of what is on its way to the unit.
+    Cycle next_arrival() const {
+        Cycle next = Never;
+        for (const Link* const input : inputs_)
+            if (input->arrival() > clock_.now()) next = std::min(next, input->arrival());
+        return next;
+    }
+
     void account_until(Cycle end) {
         if (end > accounted_) account_.add(last_, end - accounted_);
         accounted_ = end;

@@ -51,7 +51,7 @@ bool VertexFetch::ask_index(Activity& reason) {
     const GeometryWork& work = draw_.prepared().geometry;
     if (work.index_bytes != 0 && !work.vertices.empty()) {
         const std::uint64_t at = work.index_address + std::uint64_t{position_} * work.index_bytes;
-        const std::uint64_t line = at / config_.line_bytes; // An index lies in one line.
+        const std::uint64_t line = quotient(at, config_.line_bytes); // An index lies in one line.
         if (!has_index_line_ || line != index_line_) {
             const LookupResult result = indices().look_up({.number = line});
             if (!result.accepted) {
@@ -88,10 +88,11 @@ bool VertexFetch::ask_vertex(Activity& reason) {
             ++(vertex.shade ? statistics_.shaded : statistics_.reused);
             const std::uint64_t at =
                 work.vertex_address + std::uint64_t{number} * work.vertex_bytes;
-            next_line_ = at / config_.line_bytes;
-            end_line_ = vertex.shade
-                            ? (at + std::max(work.vertex_bytes, 1u) - 1) / config_.line_bytes + 1
-                            : next_line_;
+            next_line_ = quotient(at, config_.line_bytes);
+            end_line_ =
+                vertex.shade
+                    ? quotient(at + std::max(work.vertex_bytes, 1u) - 1, config_.line_bytes) + 1
+                    : next_line_;
         }
     }
     if (next_line_ != end_line_) {

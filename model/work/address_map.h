@@ -10,6 +10,7 @@
 #include "model/work/image_layout.h"
 #include "model/work/texel_line.h"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <tuple>
@@ -30,15 +31,31 @@ struct PlacedLevel {
 
     // Texel (x, y) of layer `layer`, borders counted from 0 as TexelAccess does.
     std::uint64_t address(std::uint32_t x, std::uint32_t y, std::uint32_t layer) const {
-        return base + layer * layer_bytes + layout.offset(x / block_width, y / block_height);
+        return layer_address(layer) + column_offset(x) + row_offset(y);
+    }
+    // Its parts.
+    std::uint64_t layer_address(std::uint32_t layer) const { return base + layer * layer_bytes; }
+    std::uint64_t column_offset(std::uint32_t x) const {
+        return layout.column_offset(quotient(x, block_width));
+    }
+    std::uint64_t row_offset(std::uint32_t y) const {
+        return layout.row_offset(quotient(y, block_height));
+    }
+
+    // Of the pixels of the quad whose first is (x, y).
+    std::array<std::uint64_t, 4> quad_addresses(std::uint32_t x, std::uint32_t y) const {
+        const std::uint64_t left = base + column_offset(x), right = base + column_offset(x + 1);
+        const std::uint64_t lower = row_offset(y), upper = row_offset(y + 1);
+        return {left + lower, right + lower, left + upper, right + upper};
     }
 
     // The texel's line, of `line_bytes`.
     std::uint64_t
     line(std::uint32_t x, std::uint32_t y, std::uint32_t layer, std::uint32_t line_bytes) const {
         const std::uint64_t at = address(x, y, layer);
-        if (expansion_log2 == 0) return at / line_bytes;
-        const std::uint32_t texel = y % block_height * block_width + x % block_width;
+        if (expansion_log2 == 0) return quotient(at, line_bytes);
+        const std::uint32_t texel =
+            remainder(y, block_height) * block_width + remainder(x, block_width);
         return expanded_line(at, expansion_log2, texel * ExpandedTexelBytes, line_bytes);
     }
 };

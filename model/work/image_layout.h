@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include "model/base/powers_of_two.h"
 #include "model/work/config.h"
 
 #include <cstdint>
@@ -15,8 +16,8 @@ namespace ffgpu::work {
 
 struct ImageLayout {
     Layout kind = Layout::Linear;
-    std::uint32_t block = 4;       // elements
-    std::uint32_t superblock = 32; // elements
+    std::uint32_t block = 4;       // elements, a power of two
+    std::uint32_t superblock = 32; // elements, a power of two
     std::uint32_t width = 1;       // of the image, in elements
     std::uint32_t height = 1;
     std::uint32_t element_bytes = 4;
@@ -43,34 +44,54 @@ struct ImageLayout {
         return std::uint64_t{padded(width, grain)} * padded(height, grain) * element_bytes;
     }
 
-    // Byte offset of element (x, y) in its layer.
+    // Byte offset of element (x, y) in its layer: a part of the column, and one of the row.
     std::uint64_t offset(std::uint32_t x, std::uint32_t y) const {
+        return column_offset(x) + row_offset(y);
+    }
+    std::uint64_t column_offset(std::uint32_t x) const {
         switch (kind) {
         case Layout::Linear:
             break;
         case Layout::Blocked:
-            return element_bytes * in_blocks(x, y, block, padded(width, block));
-        case Layout::Blocked6d: {
-            const std::uint64_t outer =
-                std::uint64_t{y / superblock} * (padded(width, superblock) / superblock) +
-                x / superblock;
-            return element_bytes * (outer * superblock * superblock +
-                                    in_blocks(x % superblock, y % superblock, block, superblock));
+            return element_bytes * column_in_blocks(x, block);
+        case Layout::Blocked6d:
+            return element_bytes *
+                   (std::uint64_t{quotient(x, superblock)} * superblock * superblock +
+                    column_in_blocks(remainder(x, superblock), block));
         }
+        return std::uint64_t{element_bytes} * x;
+    }
+    std::uint64_t row_offset(std::uint32_t y) const {
+        switch (kind) {
+        case Layout::Linear:
+            break;
+        case Layout::Blocked:
+            return element_bytes * row_in_blocks(y, block, padded(width, block));
+        case Layout::Blocked6d:
+            return element_bytes * (std::uint64_t{quotient(y, superblock)} * superblock *
+                                        padded(width, superblock) +
+                                    row_in_blocks(remainder(y, superblock), block, superblock));
         }
-        return element_bytes * (std::uint64_t{y} * width + x);
+        return std::uint64_t{element_bytes} * y * width;
+    }
+
+    // Elements of a row from x on that lie side by side.
+    std::uint32_t run(std::uint32_t x) const {
+        return kind == Layout::Linear ? width - x : block - remainder(x, block);
     }
 
 private:
     static std::uint32_t padded(std::uint32_t size, std::uint32_t grain) {
-        return (size + grain - 1) / grain * grain;
+        return (size + grain - 1) & ~(grain - 1);
     }
 
-    // Element number in blocks of b x b in row order, row order inside, of an image `w` wide.
-    static std::uint64_t
-    in_blocks(std::uint32_t x, std::uint32_t y, std::uint32_t b, std::uint32_t w) {
-        const std::uint64_t number = std::uint64_t{y / b} * (w / b) + x / b;
-        return number * b * b + std::uint64_t{y % b} * b + x % b;
+    // Element number in blocks of b x b in row order, row order inside, of an image `w` wide: what
+    // the column and the row add to it.
+    static std::uint64_t column_in_blocks(std::uint32_t x, std::uint32_t b) {
+        return std::uint64_t{quotient(x, b)} * b * b + remainder(x, b);
+    }
+    static std::uint64_t row_in_blocks(std::uint32_t y, std::uint32_t b, std::uint32_t w) {
+        return std::uint64_t{quotient(y, b)} * b * w + remainder(y, b) * b;
     }
 };
 

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "model/base/powers_of_two.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -26,11 +28,11 @@ public:
 
     // Bits of which a byte lies in [begin, end), offsets within a line.
     LineMask touched(std::uint32_t begin, std::uint32_t end) const {
-        return ones((end + grain_ - 1) / grain_) & ~ones(begin / grain_);
+        return ones(quotient(end + grain_ - 1, grain_)) & ~ones(quotient(begin, grain_));
     }
     // Bits of which all bytes lie in [begin, end).
     LineMask covered(std::uint32_t begin, std::uint32_t end) const {
-        return ones(end / grain_) & ~ones((begin + grain_ - 1) / grain_);
+        return ones(quotient(end, grain_)) & ~ones(quotient(begin + grain_ - 1, grain_));
     }
 
     std::uint32_t count_bytes(LineMask mask) const {

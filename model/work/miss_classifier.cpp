@@ -5,12 +5,11 @@
 namespace ffgpu::work {
 namespace {
 
-constexpr std::size_t FirstEntries = 1024; // a power of two
-constexpr std::uint64_t NoLine = ~std::uint64_t{0};
+constexpr std::size_t FirstPages = 64; // a power of two
 
 // D. E. Knuth's multiplicative hash: 2^64 over the golden ratio.
-std::size_t hash(std::uint64_t line) {
-    return static_cast<std::size_t>((line * 0x9e3779b97f4a7c15u) >> 20);
+std::size_t hash(std::uint64_t page) {
+    return static_cast<std::size_t>((page * 0x9e3779b97f4a7c15u) >> 20);
 }
 
 } // namespace
@@ -19,7 +18,7 @@ MissClassifier::MissClassifier(std::uint32_t sets, std::uint32_t ways)
     : capacity_(std::size_t{sets} * ways)
     , fully_associative_(sets == 1)
     , nodes_(1)
-    , entries_(FirstEntries) {}
+    , pages_(FirstPages) {}
 
 MissKind MissClassifier::access(std::uint64_t line) {
     shadow_missed_ = false;
@@ -27,8 +26,8 @@ MissKind MissClassifier::access(std::uint64_t line) {
     if (newest != 0 && nodes_[newest].line == line)
         return fully_associative_ ? MissKind::Capacity : MissKind::Conflict;
 
-    Entry& entry = entry_of(line);
-    const std::uint32_t before = entry.node;
+    std::uint32_t& here = node_of(line);
+    const std::uint32_t before = here;
     if (before != Nowhere && before != Untouched) {
         unlink(before);
         link_first(before);
@@ -36,7 +35,7 @@ MissKind MissClassifier::access(std::uint64_t line) {
     }
     shadow_missed_ = true;
     const std::uint32_t node = take_node();
-    entry.node = node;
+    here = node;
     nodes_[node].line = line;
     link_first(node);
     return before == Untouched ? MissKind::Compulsory : MissKind::Capacity;
@@ -45,14 +44,14 @@ MissKind MissClassifier::access(std::uint64_t line) {
 void MissClassifier::flush() {
     nodes_.assign(1, {});
     free_nodes_.clear();
-    entries_.assign(FirstEntries, {});
-    entry_count_ = 0;
+    pages_.assign(FirstPages, {});
+    page_count_ = 0;
 }
 
 void MissClassifier::drop(std::uint64_t line) {
-    Entry& entry = entries_[place_of(line)];
-    if (entry.line != line) return;
-    const std::uint32_t node = std::exchange(entry.node, Untouched);
+    Page& page = pages_[place_of(line / PageLines)];
+    if (page.number != line / PageLines) return;
+    const std::uint32_t node = std::exchange(page.nodes[line % PageLines], Untouched);
     if (node == Nowhere || node == Untouched) return;
     unlink(node);
     free_nodes_.push_back(node);
@@ -71,7 +70,7 @@ std::uint32_t MissClassifier::take_node() {
     }
     const std::uint32_t oldest = nodes_[0].before;
     unlink(oldest);
-    entry_of(nodes_[oldest].line).node = Nowhere;
+    node_of(nodes_[oldest].line) = Nowhere;
     return oldest;
 }
 
@@ -88,33 +87,36 @@ void MissClassifier::link_first(std::uint32_t node) {
     nodes_[0].after = node;
 }
 
-// Where the line's entry is, or would be.
-std::size_t MissClassifier::place_of(std::uint64_t line) const {
-    const std::size_t mask = entries_.size() - 1;
-    std::size_t at = hash(line) & mask;
-    while (entries_[at].line != NoLine && entries_[at].line != line)
+// Where the page is, or would be.
+std::size_t MissClassifier::place_of(std::uint64_t page) const {
+    const std::size_t mask = pages_.size() - 1;
+    std::size_t at = hash(page) & mask;
+    while (pages_[at].number != NoPage && pages_[at].number != page)
         at = (at + 1) & mask;
     return at;
 }
 
-// The entry of a line, made as Untouched where there is none. Later calls may move it.
-MissClassifier::Entry& MissClassifier::entry_of(std::uint64_t line) {
-    const std::size_t at = place_of(line);
-    if (entries_[at].line == line) return entries_[at];
-    if (2 * (entry_count_ + 1) > entries_.size()) {
-        grow();
-        return entry_of(line);
+// Of a line whose page may have to be made. Later calls may move it.
+std::uint32_t& MissClassifier::node_of(std::uint64_t line) {
+    const std::uint64_t number = line / PageLines;
+    Page* page = &pages_[place_of(number)];
+    if (page->number != number) {
+        if (2 * (page_count_ + 1) > pages_.size()) {
+            grow();
+            page = &pages_[place_of(number)];
+        }
+        ++page_count_;
+        page->number = number;
+        page->nodes.fill(Untouched);
     }
-    ++entry_count_;
-    entries_[at] = {line, Untouched};
-    return entries_[at];
+    return page->nodes[line % PageLines];
 }
 
 void MissClassifier::grow() {
-    std::vector<Entry> old(2 * entries_.size());
-    old.swap(entries_);
-    for (const Entry& entry : old) {
-        if (entry.line != NoLine) entries_[place_of(entry.line)] = entry;
+    std::vector<Page> old(2 * pages_.size());
+    old.swap(pages_);
+    for (const Page& page : old) {
+        if (page.number != NoPage) pages_[place_of(page.number)] = page;
     }
 }
 

@@ -12,6 +12,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -34,12 +35,15 @@ public:
     void drop(std::uint64_t line);
 
 private:
+    static constexpr std::uint64_t NoPage = ~std::uint64_t{0};
     static constexpr std::uint32_t Nowhere = ~0u;       // touched, but not in the shadow
-    static constexpr std::uint32_t Untouched = ~0u - 1; // dropped, as if never touched
+    static constexpr std::uint32_t Untouched = ~0u - 1; // or dropped, as if never touched
 
-    struct Entry {
-        std::uint64_t line = ~std::uint64_t{0};
-        std::uint32_t node = Nowhere;
+    // Lines side by side, which are often touched one after the other: the node of each.
+    static constexpr std::uint64_t PageLines = 16;
+    struct Page {
+        std::uint64_t number = NoPage;
+        std::array<std::uint32_t, PageLines> nodes{};
     };
     // Of the shadow's list, most recently used first; a ring through node 0, which holds no line.
     struct Node {
@@ -47,8 +51,8 @@ private:
         std::uint32_t before = 0, after = 0;
     };
 
-    Entry& entry_of(std::uint64_t line);
-    std::size_t place_of(std::uint64_t line) const;
+    std::uint32_t& node_of(std::uint64_t line);
+    std::size_t place_of(std::uint64_t page) const;
     void grow();
     void unlink(std::uint32_t node);
     void link_first(std::uint32_t node);
@@ -59,9 +63,9 @@ private:
     bool shadow_missed_ = false;
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> free_nodes_;
-    // Open addressing; lines are added and never taken out but all at once.
-    std::vector<Entry> entries_;
-    std::size_t entry_count_ = 0;
+    // Open addressing; pages are added and never taken out but all at once.
+    std::vector<Page> pages_;
+    std::size_t page_count_ = 0;
 };
 
 } // namespace ffgpu::work

@@ -288,11 +288,12 @@ private:
             if (std::find(first, out_.target_lines.end(), line) == out_.target_lines.end())
                 out_.target_lines.push_back(line);
         };
+        const std::array addresses = place.quad_addresses(quad.x, quad.y);
         for (unsigned lane = 0; lane < 4; ++lane) {
             if ((lanes >> lane & 1) == 0) continue;
-            const std::uint64_t at = place.address(quad.x + (lane & 1u), quad.y + (lane >> 1), 0);
+            const std::uint64_t at = addresses[lane];
             const std::uint64_t end = at + place.layout.element_bytes;
-            for (std::uint64_t line = at / line_bytes; line * line_bytes < end; ++line)
+            for (std::uint64_t line = quotient(at, line_bytes); line * line_bytes < end; ++line)
                 add(line);
         }
         return static_cast<std::uint8_t>(out_.target_lines.size() - begin);

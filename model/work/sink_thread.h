@@ -8,25 +8,17 @@
 #pragma once
 
 #include "model/packets/work_stream.h"
+#include "model/work/job_thread.h"
 
-#include <condition_variable>
-#include <cstddef>
 #include <cstdint>
-#include <deque>
-#include <exception>
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <thread>
 
 namespace ffgpu::work {
 
 class SinkThread final : public WorkSink {
 public:
     explicit SinkThread(WorkSink& reader);
-    ~SinkThread() override; // Waits for the reader, and drops what it throws.
-    SinkThread(const SinkThread&) = delete;
-    SinkThread& operator=(const SinkThread&) = delete;
 
     void bin(std::shared_ptr<const WorkBin> bin) override;
     void end_frame(std::uint32_t frame) override;
@@ -34,30 +26,13 @@ public:
     void post(std::function<void()> job);
 
     // Returns when all is read.
-    void drain();
+    void drain() { jobs_.drain(); }
     // Throws what the reader threw, once.
-    void check_failure();
+    void check_failure() { jobs_.check_failure(); }
 
 private:
-    struct Job {
-        std::size_t weight = 1; // quads, about
-        std::function<void()> run;
-    };
-
-    void push(Job job);
-    void work();
-    void rethrow(std::unique_lock<std::mutex>& lock);
-
     WorkSink& reader_;
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::deque<Job> jobs_;
-    std::size_t weight_ = 0; // of the jobs that wait
-    bool busy_ = false;
-    bool stopping_ = false;
-    std::exception_ptr failure_;
-    bool failed_ = false;
-    std::thread thread_; // The last: it uses the others.
+    JobThread jobs_;
 };
 
 } // namespace ffgpu::work

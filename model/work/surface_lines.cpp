@@ -28,9 +28,10 @@ public:
     // Bytes [begin, end) of memory.
     void add(std::uint64_t begin, std::uint64_t end, bool covered) {
         const std::uint64_t bytes = grain_.line_bytes();
-        for (std::uint64_t line = begin / bytes; line * bytes < end; ++line) {
-            const auto from = static_cast<std::uint32_t>(std::max(begin, line * bytes) % bytes);
-            const auto to = static_cast<std::uint32_t>(std::min(end - line * bytes, bytes));
+        for (std::uint64_t line = quotient(begin, bytes); line * bytes < end; ++line) {
+            const std::uint64_t at = line * bytes;
+            const auto from = static_cast<std::uint32_t>(std::max(begin, at) - at);
+            const auto to = static_cast<std::uint32_t>(std::min(end - at, bytes));
             WrittenBytes& written = lines_[line - first_];
             written.touched |= grain_.touched(from, to);
             if (covered) written.covered |= grain_.covered(from, to);
@@ -109,9 +110,10 @@ WrittenBytes quad_bytes(const PlacedLevel& place,
         written.touched |= grain.touched(from, to);
         written.covered |= grain.covered(from, to);
     };
+    const std::array addresses = place.quad_addresses(quad.x, quad.y);
     for (unsigned lane = 0; lane < 4; ++lane) {
         if ((quad.after_depth >> lane & 1) == 0) continue;
-        const std::uint64_t at = place.address(quad.x + (lane & 1u), quad.y + (lane >> 1), 0);
+        const std::uint64_t at = addresses[lane];
         for (unsigned i = 0; i < place.samples; ++i) {
             if (place.samples > 1 && (quad.samples_written >> (4 * lane + i) & 1) == 0) continue;
             if (at + i * sample != end) {
@@ -146,16 +148,18 @@ std::vector<WrittenLine> rectangle_lines(const PlacedLevel& place,
         if (whole) return lines.add(begin, end, true);
         lines.add_pixels(begin, end, sample, pixel);
     };
+    const auto x0 = static_cast<std::uint32_t>(cut.x0), x1 = static_cast<std::uint32_t>(cut.x1);
     for (auto y = static_cast<std::uint32_t>(cut.y0); y < static_cast<std::uint32_t>(cut.y1); ++y) {
         std::uint64_t begin = 0, end = 0; // a run of pixels that lie together
-        for (auto x = static_cast<std::uint32_t>(cut.x0); x < static_cast<std::uint32_t>(cut.x1);
-             ++x) {
+        std::uint32_t run = 0;            // of them in a block
+        for (std::uint32_t x = x0; x < x1; x += run) {
+            run = std::min(place.layout.run(x), x1 - x);
             const std::uint64_t at = place.address(x, y, 0);
             if (at != end) {
                 if (begin != end) add(begin, end);
                 begin = at;
             }
-            end = at + element;
+            end = at + std::uint64_t{run} * element;
         }
         add(begin, end);
     }

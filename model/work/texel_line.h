@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "model/base/powers_of_two.h"
+
 #include <algorithm>
 #include <cstdint>
 
@@ -18,7 +20,7 @@ constexpr std::uint64_t expanded_line(std::uint64_t address,
                                       unsigned log2,
                                       std::uint32_t offset,
                                       std::uint32_t line_bytes) {
-    return std::uint64_t{log2} << ExpansionAt | ((address << log2) + offset) / line_bytes;
+    return std::uint64_t{log2} << ExpansionAt | quotient((address << log2) + offset, line_bytes);
 }
 
 constexpr unsigned expansion_of(std::uint64_t line) {

@@ -1,6 +1,7 @@
 #include "model/work/texel_lookups.h"
 
 #include <algorithm>
+#include <array>
 
 namespace ffgpu::work {
 
@@ -40,6 +41,8 @@ void TexelLookups::add_access(const PlacedLevel& level,
                               const TexelAccess& access,
                               PreparedQuad& quad) {
     quad.expands_blocks |= level.compressed && level.expansion_log2 == 0;
+    const std::array columns{level.column_offset(access.x0), level.column_offset(access.x1)};
+    const std::array rows{level.row_offset(access.y0), level.row_offset(access.y1)};
     for (unsigned corner = 0; corner < 8; ++corner) {
         if (corner & ~unsigned{access.linear}) continue; // Texels that this filter does not read.
         const std::uint16_t x = corner & 1 ? access.x1 : access.x0;
@@ -50,12 +53,17 @@ void TexelLookups::add_access(const PlacedLevel& level,
             continue;
         }
         ++quad.texel_reads;
-        add_line(level.line(x, y, layer, line_bytes_), quad);
+        const std::uint64_t at =
+            level.layer_address(layer) + columns[corner & 1] + rows[corner >> 1 & 1];
+        add_line(level.expansion_log2 == 0 ? quotient(at, line_bytes_)
+                                           : level.line(x, y, layer, line_bytes_),
+                 quad);
     }
 }
 
 void TexelLookups::add_line(std::uint64_t line, const PreparedQuad& quad) {
     auto begin = out_.texel_lines.begin() + quad.texel_lines_begin;
+    if (begin != out_.texel_lines.end() && out_.texel_lines.back() == line) return;
     if (!merges_ && begin != out_.texel_lines.end()) begin = out_.texel_lines.end() - 1;
     if (std::find(begin, out_.texel_lines.end(), line) == out_.texel_lines.end())
         out_.texel_lines.push_back(line);

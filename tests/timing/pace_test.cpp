@@ -16,7 +16,11 @@ struct Outcome {
     bool operator==(const Outcome&) const = default;
 };
 
-Outcome run_frames(const TimingConfig& config, std::uint64_t seed, const Evaluation& evaluation) {
+// `catches_up`: the machine runs as far as it can after every command.
+Outcome run_frames(const TimingConfig& config,
+                   std::uint64_t seed,
+                   const Evaluation& evaluation,
+                   bool catches_up = false) {
     GpuTiming timing(config, evaluation);
     Outcome outcome;
     timing.set_on_frame([&](const FrameTiming& frame) {
@@ -25,8 +29,10 @@ Outcome run_frames(const TimingConfig& config, std::uint64_t seed, const Evaluat
     });
     RandomWork work(seed);
     for (const std::uint32_t frame : {0u, 1u}) {
-        for (const auto& command : work.frame(6))
+        for (const auto& command : work.frame(6)) {
             timing.command(command);
+            if (catches_up) timing.catch_up();
+        }
         timing.end_frame(frame);
     }
     outcome.figures = figures_of(timing);
@@ -40,7 +46,19 @@ TEST_CASE("every pace of the clock has the figures of the walk through every uni
         CAPTURE(seed);
         CHECK(expected.figures.at("total_cycles") > 0);
         CHECK(run_frames(config, seed, {0, Pace::Lockstep}) == expected);
-        CHECK(run_frames(config, seed, {0, Pace::Decoupled}) == expected);
+        const auto order = static_cast<std::uint32_t>(seed); // 0: that of the pipe
+        CHECK(run_frames(config, seed, {order, Pace::Decoupled}) == expected);
+    }
+}
+
+TEST_CASE("how often the machine waits for the host is in no figure") {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        TimingConfig config = RandomWork(~seed).machine();
+        config.host.queue = 1;          // It does not run while as few are told
+        config.memory.client_queue = 2; // as can end in a cycle.
+        config.host.bytes_per_cycle = 5 + static_cast<std::uint32_t>(seed); // no whole command's
+        CAPTURE(seed);
+        CHECK(run_frames(config, seed, {}, true) == run_frames(config, seed, {}, false));
     }
 }
 

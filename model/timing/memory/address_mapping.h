@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "model/base/powers_of_two.h"
 #include "model/timing/memory/config.h"
 
 #include <cstdint>
@@ -10,7 +11,8 @@
 namespace ffgpu::timing {
 
 inline std::uint32_t memory_channel(const MemoryConfig& config, std::uint64_t address) {
-    return static_cast<std::uint32_t>(address / config.interleave_bytes) & (config.channels - 1);
+    return static_cast<std::uint32_t>(quotient(address, config.interleave_bytes)) &
+           (config.channels - 1);
 }
 
 struct DramPlace {
@@ -20,13 +22,14 @@ struct DramPlace {
 };
 
 inline DramPlace place_of(const MemoryConfig& config, std::uint64_t address) {
-    const std::uint64_t block = address / config.interleave_bytes / config.channels;
+    const std::uint64_t block =
+        quotient(quotient(address, config.interleave_bytes), config.channels);
     const std::uint64_t in_channel =
-        block * config.interleave_bytes + address % config.interleave_bytes;
-    const std::uint64_t row_of_bank = in_channel / config.row_bytes;
+        block * config.interleave_bytes + remainder(address, config.interleave_bytes);
+    const std::uint64_t row_of_bank = quotient(in_channel, config.row_bytes);
     return {.channel = memory_channel(config, address),
             .bank = static_cast<std::uint32_t>(row_of_bank) & (config.banks - 1),
-            .row = row_of_bank / config.banks};
+            .row = quotient(row_of_bank, config.banks)};
 }
 
 // Whether [address, address + bytes) is one row of one channel.
@@ -34,8 +37,8 @@ inline bool
 is_in_one_place(const MemoryConfig& config, std::uint64_t address, std::uint32_t bytes) {
     const std::uint64_t last = address + bytes - 1;
     const DramPlace begin = place_of(config, address), end = place_of(config, last);
-    return (config.channels == 1 ||
-            address / config.interleave_bytes == last / config.interleave_bytes) &&
+    return (config.channels == 1 || quotient(address, config.interleave_bytes) ==
+                                        quotient(last, config.interleave_bytes)) &&
            begin.row == end.row && begin.bank == end.bank;
 }
 

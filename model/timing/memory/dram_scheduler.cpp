@@ -1,6 +1,7 @@
 #include "model/timing/memory/dram_scheduler.h"
 
 #include <algorithm>
+#include <array>
 
 namespace ffgpu::timing {
 namespace {
@@ -19,6 +20,9 @@ struct DramScheduler::Search {
     MemoryCycle now;
     std::uint64_t hits = 0;     // banks whose open row somebody waits for
     bool order_forbids = false; // a younger one's data could flow
+    // Banks of which a column was looked at: [to write]. All columns of a kind in an open row are
+    // ready at one time.
+    std::array<std::uint64_t, 2> looked_at{};
     DramCommand command{.again_at = Never};
 
     bool is_hit(const DramRequest& request) const {
@@ -43,6 +47,9 @@ void DramScheduler::find_column(Search& search) const {
         const DramRequest& request = search.waiting[i].request;
         if (!search.is_hit(request)) continue;
         search.hits |= bit(request.bank);
+        std::uint64_t& looked_at = search.looked_at[request.write];
+        if ((looked_at & bit(request.bank)) != 0) continue;
+        looked_at |= bit(request.bank);
         const Ready ready = search.device.column_ready(request);
         if (i == 0 || may_pass) {
             if (search.consider(DramCommand::Kind::Column, i, ready)) return;

@@ -1,0 +1,47 @@
+#include "model/timing/machine_thread.h"
+
+#include <utility>
+
+namespace ffgpu::timing {
+namespace {
+
+constexpr std::size_t MostWeight = 1 << 17; // quads and lines that wait
+
+} // namespace
+
+MachineThread::MachineThread(Machine& machine)
+    : machine_(machine)
+    , jobs_(MostWeight) {}
+
+void MachineThread::scene(work::PreparedScene&& scene) {
+    const std::size_t weight = 1 + scene.draws.size() + scene.quads.size();
+    jobs_.push(weight,
+               [this, scene = std::move(scene)]() mutable { machine_.scene(std::move(scene)); });
+}
+
+void MachineThread::transfer(work::PreparedTransfer&& transfer) {
+    const std::size_t weight = 1 + transfer.lines.size();
+    jobs_.push(weight, [this, transfer = std::move(transfer)]() mutable {
+        machine_.transfer(std::move(transfer));
+    });
+}
+
+void MachineThread::host_transfer(const HostTransfer& transfer) {
+    jobs_.push(1, [this, transfer] { machine_.host_transfer(transfer); });
+}
+
+void MachineThread::end_frame(std::uint32_t frame) {
+    jobs_.push(1, [this, frame] { machine_.end_frame(frame); });
+    jobs_.drain();
+}
+
+void MachineThread::show(const work::PlacedLevel& picture) {
+    jobs_.push(1, [this, picture] { machine_.show(picture); });
+}
+
+void MachineThread::catch_up() {
+    jobs_.push(1, [this] { machine_.run(); });
+    jobs_.drain();
+}
+
+} // namespace ffgpu::timing

@@ -1,0 +1,31 @@
+// MachineThread: runs the machine on a thread of its own, so that the work of the next draws is
+// made ready while it runs. What the machine reads and when its time stands still do not depend on
+// it (clock.h).
+
+#pragma once
+
+#include "model/timing/machine.h"
+#include "model/work/job_thread.h"
+
+namespace ffgpu::timing {
+
+class MachineThread final : public work::MachineSink {
+public:
+    explicit MachineThread(Machine& machine);
+
+    void scene(work::PreparedScene&& scene) override;
+    void transfer(work::PreparedTransfer&& transfer) override;
+    void host_transfer(const HostTransfer& transfer) override;
+    // Returns when the frame has ended.
+    void end_frame(std::uint32_t frame) override;
+    void show(const work::PlacedLevel& picture);
+
+    // Returns when the machine has read all that it was given.
+    void catch_up();
+
+private:
+    Machine& machine_;
+    work::JobThread jobs_; // The last: its thread uses the machine.
+};
+
+} // namespace ffgpu::timing
