@@ -242,7 +242,7 @@ bool is_source(const fs::path& path) {
 // Calls visitor(path of the file, path that it includes), both from the root.
 template <class Visitor>
 void for_each_include(const fs::path& root, const std::string& folder, Visitor&& visitor) {
-    const std::string_view Directive = "#include \"";
+    constexpr std::string_view Directive = "#include \"";
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
         if (!is_source(entry.path())) continue;
         const std::string path = fs::relative(entry.path(), root).string();

@@ -66,7 +66,7 @@ void count(benchmark::State& state) {
 void run_write(benchmark::State& state, Bench& bench) {
     const FragmentPipe pipe = bench.compile();
     FragmentFates fates;
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         bench.batch->live = bench.covered;
         write(pipe, *bench.batch, fates);
         benchmark::DoNotOptimize(fates);
@@ -77,7 +77,7 @@ void run_write(benchmark::State& state, Bench& bench) {
 
 void run_shade(benchmark::State& state, Bench& bench) {
     const FragmentPipe pipe = bench.compile();
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         shade(pipe, *bench.batch);
         benchmark::ClobberMemory();
     }
@@ -172,7 +172,7 @@ BENCHMARK(no_environment);
 void fog(benchmark::State& state, FogMode mode) {
     Bench bench;
     const FogCurve curve = compile_fog({.mode = mode, .density = 2});
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         apply_fog(curve, *bench.batch);
         benchmark::ClobberMemory();
     }
@@ -184,7 +184,7 @@ BENCHMARK_CAPTURE(fog, exp2, FogMode::Exp2);
 
 void color_sum(benchmark::State& state) {
     Bench bench;
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         add_secondary(*bench.batch);
         benchmark::ClobberMemory();
     }
@@ -195,7 +195,7 @@ BENCHMARK(color_sum);
 void compile(benchmark::State& state) {
     Bench bench;
     bench.registers->combiners[0] = combiner(CombineOp::Modulate);
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(bench.compile());
 }
 BENCHMARK(compile);

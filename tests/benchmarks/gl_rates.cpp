@@ -92,9 +92,10 @@ GLuint make_texture(GLenum min_filter, GLenum mag_filter) {
     glGenTextures_(1, &name);
     glBindTexture_(GL_TEXTURE_2D, name);
     for (int level = 0, size = 256; size > 0; ++level, size /= 2) {
-        std::vector<std::uint32_t> texels;
-        for (int i = 0; i < size * size; ++i)
-            texels.push_back(static_cast<std::uint32_t>(i) * 2654435761u | 0xff000000u);
+        std::vector<std::uint32_t> texels(static_cast<std::size_t>(size) *
+                                          static_cast<std::size_t>(size));
+        for (std::size_t i = 0; i < texels.size(); ++i)
+            texels[i] = static_cast<std::uint32_t>(i) * 2654435761u | 0xff000000u;
         glTexImage2D_(
             GL_TEXTURE_2D, level, GL_RGBA, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
     }

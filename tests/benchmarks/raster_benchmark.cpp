@@ -65,7 +65,7 @@ struct Scene {
 void set_ups(benchmark::State& state, const Carried& carried) {
     const Scene scene(carried, 6);
     std::vector<RecordBuffer> records(Triangles);
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         for (unsigned i = 0; i < Triangles; ++i)
             set_up(scene.setup, scene.primitives[i], records[i].record());
         benchmark::ClobberMemory();
@@ -79,7 +79,7 @@ void coverage(benchmark::State& state, int pixels) {
     for (unsigned i = 0; i < Triangles; ++i)
         records[i].set_up(scene.setup, scene.primitives[i]);
     TileCoverage covered;
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         for (unsigned i = 0; i < Triangles; ++i) {
             const SetupRecord& record = records[i].record();
             const int x = record.box.x0 & -64, y = record.box.y0 & -64;
@@ -107,7 +107,7 @@ void interpolation(benchmark::State& state, const Carried& carried, unsigned run
         batch->x[q] = static_cast<std::uint16_t>(q % 8 * 2 + 64);
         batch->y[q] = static_cast<std::uint16_t>(q / 8 * 2 + 64);
     }
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         interpolate_depth(runs, *batch);
         interpolate_perspective(runs, *batch, *planes);
         interpolate_colors(scene.setup.layout, runs, *planes, *batch);

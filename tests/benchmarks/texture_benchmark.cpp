@@ -58,7 +58,7 @@ void run(benchmark::State& state, const Case& c) {
     ColorPlanes out;
     TexelFootprints footprints;
     hwy::SetSupportedTargetsForTest(c.instructions);
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         footprints.accesses.clear();
         sample(unit, *planes, quads, out, c.footprints ? &footprints : nullptr);
         benchmark::DoNotOptimize(out);

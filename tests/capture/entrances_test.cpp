@@ -55,7 +55,7 @@ template <class Command>
 std::string verdict(const Command& command) {
     CommandStream stream;
     stream.add(command);
-    const std::string text = submitted(stream);
+    std::string text = submitted(stream);
     CHECK_THAT(played(stream), Equals(text));
     return text;
 }
@@ -65,7 +65,7 @@ std::string verdict(const Registers& registers) {
     write_changes(Registers{}, registers, stream);
     CHECK(submitted(stream).empty()); // Registers are judged when they are used.
     stream.add(ClearCommand{});
-    const std::string text = submitted(stream);
+    std::string text = submitted(stream);
     CHECK_THAT(played(stream), Equals(text));
     return text;
 }
@@ -189,7 +189,7 @@ TEST_CASE("Fields hold values of their kinds, and commands their words") {
 
     const auto words = [](std::vector<std::uint32_t> all) {
         const CommandStream stream{std::move(all)};
-        const std::string text = submitted(stream);
+        std::string text = submitted(stream);
         CHECK_THAT(played(stream), Equals(text));
         return text;
     };

@@ -82,11 +82,19 @@ struct PixelProbe : StageProbe {
             secondary = color_at(batch.fragments->secondary, lane);
             fog_coordinate = batch.fragments->fog_coordinate[lane];
             fog_over_w = told.fog_over_w[lane];
+            frame = batch.frame;
+            for (unsigned i = 0; i < 4; ++i) {
+                primary_over_w[i] = told.primary_over_w[i][lane];
+                secondary_over_w[i] = told.secondary_over_w[i][lane];
+            }
         });
     }
     void tex_coords(const probed::Batch& batch, const probed::TexCoords& told) override {
         take(batch, "tex_coords", [&](unsigned lane) {
             s_over_w = told.over_w[0][lane];
+            carried = told.carried;
+            for (unsigned i = 0; i < carried; ++i)
+                tex_coord_over_w[i] = told.over_w[i][lane];
             s = told.result->s[lane];
             t = told.result->t[lane];
         });
@@ -171,6 +179,8 @@ struct PixelProbe : StageProbe {
     FragmentKey key{};
     std::uint32_t record_key = ~0u, depth_value = 0, stored_depth = 0, new_depth = 0;
     std::array<std::int64_t, 4> edges{};
+    std::array<double, 4> primary_over_w{}, secondary_over_w{}, tex_coord_over_w{};
+    unsigned frame = ~0u, carried = 0;
     double inverse_w = 0, inverse_w_left = 0, fog_over_w = 0, s_over_w = 0;
     float w = 0, fog_coordinate = 0, s = 0, t = 0;
     Color primary{}, secondary{}, sampled{}, previous{}, combined{}, summed{}, fogged{}, source{},

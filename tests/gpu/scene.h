@@ -90,7 +90,8 @@ public:
     std::vector<std::uint32_t> picture() { return read(ColorAt); }
     std::vector<std::uint32_t> depth_buffer() { return read(DepthAt); }
     std::uint32_t pixel(int x, int y) {
-        return picture()[static_cast<std::size_t>(y * width_ + x)];
+        return picture()[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                         static_cast<std::size_t>(x)];
     }
 
     // A square RGBA8 texture on unit 0, nearest, replacing the colour.
@@ -111,7 +112,8 @@ public:
 
 private:
     std::vector<std::uint32_t> read(DeviceAddress at) {
-        std::vector<std::uint32_t> words(static_cast<std::size_t>(width_ * height_));
+        std::vector<std::uint32_t> words(static_cast<std::size_t>(width_) *
+                                         static_cast<std::size_t>(height_));
         gpu.read_memory(at, std::as_writable_bytes(std::span(words)));
         return words;
     }

@@ -3,6 +3,7 @@
 #include "tests/gpu/pixel_probe.h"
 #include "tests/gpu/scene.h"
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <set>
@@ -67,6 +68,7 @@ TEST_CASE("the probe tells each stage's values of a fragment as calculated by ha
     set_every_stage(scene.registers);
     PixelProbe told(9, 5);
     scene.gpu.set_stage_probe(&told);
+    scene.gpu.number_from(7, 0);
     scene.draw(PrimitiveType::Quads, receding_quad());
     scene.gpu.finish();
 
@@ -85,6 +87,7 @@ TEST_CASE("the probe tells each stage's values of a fragment as calculated by ha
     CHECK(told.records == 2); // two triangles
     CHECK(told.empty == 0);
     CHECK(told.inside_disagrees == 0);
+    CHECK(told.frame == 7);
     CHECK(told.key.draw == 0);
     CHECK(told.key.primitive == told.record_key);
     CHECK((told.key.sequence >> 4 & 0x1fff) == 9 / 2);
@@ -95,6 +98,10 @@ TEST_CASE("the probe tells each stage's values of a fragment as calculated by ha
     CHECK(told.w * told.inverse_w == Approx(1));
     CHECK(told.fog_coordinate == Approx(0.25));
     CHECK(told.fog_over_w * told.w == Approx(told.fog_coordinate));
+    for (unsigned i = 0; i < 4; ++i)
+        CHECK(told.primary_over_w[i] * told.w == Approx(255 * std::array{1., 0.5, 0., 0.5}[i]));
+    for (unsigned i = 0; i < 3; ++i)
+        CHECK(told.secondary_over_w[i] * told.w == Approx(255 * std::array{0.25, 0., 0.5}[i]));
     CHECK(told.primary == Color{255, 128, 0, 128});
     CHECK(told.secondary == Color{64, 0, 128, 0});
     CHECK(told.s == Approx(s));

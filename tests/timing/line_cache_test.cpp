@@ -98,6 +98,36 @@ TEST_CASE("hits are served while fills are at their limit, misses are not") {
     CHECK(bench.cache.look_up({.number = 3}).missed);
 }
 
+TEST_CASE("a present line that lacks what is read waits for a fill as a miss does") {
+    CacheConfig config = tiny(4, 4);
+    config.outstanding_lines = 1;
+    Bench bench(config);
+    CHECK(bench.cache.look_up(write_of(1, bytes(0, 8))).accepted);
+    CHECK(bench.cache.look_up({.number = 2}).missed);
+    CHECK(bench.cache.look_up({.number = 1, .read = bytes(0, 8)}).accepted);
+    CHECK_FALSE(bench.cache.look_up({.number = 1, .read = bytes(0, 9)}).accepted);
+    CHECK(bench.cache.statistics().partial_fetches.value() == 0);
+    CHECK(bench.cache.statistics().accesses.value() == 3);
+    bench.cache.complete(1);
+    CHECK(bench.cache.look_up({.number = 1, .read = bytes(0, 9)}).ticket == 2);
+}
+
+TEST_CASE("a present line that lacks what is read waits for a place in the miss queue") {
+    CacheConfig config = tiny(4, 4);
+    config.request_queue = 1;
+    config.miss_queue = 1;
+    Bench bench(config);
+    CHECK(bench.cache.look_up(write_of(1, bytes(0, 8))).accepted);
+    CHECK(bench.cache.look_up({.number = 2}).missed);
+    CHECK(bench.cache.look_up({.number = 3}).missed);
+    CHECK_FALSE(bench.cache.look_up({.number = 1}).accepted);
+    // What only writes posts the line that it drives out.
+    CHECK_FALSE(bench.cache.look_up(write_of(4, bytes(0, 8))).accepted);
+    CHECK(bench.take().size() == 1);
+    bench.begin();
+    CHECK(bench.cache.look_up({.number = 1}).ticket == 3);
+}
+
 TEST_CASE("a write that fetches nothing needs no fill") {
     CacheConfig config = tiny(4, 4);
     config.outstanding_lines = 1;
@@ -140,6 +170,19 @@ TEST_CASE("a write-back and its fill pass through a request queue of one, in ord
     CHECK(first[0].address == 64);
     CHECK_FALSE(second[0].write);
     CHECK(second[0].address == 128);
+}
+
+TEST_CASE("a miss that writes a line back takes one place of the miss queue, not two") {
+    CacheConfig config = tiny(1, 8);
+    config.request_queue = 1;
+    config.miss_queue = 3;
+    Bench bench(config);
+    for (std::uint64_t number = 0; number < 8; ++number)
+        bench.look_up(write_of(number, bytes(0, 64)));
+    std::uint64_t accepted = 0;
+    while (accepted < 8 && bench.cache.look_up({.number = 8 + accepted}).accepted)
+        ++accepted;
+    CHECK(accepted == 3); // Each with a fill that waits behind the first one's write.
 }
 
 TEST_CASE("a bank serves as many look-ups a cycle as it has ports") {

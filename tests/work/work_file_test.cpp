@@ -4,10 +4,13 @@
 #include "model/work/work_file_reader.h"
 #include "tests/work/recorded_work.h"
 
+#include <algorithm>
+#include <csignal>
 #include <cstring>
 #include <random>
 
 #include <catch2/catch.hpp>
+#include <sys/resource.h>
 #include <zstd.h>
 
 namespace ffgpu::work {
@@ -182,23 +185,50 @@ TEST_CASE("A block that claims to be large is refused before memory is taken for
     CHECK_THAT(complaint(packed), Contains("byte 12: the block is cut off or damaged"));
 }
 
-// The file with another name for a field: as if a program had written it that called it so.
-std::string renamed(const std::string& bytes, const std::string& from, const std::string& to) {
+// The file with its first block's bytes changed by change(bytes): as if another program had
+// written it.
+template <class Change>
+std::string with_first_block(const std::string& bytes, Change&& change) {
     BlockHeader header;
     const std::size_t at = 12 + sizeof header;
     std::memcpy(&header, bytes.data() + 12, sizeof header);
     std::string raw(header.raw_bytes, '\0');
     ZSTD_decompress(raw.data(), raw.size(), bytes.data() + at, header.packed_bytes);
-    const std::size_t place = raw.find(from);
-    REQUIRE(place != std::string::npos);
-    REQUIRE(from.size() == to.size());
-    raw.replace(place, to.size(), to);
+    const std::string rest = bytes.substr(at + header.packed_bytes);
+    change(raw);
     std::string packed(ZSTD_compressBound(raw.size()), '\0');
     packed.resize(ZSTD_compress(packed.data(), packed.size(), raw.data(), raw.size(), 1));
-    const std::string rest = bytes.substr(at + header.packed_bytes);
+    header.raw_bytes = static_cast<std::uint32_t>(raw.size());
     header.packed_bytes = static_cast<std::uint32_t>(packed.size());
     return bytes.substr(0, 12) +
            std::string(reinterpret_cast<const char*>(&header), sizeof header) + packed + rest;
+}
+
+// The file with another name for a field.
+std::string renamed(const std::string& bytes, const std::string& from, const std::string& to) {
+    return with_first_block(bytes, [&](std::string& raw) {
+        const std::size_t place = raw.find(from);
+        REQUIRE(place != std::string::npos);
+        REQUIRE(from.size() == to.size());
+        raw.replace(place, to.size(), to);
+    });
+}
+
+TEST_CASE("A block whose columns are shorter than it is refused") {
+    const std::string bytes = file_of(recorded({}));
+    CHECK_THAT(complaint(with_first_block(bytes, [](std::string& raw) { raw += '\0'; })),
+               Contains("byte 12: the block is damaged: its columns do not fill it"));
+}
+
+TEST_CASE("Quads that are not in the order of the machine are refused") {
+    CommandList list = recorded({});
+    const auto with_quads = [](const auto& command) { return command->quads.size() > 1; };
+    const auto found = std::find_if(list.commands.begin(), list.commands.end(), with_quads);
+    REQUIRE(found != list.commands.end());
+    auto disordered = std::make_shared<WholeCommand>(**found);
+    disordered->quads[1] = disordered->quads[0];
+    *found = disordered;
+    CHECK_THAT(complaint(file_of(list)), Contains("quads are not in their order"));
 }
 
 TEST_CASE("Fields are found by name: one that is not known here is passed over") {
@@ -218,16 +248,31 @@ TEST_CASE("Fields are found by name: one that is not known here is passed over")
     CHECK(*read.commands[0]->draw.state == expected);
 }
 
+void write_to(const std::string& path, const CommandList& list) {
+    WorkFileWriter writer(path);
+    for (const auto& command : list.commands)
+        writer.command(command);
+    writer.finish();
+}
+
 TEST_CASE("A full disk is told, not passed over") {
     if (!std::ifstream("/dev/full")) return;
-    const CommandList list = recorded({});
-    const auto write = [&] {
-        WorkFileWriter writer("/dev/full");
-        for (const auto& command : list.commands)
-            writer.command(command);
-        writer.finish();
-    };
-    CHECK_THROWS_WITH(write(), Contains("/dev/full: cannot be written"));
+    CHECK_THROWS_WITH(write_to("/dev/full", recorded({})),
+                      Contains("/dev/full: cannot be written"));
+}
+
+TEST_CASE("A disk that is full by the last byte is told") {
+    const TemporaryFile file("", ".ffw");
+    write_to(file.path(), CommandList{});
+    const std::size_t size = content(file.path()).size();
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit limit{size - 1, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    CHECK_THROWS_WITH(write_to(file.path(), CommandList{}), Contains("cannot be written"));
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, SIG_DFL);
 }
 
 } // namespace

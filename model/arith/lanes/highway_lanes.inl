@@ -157,27 +157,27 @@ inline void
 store_rows(const std::array<const float*, 4>& planes, std::byte* row, std::size_t row_bytes) {
     using Tag = hn::FixedTag<std::uint32_t, 4>;
     using WideTag = hn::Repartition<std::uint64_t, Tag>;
-    constexpr Tag four{};
-    constexpr WideTag two{};
+    constexpr Tag Four{};
+    constexpr WideTag Two{};
     const auto word = [&](const float* from) {
-        return hn::Load(four, reinterpret_cast<const std::uint32_t*>(from));
+        return hn::Load(Four, reinterpret_cast<const std::uint32_t*>(from));
     };
     for (unsigned lane = 0; lane < LaneCount; lane += 4, row += 4 * row_bytes) {
         const auto a = word(planes[0] + lane), b = word(planes[1] + lane);
         const auto c = word(planes[2] + lane), d = word(planes[3] + lane);
-        const auto ab_low = hn::BitCast(two, hn::InterleaveLower(four, a, b));
-        const auto ab_high = hn::BitCast(two, hn::InterleaveUpper(four, a, b));
-        const auto cd_low = hn::BitCast(two, hn::InterleaveLower(four, c, d));
-        const auto cd_high = hn::BitCast(two, hn::InterleaveUpper(four, c, d));
+        const auto ab_low = hn::BitCast(Two, hn::InterleaveLower(Four, a, b));
+        const auto ab_high = hn::BitCast(Two, hn::InterleaveUpper(Four, a, b));
+        const auto cd_low = hn::BitCast(Two, hn::InterleaveLower(Four, c, d));
+        const auto cd_high = hn::BitCast(Two, hn::InterleaveUpper(Four, c, d));
         const auto put = [&](unsigned n, auto value) {
-            hn::StoreU(hn::BitCast(four, value),
-                       four,
+            hn::StoreU(hn::BitCast(Four, value),
+                       Four,
                        reinterpret_cast<std::uint32_t*>(row + n * row_bytes));
         };
-        put(0, hn::InterleaveLower(two, ab_low, cd_low));
-        put(1, hn::InterleaveUpper(two, ab_low, cd_low));
-        put(2, hn::InterleaveLower(two, ab_high, cd_high));
-        put(3, hn::InterleaveUpper(two, ab_high, cd_high));
+        put(0, hn::InterleaveLower(Two, ab_low, cd_low));
+        put(1, hn::InterleaveUpper(Two, ab_low, cd_low));
+        put(2, hn::InterleaveLower(Two, ab_high, cd_high));
+        put(3, hn::InterleaveUpper(Two, ab_high, cd_high));
     }
 }
 
