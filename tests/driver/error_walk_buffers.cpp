@@ -94,12 +94,12 @@ constexpr RefusedCall Mapped[] = {
 } // namespace
 
 std::span<const Scene> buffer_scenes() {
-    static const std::array All{
+    static const std::array all{
         Scene{"no buffer is bound", [] {}, Unbound},
         Scene{"a buffer of sixteen bytes", bind_sixteen_bytes, Bound},
         Scene{"eight of its bytes are mapped", map_sixteen_bytes, Mapped},
     };
-    return All;
+    return all;
 }
 
 } // namespace ffgpu::gl::error_walk

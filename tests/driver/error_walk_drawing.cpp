@@ -119,14 +119,14 @@ constexpr RefusedCall OtherUnit[] = {
 } // namespace
 
 std::span<const Scene> drawing_scenes() {
-    static const std::array All{
+    static const std::array all{
         Scene{"a fresh context: arrays", [] {}, Arrays},
         Scene{"a fresh context: draws", [] {}, Draws},
         Scene{"the vertices are locked, and in a mapped buffer", map_the_vertices, MappedVertices},
         Scene{"a fresh context: evaluators", [] {}, Evaluators},
         Scene{"unit 1 is active", [] { entry::ActiveTexture(GL_TEXTURE1); }, OtherUnit},
     };
-    return All;
+    return all;
 }
 
 } // namespace ffgpu::gl::error_walk

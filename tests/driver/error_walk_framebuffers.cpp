@@ -115,11 +115,11 @@ constexpr RefusedCall Empty[] = {
 } // namespace
 
 std::span<const Scene> framebuffer_scenes() {
-    static const std::array All{
+    static const std::array all{
         Scene{"the window's framebuffer", [] {}, Window},
         Scene{"a framebuffer object without attachments", bind_empty_objects, Empty},
     };
-    return All;
+    return all;
 }
 
 } // namespace ffgpu::gl::error_walk

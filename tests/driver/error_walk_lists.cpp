@@ -63,14 +63,14 @@ constexpr RefusedCall Feedback[] = {
 } // namespace
 
 std::span<const Scene> list_scenes() {
-    static const std::array All{
+    static const std::array all{
         Scene{"a fresh context", [] {}, Calls},
         Scene{"a list is compiled", [] { entry::NewList(1, GL_COMPILE); }, Compiling},
         Scene{"selection", select, Selecting},
         Scene{"selection with a full name stack", select_with_full_stack, FullNameStack},
         Scene{"feedback", give_feedback, Feedback},
     };
-    return All;
+    return all;
 }
 
 } // namespace ffgpu::gl::error_walk

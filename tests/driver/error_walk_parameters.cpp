@@ -79,8 +79,8 @@ constexpr RefusedCall Calls[] = {
 } // namespace
 
 std::span<const Scene> parameter_scenes() {
-    static const std::array All{Scene{"a fresh context", [] {}, Calls}};
-    return All;
+    static const std::array all{Scene{"a fresh context", [] {}, Calls}};
+    return all;
 }
 
 } // namespace ffgpu::gl::error_walk

@@ -73,12 +73,12 @@ constexpr RefusedCall Mapped[] = {
 } // namespace
 
 std::span<const Scene> pixel_scenes() {
-    static const std::array All{
+    static const std::array all{
         Scene{"a fresh context", [] {}, Calls},
         Scene{"pixel buffers of eight bytes", bind_small_pixel_buffers, TooSmall},
         Scene{"mapped pixel buffers", map_pixel_buffers, Mapped},
     };
-    return All;
+    return all;
 }
 
 } // namespace ffgpu::gl::error_walk

@@ -72,7 +72,7 @@ constexpr RefusedCall EndedQuery[] = {
 } // namespace
 
 std::span<const Scene> query_scenes() {
-    static const std::array All{
+    static const std::array all{
         Scene{"a fresh context", [] {}, Calls},
         Scene{"a query is active", [] { entry::BeginQuery(GL_SAMPLES_PASSED, 1); }, ActiveQuery},
         Scene{"a query has ended",
@@ -82,7 +82,7 @@ std::span<const Scene> query_scenes() {
               },
               EndedQuery},
     };
-    return All;
+    return all;
 }
 
 } // namespace ffgpu::gl::error_walk

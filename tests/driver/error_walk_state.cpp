@@ -9,10 +9,10 @@
 namespace ffgpu::gl::error_walk {
 namespace {
 
-constexpr GLenum no_buffers[ColorTargets + 1] = {};
-constexpr GLenum both_buffers[] = {GL_FRONT_AND_BACK};
-constexpr GLenum one_buffer_twice[] = {GL_BACK_LEFT, GL_NONE, GL_BACK_LEFT};
-constexpr GLenum attachments[] = {GL_COLOR_ATTACHMENT0};
+constexpr GLenum NoBuffers[ColorTargets + 1] = {};
+constexpr GLenum BothBuffers[] = {GL_FRONT_AND_BACK};
+constexpr GLenum OneBufferTwice[] = {GL_BACK_LEFT, GL_NONE, GL_BACK_LEFT};
+constexpr GLenum Attachments[] = {GL_COLOR_ATTACHMENT0};
 
 constexpr RefusedCall Calls[] = {
     REFUSED(GL_INVALID_ENUM, Accum, GL_BLEND, 1),
@@ -44,11 +44,11 @@ constexpr RefusedCall Calls[] = {
     REFUSED(GL_INVALID_OPERATION, DrawBuffer, GL_AUX0),
     REFUSED(GL_INVALID_OPERATION, DrawBuffer, GL_COLOR_ATTACHMENT0),
     REFUSED(GL_INVALID_VALUE, DrawBuffers, -1, names),
-    REFUSED(GL_INVALID_VALUE, DrawBuffers, ColorTargets + 1, no_buffers),
+    REFUSED(GL_INVALID_VALUE, DrawBuffers, ColorTargets + 1, NoBuffers),
     REFUSED(GL_INVALID_ENUM, DrawBuffers, 1, names),
-    REFUSED(GL_INVALID_OPERATION, DrawBuffers, 1, both_buffers),
-    REFUSED(GL_INVALID_OPERATION, DrawBuffers, 3, one_buffer_twice),
-    REFUSED(GL_INVALID_OPERATION, DrawBuffers, 1, attachments),
+    REFUSED(GL_INVALID_OPERATION, DrawBuffers, 1, BothBuffers),
+    REFUSED(GL_INVALID_OPERATION, DrawBuffers, 3, OneBufferTwice),
+    REFUSED(GL_INVALID_OPERATION, DrawBuffers, 1, Attachments),
     REFUSED(GL_INVALID_ENUM, ReadBuffer, GL_FRONT_AND_BACK),
     REFUSED(GL_INVALID_OPERATION, ReadBuffer, GL_BACK_RIGHT),
     REFUSED(GL_INVALID_ENUM, FrontFace, GL_FRONT),
@@ -107,11 +107,11 @@ constexpr RefusedCall FullStacks[] = {
 } // namespace
 
 std::span<const Scene> state_scenes() {
-    static const std::array All{
+    static const std::array all{
         Scene{"a fresh context", [] {}, Calls},
         Scene{"full stacks", fill_stacks, FullStacks},
     };
-    return All;
+    return all;
 }
 
 } // namespace ffgpu::gl::error_walk

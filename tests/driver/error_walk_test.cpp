@@ -111,7 +111,7 @@ std::vector<Scene> all_scenes() {
 // Commands that take any argument outside glBegin and glEnd: numbers of all values, names of
 // objects that need not be.
 bool takes_anything(const NamedCommand& command) {
-    static const char* const Prefixes[] = {
+    static const char* const prefixes[] = {
         "BindVertexArrayAPPLE",
         "BlendColor",
         "ClearAccum",
@@ -172,7 +172,7 @@ bool takes_anything(const NamedCommand& command) {
         "Vertex4",
     };
     if (command.name.find("Pointer") != std::string::npos) return false;
-    return std::any_of(std::begin(Prefixes), std::end(Prefixes), [&](const char* prefix) {
+    return std::any_of(std::begin(prefixes), std::end(prefixes), [&](const char* prefix) {
         return command.name.rfind(prefix, 0) == 0;
     });
 }

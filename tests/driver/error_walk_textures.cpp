@@ -173,13 +173,13 @@ constexpr RefusedCall CompressedParts[] = {
 } // namespace
 
 std::span<const Scene> texture_scenes() {
-    static const std::array All{
+    static const std::array all{
         Scene{"a fresh context: objects", [] {}, Objects},
         Scene{"a fresh context: images", [] {}, Images},
         Scene{"textures with images", make_textures, Parts},
         Scene{"a compressed texture", make_compressed_texture, CompressedParts},
     };
-    return All;
+    return all;
 }
 
 } // namespace ffgpu::gl::error_walk

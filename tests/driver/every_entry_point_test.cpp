@@ -41,7 +41,7 @@ std::vector<std::string> registry_commands(const std::string& xml) {
     std::vector<std::string> names;
     std::size_t at = 0;
     // One feature after the other: std::regex recurses along what it matches.
-    while ((at = xml.find("<feature api=\"gl\" name=\"GL_VERSION_1_", at)) != std::string::npos) {
+    while ((at = xml.find(R"(<feature api="gl" name="GL_VERSION_1_)", at)) != std::string::npos) {
         const std::string body = xml.substr(at, xml.find("</feature>", at) - at);
         for (std::sregex_iterator i(body.begin(), body.end(), command), end; i != end; ++i)
             names.push_back((*i)[1]);
