@@ -30,6 +30,7 @@ struct FragmentKey {
     std::uint32_t primitive = 0;
     std::uint64_t sequence = 0;
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14.
     auto operator<=>(const FragmentKey&) const = default;
 };
 

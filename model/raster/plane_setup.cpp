@@ -113,9 +113,11 @@ bool set_up_constant(const PlaneVertices& v, int first, std::array<std::uint8_t,
     if (first < 0) return false;
     const float* const value = v[0]->attributes.data() + first;
     constexpr std::size_t Bytes = Channels * sizeof(float);
+    // NOLINTBEGIN(bugprone-suspicious-memory-comparison): the same bits give the same colour.
     if (std::memcmp(value, v[1]->attributes.data() + first, Bytes) != 0 ||
         std::memcmp(value, v[2]->attributes.data() + first, Bytes) != 0)
         return false;
+    // NOLINTEND(bugprone-suspicious-memory-comparison)
     for (std::size_t i = 0; i < Channels; ++i)
         color[i] = color_byte(value[i]);
     return true;

@@ -1,15 +1,17 @@
 #include "model/timing/memory_arbiter.h"
 
+#include <utility>
+
 namespace ffgpu::timing {
 
 MemoryArbiter::MemoryArbiter(sc_core::sc_module_name name,
                              const Clock& clock,
                              const MemoryConfig& config,
-                             const Ports& ports,
+                             Ports ports,
                              InFlight& in_flight)
     : Unit(name, clock)
     , config_(config)
-    , ports_(ports)
+    , ports_(std::move(ports))
     , in_flight_(in_flight)
     , pending_(config.channels, nullptr)
     , taken_at_(config.channels, 0) {

@@ -35,7 +35,7 @@ public:
     MemoryArbiter(sc_core::sc_module_name name,
                   const Clock& clock,
                   const MemoryConfig& config,
-                  const Ports& ports,
+                  Ports ports,
                   InFlight& in_flight);
 
     tlm_utils::simple_initiator_socket<MemoryArbiter> socket{"socket"};

@@ -10,7 +10,7 @@
 namespace ffgpu::docs {
 namespace {
 
-const char* Head =
+const char* const Head =
     R"(// The registers and commands as packed structs, with a function each that decodes its words.
 // Printed from the list in model/device/registers.h by the build target registers_page; not edited
 // by hand. docs/registers.md says where each field stands, model/device/registers/ what it means.

@@ -10,7 +10,7 @@
 namespace ffgpu::docs {
 namespace {
 
-const char* Head = R"(# Registers
+const char* const Head = R"(# Registers
 
 Printed from the list in `model/device/registers.h` by `cmake --build build --target registers_page`; not edited
 by hand. A test fails where this page or `rtl/ffgpu_registers_pkg.sv` differs from the list.

@@ -219,14 +219,14 @@ TEST_CASE("Each fragment unit gives the results that its version is sealed with"
     const struct {
         const char* unit;
         std::string seal;
-    } Units[] = {{"texture environments", seal_of_environments()},
+    } units[] = {{"texture environments", seal_of_environments()},
                  {"colour sum and coverage", seal_of_color_sum()},
                  {"fog", seal_of_fog()},
                  {"alpha test", seal_of_alpha_test()},
                  {"stencil and depth", seal_of_stencil_depth()},
                  {"blending", seal_of_blend()},
                  {"pack, dither, logic operation", seal_of_color_write()}};
-    for (const auto& [unit, seal] : Units) {
+    for (const auto& [unit, seal] : units) {
         const std::string row = std::string("| ") + unit + " | `" + seal + "` |";
         INFO("this build: " << row);
         CHECK(page.find(row) != std::string::npos);

@@ -28,7 +28,7 @@ TEST_CASE("Each comparison decides on both sides of equality") {
     const struct {
         Compare function;
         bool below, equal, above;
-    } Table[] = {
+    } table[] = {
         {Compare::Never, false, false, false},
         {Compare::Less, true, false, false},
         {Compare::Equal, false, true, false},
@@ -38,7 +38,7 @@ TEST_CASE("Each comparison decides on both sides of equality") {
         {Compare::Gequal, false, true, true},
         {Compare::Always, true, true, true},
     };
-    for (const auto& row : Table)
+    for (const auto& row : table)
         for (const std::uint32_t reference : {1u, 0x800000u, 0xfffffeu}) {
             INFO(int(row.function) << " " << reference);
             REQUIRE(compare(row.function, reference - 1, reference) == row.below);

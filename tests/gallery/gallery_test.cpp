@@ -56,7 +56,8 @@ std::array<double, 3> strip_errors(const Picture& picture) {
         const Place place = place_in(window, 1, 3);
         const Color average = area_average(image, eye, place, 16);
         for (int channel = 0; channel < 3; ++channel) {
-            const double value = picture[static_cast<std::size_t>(3 * i + channel)];
+            const int at = 3 * i + channel;
+            const double value = picture[static_cast<std::size_t>(at)];
             const double error = value - 255 * average[channel];
             sums[static_cast<std::size_t>(place.panel)] += error * error;
         }
@@ -94,8 +95,9 @@ int differing(const Picture& picture, const Panel& a, const Panel& b) {
         bool same = true;
         for (int channel = 0; channel < 3; ++channel) {
             const auto at = [&](const Panel& panel) {
-                return picture[static_cast<std::size_t>(
-                    3 * ((panel.y + y) * WindowWidth + panel.x + x) + channel)];
+                const int pixel = (panel.y + y) * WindowWidth + panel.x + x,
+                          byte = 3 * pixel + channel;
+                return picture[static_cast<std::size_t>(byte)];
             };
             same = same && at(a) == at(b);
         }

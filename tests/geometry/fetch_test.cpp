@@ -26,6 +26,7 @@ int number_of(const KeptPrimitive& primitive) {
 
 std::vector<int> numbers_of(const std::vector<KeptPrimitive>& primitives) {
     std::vector<int> numbers;
+    numbers.reserve(primitives.size());
     for (const KeptPrimitive& primitive : primitives)
         numbers.push_back(number_of(primitive));
     return numbers;

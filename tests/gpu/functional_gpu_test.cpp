@@ -23,7 +23,8 @@ void save(const char* name, const std::vector<std::uint32_t>& picture, int width
     std::fprintf(file, "P6 %d %d 255\n", width, height);
     for (int y = height - 1; y >= 0; --y)
         for (int x = 0; x < width; ++x) {
-            const std::uint32_t pixel = picture[static_cast<std::size_t>(y * width + x)];
+            const int at = y * width + x;
+            const std::uint32_t pixel = picture[static_cast<std::size_t>(at)];
             for (int shift = 0; shift < 24; shift += 8)
                 std::fputc(static_cast<int>(pixel >> shift & 0xff), file);
         }

@@ -12,7 +12,7 @@ using namespace ffgpu::test;
 
 namespace {
 
-__extension__ typedef __int128 Wide;
+__extension__ using Wide = __int128;
 
 // GL 1.5, 3.4.1, literally: "the fragments f for which the line segment intersects R_f, except if
 // p_b is contained in R_f", R_f = |x - x_f| + |y - y_f| < 1/2, end points moved by (-e, -e^2).

@@ -20,7 +20,7 @@ struct Row {
 
     double value(int i, unsigned channel) const {
         const int clamped = std::clamp(i, -1, size); // Weight 0 beyond.
-        return texels[static_cast<std::size_t>(clamped + 1)] >> (8 * channel) & 0xff;
+        return texels[static_cast<std::size_t>(clamped) + 1] >> (8 * channel) & 0xff;
     }
 };
 
@@ -44,7 +44,7 @@ TextureMemory make_texture(const Row& row) {
     const int first = row.stored_border ? -1 : 0;
     for (int i = first; i < row.size - first; ++i)
         memory.put_rgba8(
-            0, 0, static_cast<unsigned>(i - first), 0, row.texels[static_cast<std::size_t>(i + 1)]);
+            0, 0, static_cast<unsigned>(i - first), 0, row.texels[static_cast<std::size_t>(i) + 1]);
     return memory;
 }
 

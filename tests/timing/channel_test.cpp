@@ -104,7 +104,7 @@ TEST_CASE("a queue of twice the width carries the whole width, one place less do
     for (const int width : {2, 4, 16}) {
         for (const Cycle latency : {1u, 2u, 12u, 100u}) {
             const int items = width * 300;
-            const auto two = static_cast<std::size_t>(2 * width);
+            const auto two = 2 * static_cast<std::size_t>(width);
             INFO("width " << width << " latency " << latency);
             CHECK(drain({two, latency, width}, items) == latency + 300 - 1);
             CHECK(drain({two - 1, latency, width}, items) > latency + 300 - 1);

@@ -43,7 +43,7 @@ TEST_CASE("Each bad input is one clear line and exit status 2") {
         try {
             replay(options);
         } catch (const InputError& error) {
-            const std::string text = error.what();
+            std::string text = error.what();
             CHECK(text.find('\n') == std::string::npos);
             CHECK_THAT(text, Contains(file.path()));
             return text;

@@ -18,9 +18,9 @@ constexpr int Size = 64;
 
 // Lights, a texture, fog, a slanted plane: most of what computes. Its inputs are constants.
 std::vector<GLubyte> draw_scene(const std::function<void()>& between) {
-    static const GLubyte Texels[] = {255, 0, 40, 90, 200, 10, 33, 177, 4, 99, 250, 128};
+    static const GLubyte texels[] = {255, 0, 40, 90, 200, 10, 33, 177, 4, 99, 250, 128};
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 2, 2, 0, GL_RGB, GL_UNSIGNED_BYTE, Texels);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 2, 2, 0, GL_RGB, GL_UNSIGNED_BYTE, texels);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     between();
     glMatrixMode(GL_PROJECTION);

@@ -158,7 +158,7 @@ TEST_CASE("Ctrl-C ends a replay behind a frame, with its statistics") {
     const OutputFolder out;
     const pid_t replay = start({"ffgpu",
                                 "replay",
-                                FFGPU_SOURCE_DIR "/traces/corridor.trace",
+                                std::string(FFGPU_SOURCE_DIR) + "/traces/corridor.trace",
                                 "--reference",
                                 "--timing",
                                 "--samples",

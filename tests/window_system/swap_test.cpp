@@ -45,7 +45,7 @@ std::string glx_trails(Display* display) {
     const TestWindow window(display, config, Width, Height);
     const GLXContext context = glXCreateNewContext(display, config, GLX_RGBA_TYPE, nullptr, True);
     REQUIRE(glXMakeCurrent(display, window.id(), context));
-    const std::string seen = trails(window, [&] { glXSwapBuffers(display, window.id()); });
+    std::string seen = trails(window, [&] { glXSwapBuffers(display, window.id()); });
     glXMakeCurrent(display, 0, nullptr);
     glXDestroyContext(display, context);
     return seen;

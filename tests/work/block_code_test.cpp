@@ -151,7 +151,7 @@ std::vector<std::byte> bytes_of(const BlockShape& shape, const std::vector<Words
 
 std::vector<std::uint8_t> check_code(const BlockShape& shape, const std::vector<Words>& samples) {
     const auto bytes = bytes_of(shape, samples);
-    const std::vector<std::uint8_t> code = encode_block(shape, bytes);
+    std::vector<std::uint8_t> code = encode_block(shape, bytes);
     std::vector<std::byte> back(bytes.size());
     decode_block(shape, code, back);
     REQUIRE((back == bytes));

@@ -123,8 +123,8 @@ TEST_CASE("fragments in their order go through the blocks as quads do, none twic
         std::vector<std::pair<std::uint64_t, std::uint32_t>> order; // of fragments: key, block
         for (std::uint32_t y = 40; y < 104; ++y)
             for (std::uint32_t x = 72; x < 136; ++x)
-                order.push_back(
-                    {fragment_traversal_key(raster, x, y), traversal_block(raster, x, y)});
+                order.emplace_back(fragment_traversal_key(raster, x, y),
+                                   traversal_block(raster, x, y));
         std::sort(order.begin(), order.end());
         INFO(TraversalNames[static_cast<std::size_t>(traversal)]);
         for (std::size_t i = 1; i < order.size(); ++i) {

@@ -56,6 +56,7 @@ void watch_signals() {
     for (const Environment& variable : environment)
         ::setenv(variable.name.c_str(), variable.value.c_str(), 1);
     std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
     for (const std::string& argument : command)
         arguments.push_back(const_cast<char*>(argument.c_str()));
     arguments.push_back(nullptr);

@@ -38,6 +38,7 @@ std::vector<std::string> choices_of(const std::string& type) {
     if (type == "NAME=VALUE") return parameter_assignments();
     if (!type.starts_with("MAP")) return members(type);
     std::vector<std::string> names;
+    names.reserve(HeatMapTable.size());
     for (const HeatMapInfo& map : HeatMapTable)
         names.emplace_back(map.name);
     return names;

@@ -15,6 +15,7 @@ std::set<HeatMap> parse_heat_maps(const std::string& names) {
         const auto* const found = std::ranges::find(HeatMapTable, name, &HeatMapInfo::name);
         if (found == HeatMapTable.end()) {
             std::vector<std::string> known;
+            known.reserve(HeatMapTable.size());
             for (const HeatMapInfo& map : HeatMapTable)
                 known.emplace_back(map.name);
             throw InputError("--heatmap: unknown map " + name + "; did you mean " +

@@ -67,9 +67,9 @@ private:
 
     const MemoryConfig& config_;
     std::vector<Bank> banks_;
-    MemoryCycle refreshed_at_ = 0;         // end of the last refresh
-    MemoryCycle next_activate_ = 0;        // tRRD
-    std::array<MemoryCycle, 4> activates_; // the last four, + tFAW
+    MemoryCycle refreshed_at_ = 0;           // end of the last refresh
+    MemoryCycle next_activate_ = 0;          // tRRD
+    std::array<MemoryCycle, 4> activates_{}; // the last four, + tFAW
     std::size_t oldest_activate_ = 0;
     MemoryCycle next_column_ = 0; // tCCD
     MemoryCycle bus_free_ = 0;

@@ -100,13 +100,13 @@ Image gravel(int size, std::uint32_t seed) {
     std::vector<double> grey(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 0.5);
     for (int cell = 1; cell < size; cell *= 2) {
         const int cells = size / cell;
-        std::vector<double> values;
-        for (int i = 0; i < cells * cells; ++i)
-            values.push_back((next(seed, 1000) - 499.5) / 999);
+        std::vector<double> values(static_cast<std::size_t>(cells) *
+                                   static_cast<std::size_t>(cells));
+        for (double& value : values)
+            value = (next(seed, 1000) - 499.5) / 999;
         for (int i = 0; i < size * size; ++i) {
-            const int x = i % size, y = i / size;
-            grey[static_cast<std::size_t>(i)] +=
-                0.3 * values[static_cast<std::size_t>(y / cell * cells + x / cell)];
+            const int x = i % size, y = i / size, around = y / cell * cells + x / cell;
+            grey[static_cast<std::size_t>(i)] += 0.3 * values[static_cast<std::size_t>(around)];
         }
     }
     for (int i = 0; i < size * size; ++i) {

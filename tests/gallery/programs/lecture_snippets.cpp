@@ -11,6 +11,7 @@
 namespace ffgpu::gallery {
 namespace {
 
+// NOLINTBEGIN(readability-identifier-naming): the lecture's own names.
 constexpr int width = 64, height = 64;
 
 void texturing_snippet(bool with_filters, const Image& image) {
@@ -83,6 +84,8 @@ void generate_object_coordinates() {
     glEnable(GL_TEXTURE_GEN_T);
     glEnable(GL_TEXTURE_GEN_R);
 }
+
+// NOLINTEND(readability-identifier-naming)
 
 } // namespace
 

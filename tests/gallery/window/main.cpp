@@ -53,7 +53,7 @@ Display* open_window(const Scene& scene, Window& window) {
 }
 
 bool save(const Scene& scene, const std::string& path) {
-    const auto row = static_cast<std::size_t>(3 * scene.width);
+    const auto row = 3 * static_cast<std::size_t>(scene.width);
     std::vector<char> pixels(row * static_cast<std::size_t>(scene.height));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, scene.width, scene.height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
