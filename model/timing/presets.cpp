@@ -26,6 +26,15 @@ constexpr PresetSetting HostTransforms{
     "vertex.transform_cycles", "1", Assumed, "the host transforms; the chip does not wait for it"};
 constexpr PresetSetting HostLights{"vertex.light_cycles", "0", Assumed, "the host lights"};
 
+// A bus of 128 bits, of four chips.
+constexpr PresetSetting WideRows{
+    "memory.row_bytes", "4096", Assumed, "four chips of 32 bits, each with pages of 1 KB"};
+constexpr PresetSetting BanksApart{
+    "memory.bank_hash",
+    "xor",
+    Assumed,
+    "depth and colour in other banks, as on the maker's chips from 2003 on (nouveau, nv30_fb)"};
+
 constexpr std::array Voodoo{
     PresetSetting{"clock.core_mhz", "50", "gpu-tech", "50 MHz standard clock rate"},
     PresetSetting{"memory.profile", "sdr", Assumed, "EDO DRAM has no profile of its own"},
@@ -49,6 +58,8 @@ constexpr std::array RivaTnt{
     PresetSetting{"clock.core_mhz", "90", "gamegpu-tnt", "core frequency"},
     PresetSetting{"memory.profile", "sdr", "gamegpu-tnt", "SDR"},
     PresetSetting{"memory.channels", "1", "gamegpu-tnt", "one bus"},
+    WideRows,
+    BanksApart,
     PresetSetting{"memory.bytes_per_cycle", "16", "gamegpu-tnt", "128 bits"},
     PresetSetting{"memory.core_clocks", "90", "gamegpu-tnt", "core frequency"},
     PresetSetting{"memory.memory_clocks", "110", "gamegpu-tnt", "memory frequency"},
@@ -100,6 +111,12 @@ constexpr std::array GeForce2Gts{
     PresetSetting{"clock.core_mhz", "200", "tweak3d", "chip clock"},
     PresetSetting{"memory.profile", "ddr", "tweak3d", "DDR"},
     OneBus,
+    WideRows,
+    BanksApart,
+    WideRows,
+    BanksApart,
+    WideRows,
+    BanksApart,
     WideDdr,
     PresetSetting{"memory.core_clocks", "200", "tweak3d", "chip clock"},
     PresetSetting{"memory.memory_clocks", "166", "tweak3d", "166 MHz"},
@@ -115,6 +132,8 @@ constexpr std::array GeForce2Ultra{
     PresetSetting{"clock.core_mhz", "250", "neoseeker", "core"},
     PresetSetting{"memory.profile", "ddr", "neoseeker", "architecture of the GTS"},
     OneBus,
+    WideRows,
+    BanksApart,
     WideDdr,
     PresetSetting{"memory.core_clocks", "250", "neoseeker", "core"},
     PresetSetting{"memory.memory_clocks", "230", "neoseeker", "memory"},
@@ -133,6 +152,7 @@ constexpr std::array Kyro{
     BinSize,
     PresetSetting{"memory.profile", "sdr", Assumed, "1.8 GB/s = 115 MHz x 128 bits"},
     OneBus,
+    WideRows,
     PresetSetting{
         "memory.bytes_per_cycle", "16", "technical-news", "1.8 GB/s = 115 MHz x 128 bits"},
     PresetSetting{"memory.core_clocks", "1", Assumed, "memory at the chip's clock"},
@@ -148,6 +168,7 @@ constexpr std::array Mbx{
     BinSize,
     PresetSetting{"memory.profile", "sdr", Assumed, "100 MHz, 32 bits, 400 MB/s: one edge"},
     OneBus,
+    PresetSetting{"memory.row_bytes", "1024", Assumed, "one chip of 32 bits, with pages of 1 KB"},
     PresetSetting{"memory.bytes_per_cycle", "4", "wikipedia-2700g", "2700G7: 32-bit bus"},
     PresetSetting{"memory.core_clocks", "75", "wikipedia-2700g", "75 MHz core"},
     PresetSetting{"memory.memory_clocks", "100", "wikipedia-2700g", "2700G7: 100 MHz"},

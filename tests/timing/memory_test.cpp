@@ -40,6 +40,24 @@ TEST_CASE("a row-hit stream fills the bus whatever the latencies") {
     }
 }
 
+TEST_CASE("folded banks keep apart what lies a multiple of all banks apart") {
+    MemoryConfig config = without_refresh();
+    config.channels = 1;
+    config.scheduler = SchedulerKind::InOrder;
+    const std::uint64_t apart = std::uint64_t{96} * config.banks * config.row_bytes;
+    constexpr std::uint64_t Lines = 16; // half a row of each
+    std::vector<MemoryRequest> requests;
+    for (std::uint64_t line = 0; line < Lines; ++line)
+        for (const std::uint64_t base : {std::uint64_t{0}, apart})
+            requests.push_back({.address = base + 64 * line, .bytes = 64});
+    // In one bank each request closes the other's row.
+    CHECK(run_memory(config, requests).figures.at("memory_row_conflicts") == 2 * Lines - 1);
+    config.bank_hash = work::IndexHash::Xor;
+    const Figures figures = run_memory(config, requests).figures;
+    CHECK(figures.at("memory_row_conflicts") == 0);
+    CHECK(figures.at("memory_row_misses") == 2);
+}
+
 TEST_CASE("with one request under way a line takes its latencies, and nothing else") {
     for (const std::uint32_t latency : {0u, 1u, 50u}) {
         MemoryConfig config = without_refresh();

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -17,9 +18,23 @@ namespace {
 
 constexpr std::uint16_t Width = 1024, Height = 768, TextureSize = 256;
 
+// What the test is said to draw: "First test has four textured geometry layers, and the second one
+// uses one geometry layer with four textures, rendered with multi-texturing." (nvnews.net, 3DMark
+// 2000, Test Descriptions). Chips of two textures a pass take two passes, of which the second must
+// blend. Whether layers blend in the first test is not told.
+constexpr unsigned Textures = 4;
+
+struct Frame {
+    unsigned bits = 16;    // of colours, of depth and of texels
+    unsigned textures = 1; // a layer
+    bool blends = false;   // all layers but the first
+
+    unsigned layers() const { return Textures / textures; }
+};
+
 struct Layer {
-    unsigned bits = 16; // of colours, of depth and of texels
-    unsigned textures = 1;
+    Frame frame;
+    bool blends = false;
 };
 
 Surface surface(DeviceAddress at, Format format) {
@@ -32,11 +47,14 @@ Surface surface(DeviceAddress at, Format format) {
 
 std::shared_ptr<const Registers> state_of(const Layer& layer) {
     auto state = std::make_shared<Registers>();
-    const bool narrow = layer.bits == 16;
+    const bool narrow = layer.frame.bits == 16;
     state->targets.color[0] = surface(1 << 26, narrow ? Format::Rgb565 : Format::Rgba8);
     state->targets.depth = surface(1 << 27, narrow ? Format::Depth16 : Format::Depth24Stencil8);
     state->depth = {.test_enable = true, .write_enable = true};
-    for (unsigned unit = 0; unit < layer.textures; ++unit) {
+    state->blend.enable = layer.blends;
+    state->scissor.width = Width;
+    state->scissor.height = Height;
+    for (unsigned unit = 0; unit < layer.frame.textures; ++unit) {
         state->combiners[unit].enable = true;
         state->images[unit].address = (1 << 28) + (unit << 20);
         state->images[unit].shape = {.kind = TextureKind::TwoD,
@@ -76,7 +94,7 @@ std::shared_ptr<const work::WholeCommand> full_screen(const Layer& layer) {
     geometry.vertices = {0, 1, 2, 3};
     geometry.primitives = {{.key = 0, .last_vertex = 3, .pieces = 1}};
     geometry.pieces = {{0, 0, Width, Height}};
-    for (unsigned unit = 0; unit < layer.textures; ++unit)
+    for (unsigned unit = 0; unit < layer.frame.textures; ++unit)
         command->units.push_back(static_cast<std::uint8_t>(unit));
     for (std::uint16_t y = 0; y < Height; y += 2)
         for (std::uint16_t x = 0; x < Width; x += 2) {
@@ -89,7 +107,7 @@ std::shared_ptr<const work::WholeCommand> full_screen(const Layer& layer) {
                                       .after_alpha = 15,
                                       .after_stencil = 15,
                                       .after_depth = 15});
-            for (unsigned unit = 0; unit < layer.textures; ++unit) {
+            for (unsigned unit = 0; unit < layer.frame.textures; ++unit) {
                 for (std::uint16_t lane = 0; lane < 4; ++lane)
                     command->accesses.push_back(bilinear(x + lane % 2u, y + lane / 2u, lane));
                 command->access_begin.push_back(
@@ -99,53 +117,83 @@ std::shared_ptr<const work::WholeCommand> full_screen(const Layer& layer) {
     return command;
 }
 
-// Megapixels a second over a frame of two layers.
-double fill_rate(const std::string& preset, const Layer& layer) {
+std::shared_ptr<const work::WholeCommand> clear(const Frame& frame) {
+    auto command = std::make_shared<work::WholeCommand>();
+    command->draw.kind = WorkKind::Clear;
+    command->draw.state = state_of({frame});
+    command->draw.clear = {.color = true, .depth = true};
+    return command;
+}
+
+// Of the peak in texels, over a frame after the one that the screen shows meanwhile.
+double of_peak(const std::string& preset, const Frame& frame, double megatexels) {
+    constexpr unsigned ScreenHertz = 85; // assumed
     Configuration configuration;
     read_config_file("preset:" + preset, configuration);
-    timing::GpuTiming machine(configuration.timing);
-    const auto command = full_screen(layer);
-    machine.command(command);
-    machine.command(command);
-    machine.end_frame(0);
-    return 2.0 * Width * Height /
-           (1000.0 * configuration.timing.clock.milliseconds(machine.cycles()));
+    timing::TimingConfig& machine = configuration.timing;
+    machine.scan_out.refresh_cycles = machine.clock.core_mhz * 1'000'000 / ScreenHertz;
+    timing::GpuTiming timing(machine);
+    timing.command(clear(frame));
+    timing.end_frame(0);
+    const std::uint64_t begin = timing.cycles();
+    timing.command(clear(frame));
+    for (unsigned layer = 0; layer < frame.layers(); ++layer)
+        timing.command(full_screen({frame, frame.blends && layer > 0}));
+    timing.end_frame(1);
+    const double milliseconds = machine.clock.milliseconds(timing.cycles() - begin);
+    return 1e-3 * Textures * Width * Height / milliseconds / megatexels;
 }
 
 struct Measured {
     const char* preset;
-    Layer layer;
-    double peak, least, most; // megapixels a second; the range that is expected
+    Frame frame;
+    double megatexels;  // of the peak
+    double least, most; // of it, that is expected
 };
 
-TEST_CASE("Full screens fill at the rates that were measured on the chips",
-          "[fill_rate][!mayfail]") {
-    std::cout << "preset           bits textures  expected Mpixel/s   obtained  of peak\n";
-    const auto near = [](const char* preset, Layer layer, double peak, double measured) {
-        return Measured{preset, layer, peak, measured - 0.15 * peak, measured + 0.15 * peak};
-    };
-    // "At 32-bit color the memory bandwidth always gets in the way, usually halving the fill rate."
-    const auto halved = [](const char* preset, double peak) {
-        return Measured{preset, {32, 1}, peak, 0.40 * peak, 0.65 * peak};
-    };
+Measured near(const char* preset, Frame frame, double peak, double measured) {
+    return {preset, frame, peak, measured / peak - 0.15, measured / peak + 0.15};
+}
+
+// "At 32-bit color the memory bandwidth always gets in the way, usually halving the fill rate."
+Measured halved(const char* preset, double peak) {
+    return {preset, {32, 1}, peak, 0.40, 0.65};
+}
+
+// Obtained are two figures: without blending, and with it.
+void check_fill_rate(const Measured& each) {
+    Frame frame = each.frame;
+    frame.blends = frame.textures > 1; // It must.
+    const double most = of_peak(each.preset, frame, each.megatexels);
+    double least = most;
+    if (!std::exchange(frame.blends, true)) least = of_peak(each.preset, frame, each.megatexels);
+    std::cout << fmt::format("{:<15} {} bits, {} textures a layer: {:.2f} to {:.2f} of {} "
+                             "Mtexel/s expected, {:.2f} obtained, {:.2f} where layers blend\n",
+                             each.preset,
+                             frame.bits,
+                             frame.textures,
+                             each.least,
+                             each.most,
+                             each.megatexels,
+                             most,
+                             least);
+    CHECK(most >= each.least);
+    CHECK(least <= each.most);
+}
+
+TEST_CASE("Full screens fill at the rates that were measured on the chips", "[fill_rate]") {
     for (const Measured& each : {near("riva_tnt", {16, 1}, 180, 140),
-                                 near("riva_tnt", {16, 2}, 90, 75),
+                                 near("riva_tnt", {16, 2}, 180, 150),
                                  near("geforce2_ultra", {16, 1}, 1000, 790),
-                                 near("geforce2_ultra", {16, 2}, 1000, 800),
                                  halved("riva_tnt", 180),
-                                 halved("geforce2_ultra", 1000)}) {
-        const double obtained = fill_rate(each.preset, each.layer);
-        std::cout << fmt::format("{:<16} {:>4} {:>8} {:>9.0f} to {:>5.0f} {:>10.0f} {:>7.2f}\n",
-                                 each.preset,
-                                 each.layer.bits,
-                                 each.layer.textures,
-                                 each.least,
-                                 each.most,
-                                 obtained,
-                                 obtained / each.peak);
-        CHECK(obtained >= each.least);
-        CHECK(obtained <= each.most);
-    }
+                                 halved("geforce2_ultra", 1000)})
+        check_fill_rate(each);
+}
+
+// docs/presets.md says why, as far as it is known.
+TEST_CASE("Two passes of two textures on geforce2_ultra do not reach the rate that was measured",
+          "[fill_rate][!shouldfail]") {
+    check_fill_rate(near("geforce2_ultra", {16, 2}, 2000, 1600));
 }
 
 } // namespace

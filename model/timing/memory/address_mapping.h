@@ -1,5 +1,7 @@
 // Where an address lies: its channel, and in it bank and row. Interleaving goes over channels by
 // interleave_bytes; the bytes of a channel fill a row of one bank, then a row of the next bank.
+// Which bank is the next, bank_hash says (Z. Zhang, Z. Zhu and X. Zhang, A Permutation-based Page
+// Interleaving Scheme, MICRO 2000).
 
 #pragma once
 
@@ -21,6 +23,12 @@ struct DramPlace {
     std::uint64_t row = 0;
 };
 
+inline std::uint32_t bank_of(const MemoryConfig& config, std::uint64_t row_of_bank) {
+    if (config.bank_hash == work::IndexHash::Modulo)
+        return static_cast<std::uint32_t>(row_of_bank) & (config.banks - 1);
+    return static_cast<std::uint32_t>(work::SetIndex(config.banks, config.bank_hash)(row_of_bank));
+}
+
 inline DramPlace place_of(const MemoryConfig& config, std::uint64_t address) {
     const std::uint64_t block =
         quotient(quotient(address, config.interleave_bytes), config.channels);
@@ -28,7 +36,7 @@ inline DramPlace place_of(const MemoryConfig& config, std::uint64_t address) {
         block * config.interleave_bytes + remainder(address, config.interleave_bytes);
     const std::uint64_t row_of_bank = quotient(in_channel, config.row_bytes);
     return {.channel = memory_channel(config, address),
-            .bank = static_cast<std::uint32_t>(row_of_bank) & (config.banks - 1),
+            .bank = bank_of(config, row_of_bank),
             .row = quotient(row_of_bank, config.banks)};
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "model/base/parameters.h"
+#include "model/work/cache_policy.h"
 
 #include <array>
 #include <cstdint>
@@ -30,6 +31,7 @@ struct MemoryConfig {
     std::uint32_t row_bytes = 2048;
     std::uint32_t interleave_bytes = 256;
     std::uint32_t bytes_per_cycle = 8;
+    work::IndexHash bank_hash = work::IndexHash::Modulo;
     std::uint32_t core_clocks = 1;
     std::uint32_t memory_clocks = 1;
     std::uint32_t client_queue = 16;
@@ -108,6 +110,11 @@ private:
               .minimum = 1,
               .maximum = 256,
               .meaning = "of a channel's bus; twice its width where both edges carry data"});
+        field("bank_hash",
+              self.bank_hash,
+              {.meaning = "modulo: rows go over the banks in turn; xor: all bits of a row's number "
+                          "folded onto the bank, so that images of equal size lie apart",
+               .choices = work::IndexHashNames});
         field("core_clocks",
               self.core_clocks,
               {.unit = "cycles",
