@@ -139,6 +139,36 @@ TEST_CASE("Depth that the next frame tests against is stored once and loaded onc
     CHECK(figures.at("memory_color_read_bytes") == loaded); // Bins of which some pixels stay.
 }
 
+TEST_CASE("A clear ends where the smallest of its targets does") {
+    TileBench bench(Width, Height);
+    bench.state.targets.depth.width = 64; // two bins
+    bench.clear(true, false);
+    bench.end_frame();
+    const Figures figures = bench.run(tile_based(32));
+    CHECK(figures.at("memory_color_written_bytes") == 4 * 64 * Height);
+    CHECK(figures.at("memory_color_read_bytes") == 0);
+}
+
+TEST_CASE("On the host's bus are the commands that the host gave, and no stores of the machine's") {
+    TileBench bench(Width, Height, 4);
+    bench.state.depth = {.test_enable = true, .write_enable = true};
+    bench.clear(true, true, true);
+    bench.draw({bench.all()});
+    bench.resolve();
+    bench.end_frame();
+    bench.draw({{20, 30, 70, 34}}); // Needs bins of both that were not stored.
+    bench.end_frame();
+    constexpr std::uint64_t Commands = 4, Frames = 2;
+    const TimingConfig config = tile_based();
+    const std::uint64_t command = config.host.command_bytes +
+                                  TileBench::RegisterWrites * config.host.register_bytes +
+                                  TileBench::RegisterWords * 4;
+    const Figures figures = bench.run(config);
+    CHECK(figures.at("memory_depth_written_bytes") > figures.at("tile_depth_stored_bytes"));
+    CHECK(figures.at("host_command_bytes") ==
+          Commands * command + Frames * config.host.command_bytes);
+}
+
 TEST_CASE("A clear of depth alone keeps stencil on its way, and only as long as one is there") {
     TileBench bench(64, 64);
     bench.state.stencil.enable = true;
@@ -155,6 +185,7 @@ TEST_CASE("A clear of depth alone keeps stencil on its way, and only as long as 
     const Figures figures = bench.run(tile_based());
     CHECK(figures.at("memory_depth_read_bytes") == 0);
     CHECK(figures.at("memory_depth_written_bytes") == 0);
+    CHECK(figures.at("tile_needless_stores") == 4); // The clear of depth alone took none.
 }
 
 TEST_CASE("Colour is loaded where it is blended or kept, not where it is overwritten") {

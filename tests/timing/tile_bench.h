@@ -30,6 +30,7 @@ inline BinSet bins_of(const Box& box, unsigned size) {
 class TileBench {
 public:
     static constexpr DeviceAddress ColorAt = 1 << 26, DepthAt = 1 << 27, ResolvedAt = 1 << 28;
+    static constexpr std::uint32_t RegisterWrites = 3, RegisterWords = 5; // before each command
 
     TileBench(unsigned width, unsigned height, std::uint8_t samples = 1)
         : width_(width)
@@ -117,6 +118,8 @@ private:
         command->draw.kind = kind;
         command->draw.number = number_++;
         command->draw.early_depth = true;
+        command->draw.register_writes = RegisterWrites;
+        command->draw.register_words = RegisterWords;
         command->draw.state = std::make_shared<const Registers>(state);
         return command;
     }
