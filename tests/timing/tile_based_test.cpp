@@ -139,6 +139,24 @@ TEST_CASE("Depth that the next frame tests against is stored once and loaded onc
     CHECK(figures.at("memory_color_read_bytes") == loaded); // Bins of which some pixels stay.
 }
 
+TEST_CASE("A clear on chip takes the bin's pixels, a primitive in a bin its cycles") {
+    constexpr std::uint32_t Primitives = 10;
+    TileBench bench(32, 32);
+    bench.clear(true, true);
+    bench.draw(std::vector<Box>(Primitives, bench.all()));
+    bench.end_frame();
+    const auto cycles = [&](std::uint32_t pixels_per_cycle, std::uint32_t entry_cycles) {
+        TimingConfig config = tile_based(32);
+        config.memory.profile = MemoryProfile::Ideal;
+        config.memory.apply_profile();
+        config.tiles.clear_pixels_per_cycle = pixels_per_cycle;
+        config.tiles.entry_cycles = entry_cycles;
+        return bench.run(config).at("total_cycles");
+    };
+    CHECK(cycles(1, 1) - cycles(64, 1) == 32 * 32 - 32 * 32 / 64);
+    CHECK(cycles(64, 40) - cycles(64, 1) == (40 - 1) * Primitives);
+}
+
 TEST_CASE("A clear ends where the smallest of its targets does") {
     TileBench bench(Width, Height);
     bench.state.targets.depth.width = 64; // two bins
