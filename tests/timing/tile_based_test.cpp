@@ -157,6 +157,19 @@ TEST_CASE("A clear on chip takes the bin's pixels, a primitive in a bin its cycl
     CHECK(cycles(64, 40) - cycles(64, 1) == (40 - 1) * Primitives);
 }
 
+TEST_CASE("Entries of a list are written together") {
+    TileBench bench(32, 32);
+    bench.draw(std::vector<Box>(16, bench.all()));
+    bench.end_frame();
+    TimingConfig config = tile_based(32);
+    config.tiles.header_bytes = 64; // Lists begin with a request.
+    const auto requests = [&](std::uint32_t gathered) {
+        config.tiles.gathered_entries = gathered;
+        return bench.run(config).at("memory_parameter_requests");
+    };
+    CHECK(requests(1) - requests(8) == 16 - 2);
+}
+
 TEST_CASE("A clear ends where the smallest of its targets does") {
     TileBench bench(Width, Height);
     bench.state.targets.depth.width = 64; // two bins
