@@ -127,9 +127,9 @@ void PrimitiveStage::assembled_triangle(std::array<std::uint32_t, 3> slots,
         if ((codes.any & clip_code::CutsPolygon) != 0 || codes.parts_depth())
             return clipped_triangle(slots, provoking, codes);
     }
-    std::array<const WindowVertex*, 3> vertices{
-        &pool_.front(slots[0]), &pool_.front(slots[1]), &pool_.front(slots[2])};
-    const std::int64_t area = cross(*vertices[0], *vertices[1], *vertices[2]);
+    const WindowVertex *a = &pool_.front(slots[0]), *b = &pool_.front(slots[1]),
+                       *c = &pool_.front(slots[2]);
+    const std::int64_t area = cross(*a, *b, *c);
     if (area == 0) {
         ++counts_.degenerate;
         return;
@@ -138,10 +138,12 @@ void PrimitiveStage::assembled_triangle(std::array<std::uint32_t, 3> slots,
     if (culled(front_facing)) return;
     batch_.reserve(1, 2);
     if (!plain_vertices_) {
-        for (unsigned i = 0; i < 3; ++i)
-            vertices[i] = shaded(slots[i], {provoking, front_facing});
+        const Look look{provoking, front_facing};
+        a = shaded(slots[0], look);
+        b = shaded(slots[1], look);
+        c = shaded(slots[2], look);
     }
-    emit_triangle(vertices, front_facing);
+    emit_triangle({a, b, c}, front_facing);
 }
 
 bool PrimitiveStage::culled(bool front_facing) {

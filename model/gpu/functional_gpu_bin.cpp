@@ -193,7 +193,7 @@ void FunctionalGpu::bin_primitive(const Primitive& primitive) {
     last_key_ = primitive.key;
     SetupRecord& record = bin_.next_record();
     record.piece = next_piece_++;
-    const bool covers = set_up(context_->setup, primitive, record);
+    const bool covers = set_up(context_->setup, primitive, record, probe_ != nullptr);
     if (probe_)
         probe_->set_up({.draw = bin_.commands().back().number,
                         .frame = frame_,
@@ -206,7 +206,7 @@ void FunctionalGpu::bin_primitive(const Primitive& primitive) {
         return;
     }
     primitive_statistics_.add_area(primitive_area(record));
-    bin_.insert();
+    if (!record.covers_nothing) bin_.insert();
 }
 
 void FunctionalGpu::before_read(std::uint64_t at, std::uint64_t bytes) {

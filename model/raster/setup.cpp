@@ -36,15 +36,19 @@ SetupContext compile_setup(const DrawState& state) {
             .depth_scale = depth16 ? 0xffffu : 0xffffffu};
 }
 
-bool set_up(const SetupContext& context, const Primitive& primitive, SetupRecord& at) {
+bool set_up(const SetupContext& context,
+            const Primitive& primitive,
+            SetupRecord& at,
+            bool all_planes) {
     if (context.clip.empty()) return false;
     at.coverage = CoverageKind::Centre;
     at.stipple = StippleKind::None;
     at.front_facing = primitive.front_facing;
     at.key = primitive.key;
+    at.covers_nothing = false;
     switch (primitive.shape) {
     case PrimitiveShape::Triangle:
-        return set_up_triangle(context, primitive, at);
+        return set_up_triangle(context, primitive, at, all_planes);
     case PrimitiveShape::Line:
         return set_up_line(context, primitive, at);
     case PrimitiveShape::Point:

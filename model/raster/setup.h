@@ -27,7 +27,12 @@ struct SetupContext {
 
 SetupContext compile_setup(const DrawState& state);
 
-// `at` has room for MaxSetupRecordBytes. Returns false where the primitive covers no pixel.
-bool set_up(const SetupContext& context, const Primitive& primitive, SetupRecord& at);
+// `at` has room for MaxSetupRecordBytes. Returns false where the primitive reaches no pixel's
+// centre or sample with its box. A small triangle that covers none of its box's centres is told by
+// at.covers_nothing; it gets its planes, which nobody will evaluate, only with `all_planes`.
+bool set_up(const SetupContext& context,
+            const Primitive& primitive,
+            SetupRecord& at,
+            bool all_planes = true);
 
 } // namespace ffgpu

@@ -57,6 +57,7 @@ struct alignas(StoredPlane) SetupRecord {
     CoverageKind coverage = CoverageKind::Centre;
     StippleKind stipple = StippleKind::None;
     bool front_facing = true;
+    bool covers_nothing = false;     // Known of small triangles only.
     bool perspective = false;        // Attribute planes hold a / w; that of 1 / w is behind them.
     bool constant_color = false;     // All vertices alike: `color` is the value itself.
     bool constant_secondary = false; // The same.

@@ -7,7 +7,10 @@
 
 namespace ffgpu {
 
-bool set_up_triangle(const SetupContext& context, const Primitive& primitive, SetupRecord& record);
+bool set_up_triangle(const SetupContext& context,
+                     const Primitive& primitive,
+                     SetupRecord& record,
+                     bool all_planes);
 bool set_up_line(const SetupContext& context, const Primitive& primitive, SetupRecord& record);
 bool set_up_point(const SetupContext& context, const Primitive& primitive, SetupRecord& record);
 

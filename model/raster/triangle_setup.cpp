@@ -49,9 +49,25 @@ bool in_guard_band(const WindowVertex& v) {
     return v.x >= -Limit && v.x <= Limit && v.y >= -Limit && v.y <= Limit;
 }
 
+// The box has few pixels, and the triangle lies between their centres.
+bool misses_its_box(const SetupRecord& record) {
+    constexpr int Few = 2;
+    const Rectangle& box = record.box;
+    if (box.x1 - box.x0 > Few || box.y1 - box.y0 > Few) return false;
+    for (int y = box.y0; y < box.y1; ++y)
+        for (int x = box.x0; x < box.x1; ++x)
+            if ((record.edges[0].at(x, y) | record.edges[1].at(x, y) | record.edges[2].at(x, y)) >=
+                0)
+                return false;
+    return true;
+}
+
 } // namespace
 
-bool set_up_triangle(const SetupContext& context, const Primitive& primitive, SetupRecord& record) {
+bool set_up_triangle(const SetupContext& context,
+                     const Primitive& primitive,
+                     SetupRecord& record,
+                     bool all_planes) {
     const PlaneVertices& v = primitive.vertices;
     check(in_guard_band(*v[0]) && in_guard_band(*v[1]) && in_guard_band(*v[2]),
           "a vertex lies outside the guard band");
@@ -77,6 +93,8 @@ bool set_up_triangle(const SetupContext& context, const Primitive& primitive, Se
     }
     if (context.primitive.polygon_stipple) record.stipple = StippleKind::Polygon;
 
+    record.covers_nothing = record.coverage == CoverageKind::Centre && misses_its_box(record);
+    if (record.covers_nothing && !all_planes) return true;
     set_up_triangle_planes(context, v, record);
     if (context.primitive.offset_fill) add_depth_offset(context, v, triangle_basis(v), record);
     return true;

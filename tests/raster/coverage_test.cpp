@@ -1,5 +1,6 @@
 #include "tests/raster/raster_helpers.h"
 
+#include <algorithm>
 #include <map>
 
 #include <catch2/catch.hpp>
@@ -122,6 +123,30 @@ TEST_CASE("triangles without area or without a centre make no record") {
     CHECK_FALSE(buffer.triangle(setup, vertex(130, 130), vertex(300, 130), vertex(130, 300)));
     CHECK(buffer.triangle(setup, vertex(128, 128), vertex(300, 128), vertex(128, 300)));
     CHECK_FALSE(buffer.triangle(setup, vertex(-900, 0), vertex(-300, 0), vertex(-300, 900)));
+}
+
+TEST_CASE("a small triangle between the centres of its box is told, one on a centre is not") {
+    Random random(5);
+    RecordBuffer buffer;
+    int between = 0, covering = 0, larger = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const int x = random.between(0, 40 * 256), y = random.between(0, 40 * 256);
+        const int reach = 64 << (i % 4);
+        const auto near = [&] {
+            const WindowVertex v = random_vertex(random, -reach, reach);
+            return vertex(std::clamp(x + v.x, 0, 1 << 16), std::clamp(y + v.y, 0, 1 << 16));
+        };
+        const WindowVertex a = near(), b = near(), c = near();
+        if (!buffer.triangle(context(), a, b, c)) continue;
+        const Rectangle& box = buffer.record().box;
+        const bool small = box.width() <= 2 && box.height() <= 2;
+        const bool covers = !covered_pixels(buffer.record()).empty();
+        REQUIRE(buffer.record().covers_nothing == (small && !covers));
+        ++(!small ? larger : covers ? covering : between);
+    }
+    CHECK(between > 1000);
+    CHECK(covering > 1000);
+    CHECK(larger > 1000);
 }
 
 TEST_CASE("a batch never holds a pixel twice, and keeps every pixel and the order") {
