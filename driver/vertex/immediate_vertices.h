@@ -22,6 +22,9 @@ public:
     void restart() override;
     void set_color_index(float value) override;
 
+    // How many vertices wait.
+    using VertexAssembler::count;
+
     // Draws what waits; the phase is Idle then. Not between glBegin and glEnd.
     void flush();
 

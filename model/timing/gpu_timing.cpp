@@ -56,6 +56,11 @@ void GpuTiming::set_on_retire(std::function<void(const QuadRetired&)> on_retire)
     machine_->on_retire = std::move(on_retire);
 }
 
+void GpuTiming::set_quad_observer(QuadObserver* observer) {
+    machine_->observer = observer;
+    machine_->texture.set_observer(observer);
+}
+
 std::uint64_t GpuTiming::cycles() const {
     return machine_->clock.now();
 }

@@ -39,6 +39,7 @@ struct FrameTiming {
 
 class Machine;
 class MachineThread;
+class QuadObserver; // quad_observer.h
 class SimulationContext;
 
 class GpuTiming final : public work::CommandSink {
@@ -61,6 +62,8 @@ public:
 
     void set_on_frame(std::function<void(const FrameTiming&)> on_frame);
     void set_on_retire(std::function<void(const QuadRetired&)> on_retire);
+    // Told on the thread that runs the machine; null: nobody.
+    void set_quad_observer(QuadObserver* observer);
 
     std::uint64_t cycles() const;
     // All units' groups: accounts, caches, memory. They add up at the end of a frame.

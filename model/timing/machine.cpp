@@ -316,6 +316,7 @@ void Machine::connect_memory(Unit& unit, RequestPort& requests, Channel<std::uin
 void Machine::retire(const QuadToken& token, Cycle now) {
     const Cycle cycles = now - std::max(last_retired, frame_begin);
     last_retired = now;
+    if (observer) observer->retired(name_of(token), now);
     if (!on_retire) return;
     const PreparedQuad& quad = token.quad();
     on_retire({.x = quad.x,

@@ -14,6 +14,7 @@
 #include "model/timing/gpu_timing.h"
 #include "model/timing/host_bus.h"
 #include "model/timing/memory_arbiter.h"
+#include "model/timing/quad_observer.h"
 #include "model/timing/raster_timing.h"
 #include "model/timing/scan_out.h"
 #include "model/timing/setup_timing.h"
@@ -107,6 +108,7 @@ public:
     Cycle busy_at_last_check = ~Cycle{0};
     std::function<void(const FrameTiming&)> on_frame;
     std::function<void(const QuadRetired&)> on_retire;
+    QuadObserver* observer = nullptr;
 
 private:
     void attach_units(std::uint32_t seed);

@@ -22,17 +22,19 @@ bool TexturePipe::begin(TextureStatistics& statistics, Activity& reason) {
     return true;
 }
 
-bool TexturePipe::compare_tags(TextureStatistics& statistics, Activity& reason) {
+bool TexturePipe::compare_tags(TextureStatistics& statistics, Cycle now, Activity& reason) {
     if (miss_cycles_left_ > 0 && --miss_cycles_left_ > 0) return true;
     if (!comparing_ && !begin(statistics, reason)) return false;
     const auto lines = current_.scene->work.lines_of(current_.quad());
     share_.begin_cycle();
     for (bool worked = false; !share_.is_done() && share_.has_turn(); worked = true) {
-        const LookupResult result = cache_.look_up({.number = lines[share_.line()]});
+        const std::uint64_t line = lines[share_.line()];
+        const LookupResult result = cache_.look_up({.number = line});
         if (!result.accepted) {
             blame(reason, Activity::StalledRequests);
             return worked;
         }
+        if (observer_) observer_->texel_line(name_of(current_), {line, result.missed, now});
         share_.advance();
         ticket_ = std::max(ticket_, result.ticket);
         current_.misses += result.missed;

@@ -6,6 +6,7 @@
 #include "model/base/statistics.h"
 #include "model/timing/fragment_pipes.h"
 #include "model/timing/parked_quads.h"
+#include "model/timing/quad_observer.h"
 #include "model/timing/texture_share.h"
 
 #include <deque>
@@ -30,6 +31,7 @@ public:
 
     bool can_take() const { return waiting_.size() < config_.fragment.pipe_queue; }
     void take(const QuadToken& quad) { waiting_.push_back(quad); }
+    void set_observer(QuadObserver* observer) { observer_ = observer; }
 
     // Some cycles have to pass before a quad whose texels are there can be filtered.
     bool expands_texels() const {
@@ -38,7 +40,7 @@ public:
     }
 
     // One cycle's work of each part; false, and the reason, where there was none.
-    bool compare_tags(TextureStatistics& statistics, Activity& reason);
+    bool compare_tags(TextureStatistics& statistics, Cycle now, Activity& reason);
     bool filter(PipeExit& out, std::size_t pipe, Cycle now, Activity& reason);
 
 private:
@@ -65,6 +67,7 @@ private:
     std::size_t read_ = 0; // parked quads whose texels were read
     std::uint32_t filter_cycles_left_ = 0;
     bool filtering_ = false;
+    QuadObserver* observer_ = nullptr;
 };
 
 } // namespace ffgpu::timing

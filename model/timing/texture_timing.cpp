@@ -16,6 +16,11 @@ TextureTiming::TextureTiming(sc_core::sc_module_name name,
         pipes_.emplace_back(config, ports.caches[i % ports.caches.size()]->cache);
 }
 
+void TextureTiming::set_observer(QuadObserver* observer) {
+    for (TexturePipe& pipe : pipes_)
+        pipe.set_observer(observer);
+}
+
 bool TextureTiming::can_distribute() const {
     return ports_.quads_in.can_pop() &&
            pipes_[fragment_pipe(config_, ports_.quads_in.front())].can_take();
@@ -41,7 +46,7 @@ Activity TextureTiming::step() {
     for (std::size_t i = 0; i < pipes_.size(); ++i) {
         const std::size_t pipe = turn(first_ + i, pipes_.size());
         worked |= pipes_[pipe].filter(exit_, pipe, now(), reason);
-        worked |= pipes_[pipe].compare_tags(statistics_, reason);
+        worked |= pipes_[pipe].compare_tags(statistics_, now(), reason);
     }
     worked |= exit_.advance();
     if (!worked) return reason;

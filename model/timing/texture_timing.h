@@ -27,6 +27,7 @@ public:
                   const Ports& ports);
 
     const TextureStatistics& statistics() const { return statistics_; }
+    void set_observer(QuadObserver* observer);
 
 private:
     Activity step() override;

@@ -79,6 +79,9 @@ public:
     // None yet: no bytes.
     PlacedLevel shown();
 
+    // Where the textures and surfaces of the commands so far lie.
+    AddressMap& addresses() { return addresses_; }
+
 private:
     void note_shown(const WorkDraw& draw);
     bool is_tile_based() const { return config_.raster.architecture == Architecture::TileBased; }

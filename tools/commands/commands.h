@@ -20,6 +20,7 @@ void add_compare_command(CLI::App& application, Run& run);
 void add_config_command(CLI::App& application, Run& run);
 void add_info_command(CLI::App& application, Run& run);
 void add_dump_command(CLI::App& application, Run& run);
+void add_explain_command(CLI::App& application, Run& run);
 void add_completion_command(CLI::App& application, Run& run);
 void add_manual_command(CLI::App& application, Run& run);
 void add_presets_command(CLI::App& application, Run& run);

@@ -19,7 +19,8 @@ public:
                    .report_errors = options.report_errors,
                    .keep_last_frame = options.keep_last,
                    .samples = options.samples,
-                   .swap = options.swap}) {}
+                   .swap = options.swap,
+                   .on_call = pass_on(options)}) {}
 
     std::optional<Frame> next() override {
         const std::uint64_t before = player_.calls_played();
@@ -28,9 +29,17 @@ public:
         return Frame{shown->number, shown->picture, player_.calls_played() - before};
     }
 
+    bool has_calls() const override { return true; }
+
     bool repeat_last() override { return player_.repeat_last_frame(); }
 
 private:
+    static std::function<void(const trace::Call&)> pass_on(const FrameSourceOptions& options) {
+        if (!options.on_call) return {};
+        return
+            [tell = options.on_call](const trace::Call& call) { tell(call.number(), call.name()); };
+    }
+
     trace::TraceReader reader_;
     trace::TracePlayer player_;
 };

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace ffgpu::tools {
 
@@ -28,6 +29,9 @@ public:
     // Plays up to the end of the next frame; nothing at the end. Throws InputError.
     virtual std::optional<Frame> next() = 0;
 
+    // Of a trace: there are calls.
+    virtual bool has_calls() const { return false; }
+
     // Plays the last frame's calls again, as often as wanted; false where that cannot be done.
     virtual bool repeat_last() { return false; }
 };
@@ -38,6 +42,8 @@ struct FrameSourceOptions {
     bool keep_last = false;     // repeat_last() will be called.
     unsigned samples = 1;       // of a pixel of a trace's windows
     gl::SwapMode swap = gl::SwapMode::Copy;
+    // Before each call of a trace is played.
+    std::function<void(std::uint64_t number, std::string_view name)> on_call{};
 };
 
 // Tells by its first bytes what the file is. Throws InputError.

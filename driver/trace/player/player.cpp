@@ -96,6 +96,8 @@ bool TracePlayer::repeat_last_frame() {
 }
 
 void TracePlayer::play(Call& call) {
+    if (options_.on_call) [[unlikely]]
+        options_.on_call(call);
     const Action& action = action_of(call.signature());
     switch (action.kind) {
     case Action::Kind::Unknown:

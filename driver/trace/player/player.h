@@ -41,6 +41,8 @@ public:
         unsigned samples = 1;
         // What a swap does to a window's back buffer.
         gl::SwapMode swap = gl::SwapMode::Copy;
+        // Is told of each call before it is played; null: nobody is.
+        std::function<void(const Call& call)> on_call{};
     };
 
     TracePlayer(Device& device, TraceReader& trace, Options options);

@@ -1,0 +1,42 @@
+// QuadObserver: is told what the machine in time does for single quads. It never changes a cycle.
+
+#pragma once
+
+#include "model/timing/tokens.h"
+
+#include <compare>
+#include <cstdint>
+
+namespace ffgpu::timing {
+
+// A quad, or a fragment of one where the machine's granularity is a fragment: of equal names.
+struct QuadName {
+    std::uint32_t draw = 0; // PrimitiveKey::draw
+    std::uint32_t primitive = 0;
+    std::uint32_t piece = 0;
+    std::uint16_t x = 0, y = 0; // window pixel of lane 0
+
+    auto operator<=>(const QuadName&) const = default;
+};
+
+inline QuadName name_of(const QuadToken& token) {
+    const PreparedQuad& quad = token.quad();
+    return {token.draw().number, quad.primitive, quad.piece, quad.x, quad.y};
+}
+
+// A look-up in the texel cache that the quad sees.
+struct TexelLine {
+    std::uint64_t number = 0; // as work/texel_line.h has it
+    bool missed = false;
+    std::uint64_t cycle = 0; // since the machine's start
+};
+
+class QuadObserver {
+public:
+    virtual ~QuadObserver() = default;
+    virtual void texel_line(const QuadName&, const TexelLine&) {}
+    // Its last fragments were written.
+    virtual void retired(const QuadName&, std::uint64_t /*cycle*/) {}
+};
+
+} // namespace ffgpu::timing
