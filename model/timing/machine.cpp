@@ -14,15 +14,16 @@ CacheConfig vertex_cache(const VertexConfig& config) {
     cache.sets = config.cache_sets;
     cache.ways = config.cache_ways;
     cache.line_bytes = config.line_bytes;
+    cache.outstanding_lines = config.outstanding_lines;
+    static_cast<CacheQueuesConfig&>(cache) = config;
     return cache;
 }
 
 // Fully associative; a cache that is not used has a line, too.
 CacheConfig index_cache(const VertexConfig& config) {
-    CacheConfig cache;
+    CacheConfig cache = vertex_cache(config);
     cache.sets = 1;
     cache.ways = std::max(config.index_cache_lines, 1u);
-    cache.line_bytes = config.line_bytes;
     return cache;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/base/parameters.h"
+#include "model/timing/cache_traffic_config.h"
 
 #include <array>
 #include <cstdint>
@@ -15,11 +16,13 @@ namespace ffgpu::timing {
 enum class ReusePolicy : std::uint8_t { Fifo, Lru };
 inline constexpr std::array<std::string_view, 2> ReusePolicyNames{"fifo", "lru"};
 
-struct VertexConfig {
+// The queues are those of the caches of vertices and of indices, each.
+struct VertexConfig : CacheQueuesConfig {
     static constexpr std::string_view Name = "vertex";
     std::uint32_t cache_sets = 16;
     std::uint32_t cache_ways = 4;
     std::uint32_t line_bytes = 64;
+    std::uint32_t outstanding_lines = 64;
     std::uint32_t index_cache_lines = 4;
     std::uint32_t index_queue = 64;
     std::uint32_t fetch_queue = 16;
@@ -52,6 +55,13 @@ struct VertexConfig {
                .maximum = 512,
                .power_of_two = true,
                .meaning = "line of the vertex fetch cache, and of indices"});
+        field("outstanding_lines",
+              self.outstanding_lines,
+              {.unit = "lines",
+               .minimum = 1,
+               .maximum = 65536,
+               .meaning = "fills of a cache of vertices or indices under way at once"});
+        CacheQueuesConfig::visit(self, field);
         field("index_cache_lines",
               self.index_cache_lines,
               {.unit = "lines",
