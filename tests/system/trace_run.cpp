@@ -1,6 +1,7 @@
 #include "tests/system/trace_run.h"
 
 #include "model/device/command_reader.h"
+#include "model/device/primitive_vertices.h"
 #include "model/gpu/functional_gpu.h"
 #include "model/timing/gpu_timing.h"
 #include "model/work/command_assembler.h"
@@ -19,22 +20,6 @@ namespace ffgpu::tools {
 namespace {
 
 namespace fs = std::filesystem;
-
-// How many vertices a primitive takes from the list; 0: primitives hang together.
-unsigned vertices_each(PrimitiveType type) {
-    switch (type) {
-    case PrimitiveType::Points:
-        return 1;
-    case PrimitiveType::Lines:
-        return 2;
-    case PrimitiveType::Triangles:
-        return 3;
-    case PrimitiveType::Quads:
-        return 4;
-    default:
-        return 0;
-    }
-}
 
 // Passes commands on one by one, and finishes each.
 class RegroupingDevice : public Device {
@@ -79,8 +64,9 @@ private:
     }
 
     void draw_halves(DrawCommand command) {
-        const unsigned each = vertices_each(command.primitive);
-        if (each == 0 || command.count < 2 * each || command.output == DrawOutput::Feedback)
+        const unsigned each = vertices_of_one(command.primitive);
+        if (!is_independent(command.primitive) || command.count < 2 * each ||
+            command.output == DrawOutput::Feedback)
             return draw(command);
         const std::uint32_t count = command.count;
         command.count = count / each / 2 * each;

@@ -4,6 +4,7 @@
 #include "tests/timing/analytic_scenes.h"
 #include "tests/timing/machine_figures.h"
 
+#include <cmath>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -37,6 +38,28 @@ TEST_CASE("a trilinear picture at level f reads 1.25 * 4^f unique texels a fragm
         INFO("level " << level);
         CHECK(miss_percent(run(config, uniform_level_scene(512, level))) ==
               Approx(percent).epsilon(0.02));
+    }
+}
+
+TEST_CASE(
+    "the texels that a trilinear picture reads first are 1.25 * 4^f a fragment, in quads or not") {
+    constexpr unsigned TexelsOfLine = 4;
+    // The picture's edges, where half a line's texels are read, are a smaller part of a large one.
+    for (const auto& [level, size] : {std::pair{0.001, 1024u}, {0.5, 512u}, {0.999, 512u}}) {
+        for (const work::Granularity granularity :
+             {work::Granularity::Quad, work::Granularity::Fragment}) {
+            TimingConfig config;
+            config.raster.granularity = granularity;
+            config.texel_cache.line_bytes = 4 * TexelsOfLine;
+            config.texel_cache.block_width = 2;
+            config.texel_cache.sets = 4096;
+            config.texel_cache.ways = 16; // 1 MB
+            INFO("level " << level << ", granularity " << static_cast<int>(granularity));
+            const Figures figures = run(config, uniform_level_scene(size, level));
+            const double first_reads =
+                TexelsOfLine * static_cast<double>(figures.at("texel_cache_compulsory_misses"));
+            CHECK(first_reads / (size * size) == Approx(1.25 * std::pow(4, level)).epsilon(0.01));
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 #include "tools/explain/history_collector.h"
 
 #include "model/base/check.h"
+#include "model/device/primitive_vertices.h"
 #include "model/memory/pixel_format.h"
 #include "model/raster/setup_record.h"
 
@@ -11,22 +12,6 @@
 
 namespace ffgpu::tools {
 namespace {
-
-// Vertices that a primitive takes from the list; 0: primitives hang together.
-unsigned vertices_each(PrimitiveType type) {
-    switch (type) {
-    case PrimitiveType::Points:
-        return 1;
-    case PrimitiveType::Lines:
-        return 2;
-    case PrimitiveType::Triangles:
-        return 3;
-    case PrimitiveType::Quads:
-        return 4;
-    default:
-        return 0;
-    }
-}
 
 PrimitiveNote noted(const Primitive& primitive) {
     PrimitiveNote note{primitive.shape, primitive.front_facing, {}};
@@ -116,9 +101,10 @@ CallName HistoryCollector::call_of(std::uint32_t draw, std::uint32_t primitive) 
     const TapeStep& step = *draws_.at(draw).what;
     if (!step.vertices) return step.call;
     const auto command = step.as<DrawCommand>();
-    const unsigned each = vertices_each(command.primitive);
-    const std::uint32_t last =
-        command.first + (each == 0 ? command.count : each * (primitive + 1)) - 1;
+    const std::uint32_t end = is_independent(command.primitive)
+                                  ? vertices_of_one(command.primitive) * (primitive + 1)
+                                  : command.count;
+    const std::uint32_t last = command.first + end - 1;
     const CallName* const call = step.vertices->call_of(last);
     return call ? *call : step.call;
 }
