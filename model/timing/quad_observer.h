@@ -16,6 +16,7 @@ struct QuadName {
     std::uint32_t piece = 0;
     std::uint16_t x = 0, y = 0; // window pixel of lane 0
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14.
     auto operator<=>(const QuadName&) const = default;
 };
 

@@ -15,6 +15,7 @@ namespace ffgpu::tools {
 struct TexelName {
     unsigned level = 0, layer = 0, y = 0, x = 0; // as in TexelAccess
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14.
     auto operator<=>(const TexelName&) const = default;
 };
 
