@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <string_view>
@@ -239,21 +240,23 @@ std::string layer_of(std::string_view path) {
 
 bool is_source(const fs::path& path) {
     const std::string type = path.extension().string();
-    return type == ".h" || type == ".cpp" || type == ".inc" || type == ".inl";
+    static const std::set<std::string> types{
+        ".h", ".hpp", ".cpp", ".cc", ".c", ".inc", ".inl", ".def"};
+    return types.contains(type);
 }
 
 // Calls visitor(path of the file, path that it includes), both from the root.
 template <class Visitor>
 void for_each_include(const fs::path& root, const std::string& folder, Visitor&& visitor) {
-    constexpr std::string_view Directive = "#include \"";
+    const std::regex directive(R"(\s*#\s*include\s*["<]([^">]*)[">].*)");
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
         if (!is_source(entry.path())) continue;
         const std::string path = fs::relative(entry.path(), root).string();
         std::ifstream file(entry.path());
         for (std::string line; std::getline(file, line);) {
-            if (!line.starts_with(Directive)) continue;
-            const std::string target = line.substr(Directive.size());
-            visitor(path, target.substr(0, target.find('"')));
+            std::smatch target;
+            if (line.find('#') != std::string::npos && std::regex_match(line, target, directive))
+                visitor(path, target[1].str());
         }
     }
 }

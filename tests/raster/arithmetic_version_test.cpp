@@ -4,6 +4,7 @@
 
 #include "model/raster/attribute_setup.h"
 #include "model/raster/interpolator.h"
+#include "model/raster/sample_coverage.h"
 #include "model/texture/texture_unit.h"
 #include "tests/raster/raster_helpers.h"
 #include "tests/support/seal.h"
@@ -96,10 +97,145 @@ std::string seal_of_this_build() {
     return seal.text();
 }
 
+std::string seal_of_coverage() {
+    Random random(3);
+    Seal seal;
+    RecordBuffer buffer;
+    auto centres = std::make_unique<TileCoverage>();
+    auto samples = std::make_unique<TileSampleCoverage>();
+    SetupContext sampled = context();
+    sampled.multisample = true;
+    const auto near = [&] {
+        const int x = random.between(-2000, 18000), y = random.between(-2000, 18000);
+        return random.below(2) ? vertex(x, y) : vertex(x & ~127, y & ~127); // ties
+    };
+    for (unsigned n = 0; n < 400; ++n) {
+        const WindowVertex a = near(), b = near(), c = near();
+        const Rectangle tile{0, 0, 64, 64};
+        if (buffer.triangle(context(), a, b, c)) {
+            cover_tile_scalar(edge_set(buffer.record()), tile, *centres);
+            for_each_pixel(*centres, [&](int x, int y) {
+                seal.add(static_cast<std::uint64_t>(x) << 32 | static_cast<std::uint32_t>(y));
+            });
+        }
+        if (!buffer.triangle(sampled, a, b, c)) continue;
+        cover_tile_samples_scalar(buffer.record(), tile, *samples);
+        for (unsigned i = 0; i < samples->count; ++i)
+            for (const BlockMask mask : samples->blocks[i].masks)
+                seal.add(mask);
+    }
+    return seal.text();
+}
+
+// One batch of coordinates that vary from 1/8 to 8 texels a pixel.
+void seal_texture(Random& random, const TextureShape& shape, const Sampler& sampler, Seal& seal) {
+    std::vector<std::byte> texels(texture_bytes(shape) + 64);
+    for (std::byte& byte : texels)
+        byte = static_cast<std::byte>(random.below(256));
+    const float size = shape.kind == TextureKind::Rectangle ? 16.0f : 1.0f;
+    const float step = size / 128 * static_cast<float>(1 << random.below(7));
+    auto planes = std::make_unique<TexCoordPlanes>();
+    for (unsigned q = 0; q < BatchQuads; ++q) {
+        const float s = (random.unit() * 3 - 1) * size, t = (random.unit() * 3 - 1) * size;
+        const float r = random.unit() * 2 - 0.5f;
+        for (unsigned i = 0; i < 4; ++i) {
+            planes->s[4 * q + i] = s + step * static_cast<float>(i & 1);
+            planes->t[4 * q + i] = t + step * static_cast<float>(i >> 1);
+            planes->r[4 * q + i] = r;
+        }
+    }
+    FragmentMask all;
+    for (unsigned lane = 0; lane < BatchFragments; ++lane)
+        all.set(lane);
+    auto out = std::make_unique<ColorPlanes>();
+    const TextureUnit unit = compile_texture_unit({shape, 0}, sampler, texels);
+    sample_scalar(unit, *planes, {BatchQuads, all, all}, *out, nullptr);
+    for (const auto* plane : {&out->r, &out->g, &out->b, &out->a})
+        for (const std::uint16_t value : *plane)
+            seal.add(std::uint64_t{value});
+}
+
+Sampler sealed_sampler(Random& random) {
+    Sampler sampler;
+    sampler.wrap.fill(static_cast<Wrap>(random.below(8)));
+    sampler.magnify_linear = random.below(2) != 0;
+    sampler.minify_linear = random.below(2) != 0;
+    sampler.mip_filter = static_cast<MipFilter>(random.below(3));
+    sampler.bias = static_cast<std::int16_t>(random.below(1024) - 512);
+    sampler.min_lod = static_cast<std::int16_t>(random.below(512));
+    sampler.border_color = 0x80c040ff;
+    return sampler;
+}
+
+std::string seal_of_formats() {
+    Random random(4);
+    Seal seal;
+    for (unsigned format = 1; format <= static_cast<unsigned>(Format::Fxt1Rgba); ++format)
+        for (unsigned n = 0; n < 20; ++n)
+            seal_texture(random,
+                         {TextureKind::TwoD, static_cast<Format>(format), 16, 16, 1, 5, 0},
+                         sealed_sampler(random),
+                         seal);
+    return seal.text();
+}
+
+std::string seal_of_kinds() {
+    Random random(5);
+    Seal seal;
+    for (unsigned n = 0; n < 40; ++n) {
+        const auto add = [&](TextureKind kind, std::uint32_t height, std::uint32_t depth) {
+            const std::uint8_t levels = kind == TextureKind::Rectangle ? 1 : 5;
+            Sampler sampler = sealed_sampler(random);
+            if (kind == TextureKind::Rectangle) {
+                sampler.wrap.fill(Wrap::ClampToEdge);
+                sampler.mip_filter = MipFilter::None;
+            }
+            seal_texture(
+                random, {kind, Format::Rgba8, 16, height, depth, levels, 0}, sampler, seal);
+        };
+        add(TextureKind::OneD, 1, 1);
+        add(TextureKind::ThreeD, 16, 16);
+        add(TextureKind::Cube, 16, 1);
+        add(TextureKind::Rectangle, 16, 1);
+    }
+    return seal.text();
+}
+
+std::string seal_of_depth_textures() {
+    Random random(6);
+    Seal seal;
+    for (const Format format : {Format::Depth16, Format::Depth24Stencil8})
+        for (unsigned n = 0; n < 64; ++n) {
+            Sampler sampler = sealed_sampler(random);
+            sampler.compare_enable = n % 4 != 0;
+            sampler.compare = static_cast<Compare>(n % 8);
+            sampler.depth_mode = static_cast<DepthMode>(n % 3);
+            sampler.border_depth = 0x800000;
+            seal_texture(random, {TextureKind::TwoD, format, 16, 16, 1, 5, 0}, sampler, seal);
+        }
+    return seal.text();
+}
+
 } // namespace
 
 TEST_CASE("the frozen arithmetic gives the results that its version is sealed with") {
     const std::string seal = "Arithmetic 2, sealed " + seal_of_this_build();
     INFO("this build: " << seal);
     CHECK(arithmetic_page().find(seal) != std::string::npos);
+}
+
+TEST_CASE("coverage and texels of every kind give the results that their version is sealed with") {
+    const std::string page = arithmetic_page();
+    const struct {
+        const char* part;
+        std::string seal;
+    } parts[] = {{"coverage by centres and samples", seal_of_coverage()},
+                 {"texels by format", seal_of_formats()},
+                 {"kinds of texture and cube faces", seal_of_kinds()},
+                 {"depth textures and their comparison", seal_of_depth_textures()}};
+    for (const auto& [part, seal] : parts) {
+        const std::string row = std::string("| ") + part + " | `" + seal + "` |";
+        INFO("this build: " << row);
+        CHECK(page.find(row) != std::string::npos);
+    }
 }
