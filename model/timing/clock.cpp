@@ -92,6 +92,7 @@ std::uint64_t Clock::take_due() {
 void Clock::walk() {
     for (std::uint64_t due = take_due(); due != 0; due &= due - 1)
         units_[static_cast<std::size_t>(std::countr_zero(due))]->run_cycle();
+    if (on_walked_) on_walked_();
 }
 
 } // namespace ffgpu::timing

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <systemc>
+#include <utility>
 #include <vector>
 
 namespace ffgpu::timing {
@@ -43,6 +44,9 @@ public:
           std::function<bool()> must_wait,
           Pace pace = Pace::Lockstep);
 
+    // Called at the end of each cycle in which a unit was due.
+    void set_on_walked(std::function<void()> on_walked) { on_walked_ = std::move(on_walked); }
+
     // Decoupled only where every process that takes part is a unit of this clock.
     void set_pace(Pace pace) { pace_ = pace; }
 
@@ -74,6 +78,7 @@ private:
     Cycle next_due();
 
     std::function<bool()> must_wait_;
+    std::function<void()> on_walked_;
     Pace pace_;
     sc_core::sc_event edge_;
     sc_core::sc_event resume_;

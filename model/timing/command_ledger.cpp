@@ -2,11 +2,13 @@
 
 #include "model/base/check.h"
 
+#include <utility>
+
 namespace ffgpu::timing {
 
 std::size_t CommandLedger::open(CommandKind kind, std::uint32_t number, std::uint64_t parts) {
     check(parts > 0, "a command without an end");
-    entries_.push_back({{kind, number, 0}, parts});
+    entries_.push_back({{.kind = kind, .number = number}, parts});
     return entries_.size() - 1;
 }
 
@@ -51,10 +53,18 @@ void CommandLedger::end_part(std::size_t entry, std::uint64_t now) {
     count(entries_[entry]);
 }
 
+void CommandLedger::explain_charge(std::uint64_t now) {
+    if (cycle_ != now || charged_ == None) return;
+    WaitedCycles& waited = entries_[charged_].listed.waited;
+    for (std::size_t i = 0; i < Resources; ++i)
+        waited[i] += std::exchange(waited_[i], 0);
+}
+
 std::vector<CommandCycles> CommandLedger::end_frame(std::uint64_t now) {
     check(oldest_ == entries_.size(), "a frame ends with its commands");
-    Entry& end = entries_.emplace_back(Entry{{CommandKind::FrameEnd, 0, 0}, 0});
+    Entry& end = entries_.emplace_back(Entry{{.kind = CommandKind::FrameEnd}, 0});
     end.listed.cycles = now - charged_until_;
+    end.listed.waited = std::exchange(waited_, {});
     charged_until_ = now;
     std::vector<CommandCycles> listed;
     for (const Entry& entry : entries_)

@@ -11,7 +11,9 @@
 #pragma once
 
 #include "model/packets/work_stream.h"
+#include "model/timing/resource.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -50,6 +52,16 @@ struct CommandCycles {
     CommandKind kind = CommandKind::Draw;
     std::uint32_t number = 0; // WorkDraw::number; of a host transfer: of the draw that it precedes
     std::uint64_t cycles = 0;
+    WaitedCycles waited{}; // whose sum they are
+
+    // What it waited for most; of two the first.
+    Resource bottleneck() const {
+        return static_cast<Resource>(std::max_element(waited.begin(), waited.end()) -
+                                     waited.begin());
+    }
+    std::uint64_t bottleneck_cycles() const {
+        return waited[static_cast<std::size_t>(bottleneck())];
+    }
 };
 
 class CommandLedger {
@@ -59,6 +71,13 @@ public:
 
     void retire(std::size_t entry, std::uint64_t now);   // A part that is charged for the time.
     void end_part(std::size_t entry, std::uint64_t now); // Any other part.
+
+    // What the cycles since the last charge were waited for. At the end of a cycle, when it is sure
+    // whom it is charged to, they become the command's.
+    void waited(Resource resource, std::uint64_t cycles) {
+        waited_[static_cast<std::size_t>(resource)] += cycles;
+    }
+    void explain_charge(std::uint64_t now);
 
     // All commands have ended: their cycles, whose sum is that of the cycles since the last call.
     std::vector<CommandCycles> end_frame(std::uint64_t now);
@@ -78,6 +97,7 @@ private:
     std::vector<Entry> entries_; // of the frame, in the order of the commands
     std::size_t oldest_ = 0;     // that is under way
     std::uint64_t charged_until_ = 0;
+    WaitedCycles waited_{}; // since then
     // Of the cycle of the last call:
     std::uint64_t cycle_ = 0;
     std::size_t oldest_before_ = 0; // oldest_ when it began

@@ -7,6 +7,7 @@
 #include "model/timing/fragment_pipes.h"
 #include "model/timing/unit.h"
 
+#include <algorithm>
 #include <deque>
 #include <vector>
 
@@ -37,6 +38,12 @@ private:
 
     Activity step() override;
     bool may_sleep() const override { return !can_distribute(); }
+    bool has_backlog() const override {
+        return Unit::has_backlog() ||
+               std::any_of(pipes_.begin(), pipes_.end(), [](const Pipe& pipe) {
+                   return !pipe.waiting.empty();
+               });
+    }
     bool can_distribute() const;
     void distribute();
     Activity step(std::size_t number);

@@ -151,9 +151,16 @@ Machine::Machine(const SimulationContext& kernel,
                {.requests_out = screen_requests, .responses_in = screen_responses})
     , arbiter("arbiter", clock, config.memory, memory_ports(), memory_in_flight)
     , memory(make_memory ? make_memory(clock, config.memory)
-                         : std::make_unique<MemoryController>("memory", clock, config.memory)) {
+                         : std::make_unique<MemoryController>("memory", clock, config.memory))
+    , bottlenecks(clock,
+                  ledger,
+                  {.stages = stages(),
+                   .arbiter = arbiter,
+                   .memory = *memory,
+                   .second_level = texel_caches.unit()}) {
     connect_links();
     attach_units(evaluation.order);
+    clock.set_on_walked([this] { bottlenecks.end_cycle(); });
     // A memory whose processes are its own sees each cycle.
     if (!memory->unit() && evaluation.pace == Pace::Decoupled) clock.set_pace(Pace::Lockstep);
 }
@@ -246,6 +253,7 @@ void Machine::run() {
 void Machine::finish_frame(std::uint32_t number) {
     for (Unit* unit : units())
         unit->settle();
+    bottlenecks.settle();
     memory->settle();
     texel_caches.settle();
     frame_statistics.cycles += clock.now() - frame_statistics.cycles.value();
@@ -277,6 +285,30 @@ std::vector<Unit*> Machine::units() {
     }
     if (Unit* unit = memory->unit()) all.push_back(unit);
     return all;
+}
+
+// The way of the work: what each waits for is behind it, or the memory.
+std::vector<Stage> Machine::stages() {
+    std::vector<Stage> stages{
+        {Resource::Host, &host, {Client::Host}},
+        {Resource::CommandProcessor,
+         &command_processor,
+         {Client::Command, Client::Color, Client::Depth}},
+        {Resource::VertexFetch, &vertex_fetch, {Client::Vertex, Client::Index}},
+        {Resource::Geometry, &geometry, {}},
+        {Resource::Clip, &clip, {}},
+        {Resource::Setup, &setup, {}},
+        {Resource::Raster, &raster, {}},
+        {Resource::Depth, &depth, {Client::Depth}, &raster_to_depth},
+        {Resource::Texture, &texture, {Client::Texture}},
+        {Resource::Fragment, &fragment, {}},
+        {Resource::Depth, &depth, {Client::Depth}, &fragment_to_depth},
+        {Resource::Color, &color, {Client::Color}}};
+    if (tiles) {
+        const std::vector<Stage> more = tiles->stages();
+        stages.insert(stages.begin() + 6, more.begin(), more.end()); // behind set-up
+    }
+    return stages;
 }
 
 // In the order of the pipe, or shuffled by a linear congruential generator.
@@ -331,6 +363,7 @@ std::vector<const StatisticsGroup*> Machine::statistics() {
     std::vector<const StatisticsGroup*> groups{&frame_statistics};
     for (Unit* unit : units())
         groups.push_back(&unit->account());
+    groups.push_back(&bottlenecks.statistics());
     groups.push_back(&host.statistics());
     groups.push_back(&vertex_fetch.statistics());
     groups.push_back(&clip.statistics());

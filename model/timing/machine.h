@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "model/timing/bottlenecks.h"
 #include "model/timing/cache_port.h"
 #include "model/timing/clip_timing.h"
 #include "model/timing/color_timing.h"
@@ -98,6 +99,7 @@ public:
     ScanOut scan_out;
     MemoryArbiter arbiter;
     std::unique_ptr<MemoryModule> memory;
+    Bottlenecks bottlenecks;
 
     std::vector<HostWrite> host_writes; // since the last scene
     FrameStatistics frame_statistics;
@@ -112,6 +114,7 @@ public:
 
 private:
     void attach_units(std::uint32_t seed);
+    std::vector<Stage> stages();
     bool must_wait();
     void check_progress();
     void connect_links();

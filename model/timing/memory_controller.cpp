@@ -49,18 +49,51 @@ tlm::tlm_sync_enum MemoryController::on_forward(tlm::tlm_generic_payload& payloa
         wake();
         return tlm::TLM_ACCEPTED;
     }
-    lane.arrivals->push(&payload);
+    send(lane, payload);
     phase = tlm::END_REQ;
     return tlm::TLM_UPDATED;
 }
 
+bool MemoryController::serves(Client client, bool write) const {
+    if (in_service_[write][static_cast<std::size_t>(client)] > 0) return true;
+    // Whatever is behind one that found no room waits, too.
+    return std::any_of(lanes_.begin(), lanes_.end(), [&](const Lane& lane) {
+        return lane.arrivals->can_pop() &&
+               std::any_of(lane.arriving.begin(), lane.arriving.end(), [&](const Arrival& arrival) {
+                   return arrival.client == client && arrival.write == write;
+               });
+    });
+}
+
+void MemoryController::send(Lane& lane, tlm::tlm_generic_payload& payload) {
+    const MemoryRequest& request = payload.get_extension<RequestTag>()->request;
+    lane.arriving.push_back({request.client, request.write});
+    lane.arrivals->push(&payload);
+}
+
+void MemoryController::start(Lane& lane, MemoryCycle at) {
+    const DramRequest request = to_dram(config_, *lane.arrivals->pop());
+    lane.arriving.pop_front();
+    ++in_service_[request.write][request.client];
+    lane.dram->push(request, at);
+}
+
+void MemoryController::finish(Lane& lane) {
+    const Cycle back = config_.latency - config_.latency / 2;
+    const DramRequest& request = lane.dram->served().front().request;
+    --in_service_[request.write][request.client];
+    lane.responses.push_back(
+        {now() + back, static_cast<tlm::tlm_generic_payload*>(request.payload)});
+    lane.dram->served().pop_front();
+}
+
 void MemoryController::accept_arrivals(Lane& lane, MemoryCycle at) {
     while (lane.arrivals->can_pop() && lane.dram->has_room())
-        lane.dram->push(to_dram(config_, *lane.arrivals->pop()), at);
+        start(lane, at);
     if (lane.refused && lane.arrivals->can_push()) {
         tlm::tlm_generic_payload& payload = *lane.refused;
         lane.refused = nullptr;
-        lane.arrivals->push(&payload);
+        send(lane, payload);
         tlm::tlm_phase phase = tlm::END_REQ;
         sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
         socket_->nb_transport_bw(payload, phase, delay);
@@ -80,15 +113,13 @@ void MemoryController::deliver(Lane& lane) {
 
 void MemoryController::step(Lane& lane) {
     const MemoryCycle begin = memory_time(now() - 1), end = memory_time(now());
-    const Cycle back = config_.latency - config_.latency / 2;
     lane.dram->advance(begin); // What went by while asleep: refreshes.
     accept_arrivals(lane, begin);
     lane.dram->advance(end);
     std::deque<ServedRequest>& served = lane.dram->served();
     lane.moves = !served.empty() && served.front().data.begin < end;
-    for (; !served.empty() && served.front().data.end <= end; served.pop_front())
-        lane.responses.push_back(
-            {now() + back, static_cast<tlm::tlm_generic_payload*>(served.front().request.payload)});
+    while (!served.empty() && served.front().data.end <= end)
+        finish(lane);
     lane.waits = lane.dram->has_waiting() || !served.empty() || lane.arrivals->can_pop();
     deliver(lane);
     lane.due = next_work(lane);

@@ -11,6 +11,7 @@
 #include "model/timing/memory_payload.h"
 #include "model/timing/memory_statistics.h"
 
+#include <array>
 #include <deque>
 #include <memory>
 #include <vector>
@@ -30,6 +31,7 @@ public:
     Unit* unit() override { return this; }
     // The queues' producer, so that a freed place wakes it.
     void connect(Unit& arbiter) override;
+    bool serves(Client client, bool write) const override;
     void settle() override;
     std::vector<const StatisticsGroup*> statistics() const override { return {&statistics_}; }
 
@@ -38,8 +40,14 @@ private:
         Cycle at = 0;
         tlm::tlm_generic_payload* payload = nullptr;
     };
+    // A request on its way to the DRAM.
+    struct Arrival {
+        Client client = Client::Command;
+        bool write = false;
+    };
     struct Lane {
         std::unique_ptr<Channel<tlm::tlm_generic_payload*>> arrivals;
+        std::deque<Arrival> arriving;                // what is in the channel
         tlm::tlm_generic_payload* refused = nullptr; // BEGIN_REQ that found no place
         std::unique_ptr<DramChannel> dram;
         std::deque<Response> responses; // in the order of their data
@@ -58,6 +66,9 @@ private:
     Cycle next_work(const Lane& lane) const;
     tlm::tlm_sync_enum
     on_forward(tlm::tlm_generic_payload& payload, tlm::tlm_phase& phase, sc_core::sc_time& delay);
+    void send(Lane& lane, tlm::tlm_generic_payload& payload);
+    void start(Lane& lane, MemoryCycle at);
+    void finish(Lane& lane);
     void accept_arrivals(Lane& lane, MemoryCycle at);
     void deliver(Lane& lane);
     // Memory cycles that are over when core cycle `now` is.
@@ -75,6 +86,8 @@ private:
     tlm_utils::simple_target_socket<MemoryController> socket_{"socket"};
     DramStatistics statistics_;
     std::vector<Lane> lanes_;
+    // Requests of each client that the DRAM has: reads, and writes.
+    std::array<std::array<std::uint32_t, Clients>, 2> in_service_{};
 };
 
 } // namespace ffgpu::timing

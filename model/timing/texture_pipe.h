@@ -33,6 +33,9 @@ public:
     void take(const QuadToken& quad) { waiting_.push_back(quad); }
     void set_observer(QuadObserver* observer) { observer_ = observer; }
 
+    // Quads that wait for the tags, or with their texels for the filter.
+    bool has_backlog() const { return !waiting_.empty() || read_ > 1; }
+
     // Some cycles have to pass before a quad whose texels are there can be filtered.
     bool expands_texels() const {
         return config_.texel_cache.decompress_cycles > 0 && !parked_.empty() &&

@@ -54,6 +54,13 @@ Activity TextureTiming::step() {
     return Activity::Busy;
 }
 
+bool TextureTiming::has_backlog() const {
+    return Unit::has_backlog() ||
+           std::any_of(pipes_.begin(), pipes_.end(), [](const TexturePipe& pipe) {
+               return pipe.has_backlog();
+           });
+}
+
 bool TextureTiming::may_sleep() const {
     return !can_distribute() &&
            std::none_of(pipes_.begin(),

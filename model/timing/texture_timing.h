@@ -32,6 +32,7 @@ public:
 private:
     Activity step() override;
     bool may_sleep() const override;
+    bool has_backlog() const override;
     bool can_distribute() const;
     void distribute();
 

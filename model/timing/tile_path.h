@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "model/timing/bottlenecks.h"
 #include "model/timing/cache_port.h"
 #include "model/timing/memory_arbiter.h"
 #include "model/timing/parameter_fetch.h"
@@ -28,6 +29,11 @@ public:
     void connect(Unit& setup, Unit& raster, Unit& arbiter);
     void add_to(MemoryArbiter::Ports& arbiter);
     std::vector<Unit*> units() { return {&binner_, &fetch_, &memory_}; }
+    std::vector<Stage> stages() const {
+        return {{Resource::Binner, &binner_, {Client::Parameter}},
+                {Resource::ParameterFetch, &fetch_, {Client::Parameter}},
+                {Resource::TileMemory, &memory_, {Client::Color, Client::Depth}}};
+    }
     std::vector<const StatisticsGroup*> statistics() const {
         return {&binner_.statistics(), &memory_.statistics()};
     }

@@ -26,6 +26,14 @@ namespace ffgpu::timing {
 class Unit : public sc_core::sc_module {
 public:
     const Account& account() const { return account_; }
+    // What the last cycle was.
+    Activity activity() const { return last_; }
+    // At the end of a cycle: work that could have been begun in it was left over.
+    virtual bool has_backlog() const {
+        return std::any_of(inputs_.begin(), inputs_.end(), [this](const Link* input) {
+            return input->arrival() <= now();
+        });
+    }
 
     // Accounts all cycles up to and including the current one.
     void settle() { account_until(clock_.now()); }

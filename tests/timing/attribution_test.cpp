@@ -111,6 +111,9 @@ TEST_CASE("Draws without a retired quad, clears and copies are listed, and all c
         if (expected[i] != CommandKind::FrameEnd) CHECK(timed.commands[i].number == i);
     }
     CHECK(sum(timed) == timed.cycles);
+    for (const CommandCycles& command : timed.commands)
+        CHECK(std::accumulate(command.waited.begin(), command.waited.end(), std::uint64_t{0}) ==
+              command.cycles);
 }
 
 TEST_CASE("A clear's cycles are its own: a line a cycle, and the draw after it is not charged") {

@@ -12,6 +12,7 @@ namespace {
 struct Outcome {
     Figures figures;
     std::vector<std::uint64_t> cycles; // of each command
+    std::vector<WaitedCycles> waited;
 
     bool operator==(const Outcome&) const = default;
 };
@@ -24,8 +25,10 @@ Outcome run_frames(const TimingConfig& config,
     GpuTiming timing(config, evaluation);
     Outcome outcome;
     timing.set_on_frame([&](const FrameTiming& frame) {
-        for (const CommandCycles& command : frame.commands)
+        for (const CommandCycles& command : frame.commands) {
             outcome.cycles.push_back(command.cycles);
+            outcome.waited.push_back(command.waited);
+        }
     });
     RandomWork work(seed);
     for (const std::uint32_t frame : {0u, 1u}) {

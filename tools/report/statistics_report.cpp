@@ -115,7 +115,10 @@ void StatisticsReport::add(const work::FrameFigures& frame, const TimedFigures& 
             commands.push_back(
                 {{"kind", timing::CommandKindNames[static_cast<std::size_t>(command.kind)]},
                  {"draw", command.number},
-                 {"cycles", command.cycles}});
+                 {"cycles", command.cycles},
+                 {"bottleneck",
+                  timing::ResourceNames[static_cast<std::size_t>(command.bottleneck())]},
+                 {"bottleneck_cycles", command.bottleneck_cycles()}});
         json["milliseconds"] = content_->clock.milliseconds(timed.frame->cycles);
         json["commands"] = std::move(commands);
     }
