@@ -135,6 +135,16 @@ TEST_CASE("A clear's cycles are its own: a line a cycle, and the draw after it i
     CHECK(cleared.commands[0].cycles <= Lines + 2 + Lines / 20);
     // However much was cleared before it.
     CHECK(cleared.commands[1].cycles == twice.commands[2].cycles);
+    // Nor does it differ from one alone, but that it was on the bus before, and that its vertices
+    // are read behind the clear's last line.
+    Frame alone;
+    alone.draw(0);
+    const CommandCycles behind = cleared.commands[1], first = alone.run(fast).commands[0];
+    const auto host = static_cast<std::size_t>(Resource::Host);
+    const auto bandwidth = static_cast<std::size_t>(Resource::MemoryBandwidth);
+    CHECK(behind.waited[host] == 0);
+    CHECK(behind.waited[bandwidth] == first.waited[bandwidth] + 1);
+    CHECK(behind.cycles == first.cycles - first.waited[host] + 1);
 }
 
 } // namespace
