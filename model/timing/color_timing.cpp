@@ -39,10 +39,19 @@ bool ColorTiming::look_up(Activity& reason) {
             blame(reason, Activity::StalledRequests);
             return false;
         }
+        if (ports_.blocks && draw.has_values) follow_values(token, line);
         if (walk_.next < lines.size()) return true;
     }
     parked_.park(ports_.quads_in.pop(), walk_.end());
     return true;
+}
+
+void ColorTiming::follow_values(const QuadToken& token, std::uint64_t line) {
+    const PreparedDraw& draw = token.draw();
+    const QuadValues values = token.scene->work.values_of(token.quad());
+    for (std::size_t i = 0; i < draw.color_places.size(); ++i)
+        ports_.blocks->write(
+            draw.color_places[i], token.quad(), values.colors[draw.color_targets[i]], line);
 }
 
 bool ColorTiming::retire(Activity& reason) {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "model/timing/block_states.h"
 #include "model/timing/channel.h"
 #include "model/timing/in_flight.h"
 #include "model/timing/parked_quads.h"
@@ -18,6 +19,7 @@ public:
         Channel<QuadToken>& quads_in;
         Channel<std::uint64_t>& responses_in;
         LineCache& cache;
+        BlockStates* blocks; // null: values are not followed
     };
 
     // `on_retire` sees each quad that reaches the end, and the cycle.
@@ -32,6 +34,7 @@ private:
     Activity step() override;
     bool may_sleep() const override { return true; }
     bool look_up(Activity& reason);
+    void follow_values(const QuadToken& token, std::uint64_t line);
     bool retire(Activity& reason);
 
     const TimingConfig& config_;

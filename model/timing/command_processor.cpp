@@ -1,5 +1,6 @@
 #include "model/timing/command_processor.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ffgpu::timing {
@@ -22,6 +23,10 @@ CommandProcessor::CommandProcessor(sc_core::sc_module_name name,
 Activity CommandProcessor::step() {
     while (ports_.responses_in.can_pop())
         ports_.responses_in.pop(); // Data of copies and images: only their time matters.
+    if (state_cycles_left_ > 0) {
+        if (--state_cycles_left_ == 0 && requests_.empty()) end_transfer();
+        return Activity::Busy;
+    }
     if (!requests_.empty()) return move_line();
     if (!image_.empty()) return read_image();
     if (!ports_.commands_in.can_pop()) return Activity::Idle;
@@ -29,6 +34,9 @@ Activity CommandProcessor::step() {
     if (const auto* const token = std::get_if<DrawToken>(&command)) return draw(*token);
     if (!in_flight_.was_empty()) return Activity::StalledOutput;
     if (const auto* const end = std::get_if<DrainCommand>(&command)) return drain(*end);
+    if (const auto* const told = std::get_if<ContentCommand>(&command)) return take_content(**told);
+    if (const auto* const lines = std::get_if<HostAccessCommand>(&command))
+        return let_host_access(**lines);
     return begin(*std::get<std::shared_ptr<TransferCommand>>(command));
 }
 
@@ -61,11 +69,100 @@ Activity CommandProcessor::begin(TransferCommand& command) {
                              .bytes = line.bytes,
                              .write = true,
                              .client = line.depth ? Client::Depth : Client::Color});
-    for (const work::TransferLine& part : transfer.lines) {
-        LineCache& cache = part.depth ? ports_.depth_cache : ports_.color_cache;
-        part.write ? overwrite(cache, part.line) : read(cache, part.line.number);
+    if (transfer.kind == WorkKind::Clear) {
+        clear(transfer);
+    } else {
+        for (const work::TransferLine& part : transfer.lines)
+            part.write ? overwrite(part) : read(part);
     }
-    if (requests_.empty()) end_transfer();
+    if (requests_.empty() && state_cycles_left_ == 0) end_transfer();
+    return Activity::Busy;
+}
+
+void CommandProcessor::clear(const work::PreparedTransfer& transfer) {
+    for (BlockStates* const blocks : {ports_.depth_blocks, ports_.color_blocks})
+        if (blocks) blocks->begin_clear(transfer);
+    std::uint64_t states = 0;
+    for (const work::TransferLine& part : transfer.lines) {
+        if (clear_state(part)) {
+            ++states;
+        } else {
+            overwrite(part);
+        }
+    }
+    for (BlockStates* const blocks : {ports_.depth_blocks, ports_.color_blocks}) {
+        if (!blocks) continue;
+        blocks->end_clear(transfer);
+        state_cycles_left_ = std::max(state_cycles_left_, blocks->clear_cycles(states));
+    }
+}
+
+// A line whose state says it all is not written, and what the cache has of it is of no use.
+bool CommandProcessor::clear_state(const work::TransferLine& part) {
+    BlockStates* const blocks = blocks_of(part);
+    if (!blocks || !blocks->clear_fast(part)) return false;
+    cache_of(part).overwrite(part.line.number, LineAccess::Whole);
+    return true;
+}
+
+void CommandProcessor::read(const work::TransferLine& part) {
+    LineCache& cache = cache_of(part);
+    const BlockStates* const blocks = blocks_of(part);
+    const std::uint64_t number = part.line.number;
+    const std::uint32_t bytes = blocks ? blocks->stored_bytes(number) : cache.line_bytes();
+    if (bytes > 0) read(cache, number, bytes);
+}
+
+// Writes a line past the cache, which forgets it. Bytes of which only some bits are written are
+// read before. Where some of a line stays that does not lie in memory as it is, all of it is read
+// and written.
+void CommandProcessor::overwrite(const work::TransferLine& part) {
+    LineCache& cache = cache_of(part);
+    const work::WrittenLine& line = part.line;
+    write_back(cache, cache.overwrite(line.number, line.bytes.covered));
+    const bool whole = line.bytes.covered == cache.grain().all();
+    if (resolve(part, whole ? BlockStates::Change::Whole : BlockStates::Change::Part)) return;
+    if (line.bytes.touched != line.bytes.covered) read(cache, line.number, cache.line_bytes());
+    requests_.push_back({.address = line.number * cache.line_bytes(),
+                         .bytes = cache.moved_bytes(line.bytes.touched),
+                         .write = true,
+                         .client = Client::Command});
+}
+
+// The line lies in memory as it is from now on. True: it did not, and is written whole.
+bool CommandProcessor::resolve(const work::TransferLine& part, BlockStates::Change change) {
+    BlockStates* const blocks = blocks_of(part);
+    if (!blocks) return false;
+    const LineCache& cache = cache_of(part);
+    const std::uint64_t number = part.line.number;
+    const std::uint32_t bytes = blocks->stored_bytes(number);
+    if (!blocks->make_plain(number, change)) return false;
+    if (bytes > 0) read(cache, number, bytes);
+    requests_.push_back({.address = number * cache.line_bytes(),
+                         .bytes = cache.line_bytes(),
+                         .write = true,
+                         .client = Client::Command});
+    return true;
+}
+
+Activity CommandProcessor::take_content(const work::PreparedContent& content) {
+    BlockStates* const blocks = content.depth ? ports_.depth_blocks : ports_.color_blocks;
+    if (blocks) blocks->content(content);
+    ports_.commands_in.pop();
+    return Activity::Busy;
+}
+
+// The host sees memory as it is: its lines are written back and made plain.
+Activity CommandProcessor::let_host_access(const std::vector<work::TransferLine>& lines) {
+    for (const work::TransferLine& part : lines) {
+        BlockStates* const blocks = blocks_of(part);
+        if (!blocks) continue;
+        LineCache& cache = cache_of(part);
+        write_back(cache, cache.overwrite(part.line.number, 0));
+        resolve(part, BlockStates::Change::Part);
+        if (part.write) blocks->forget(part.line.number);
+    }
+    ports_.commands_in.pop();
     return Activity::Busy;
 }
 
@@ -91,35 +188,28 @@ Activity CommandProcessor::drain(const DrainCommand& drain) {
     return Activity::Busy;
 }
 
-void CommandProcessor::read(const LineCache& cache, std::uint64_t line) {
+void CommandProcessor::read(const LineCache& cache, std::uint64_t line, std::uint32_t bytes) {
     requests_.push_back({.address = line * cache.line_bytes(),
-                         .bytes = cache.line_bytes(),
+                         .bytes = bytes,
                          .write = false,
                          .client = Client::Command});
 }
 
 void CommandProcessor::write_back(const LineCache& cache, const LineWrite& line) {
     if (line.bytes == 0) return;
-    requests_.push_back({.address = line.number * cache.line_bytes(),
-                         .bytes = line.bytes,
-                         .write = true,
-                         .client = cache.client()});
+    MemoryRequest request{.address = line.number * cache.line_bytes(),
+                          .bytes = line.read_bytes,
+                          .write = false,
+                          .client = cache.client()};
+    if (line.read_bytes > 0) requests_.push_back(request);
+    request.bytes = line.bytes;
+    request.write = true;
+    requests_.push_back(request);
 }
 
 void CommandProcessor::write_back(LineCache& cache) {
     for (const LineWrite& line : cache.flush())
         write_back(cache, line);
-}
-
-// Writes a line past the cache, which forgets it. Bytes of which only some bits are written are
-// read before.
-void CommandProcessor::overwrite(LineCache& cache, const work::WrittenLine& line) {
-    write_back(cache, cache.overwrite(line.number, line.bytes.covered));
-    if (line.bytes.touched != line.bytes.covered) read(cache, line.number);
-    requests_.push_back({.address = line.number * cache.line_bytes(),
-                         .bytes = cache.moved_bytes(line.bytes.touched),
-                         .write = true,
-                         .client = Client::Command});
 }
 
 Activity CommandProcessor::move_line() {

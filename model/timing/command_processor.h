@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "model/timing/block_states.h"
 #include "model/timing/bursts.h"
 #include "model/timing/channel.h"
 #include "model/timing/host_command.h"
@@ -13,6 +14,7 @@
 #include "model/timing/unit.h"
 
 #include <deque>
+#include <vector>
 
 namespace ffgpu::timing {
 
@@ -26,6 +28,8 @@ public:
         Channel<std::uint64_t>& responses_in;
         LineCache& depth_cache;
         LineCache& color_cache;
+        BlockStates* depth_blocks; // null, as below: no values are followed
+        BlockStates* color_blocks;
         CommandLedger& ledger;
     };
 
@@ -49,10 +53,22 @@ private:
     Activity drain(const DrainCommand& drain);
     Activity move_line();
     Activity read_image();
-    void read(const LineCache& cache, std::uint64_t line);
+    void read(const LineCache& cache, std::uint64_t line, std::uint32_t bytes);
     void write_back(const LineCache& cache, const LineWrite& line);
     void write_back(LineCache& cache);
-    void overwrite(LineCache& cache, const work::WrittenLine& line);
+    void clear(const work::PreparedTransfer& transfer);
+    bool clear_state(const work::TransferLine& part);
+    bool resolve(const work::TransferLine& part, BlockStates::Change change);
+    void read(const work::TransferLine& part);
+    void overwrite(const work::TransferLine& part);
+    Activity take_content(const work::PreparedContent& content);
+    Activity let_host_access(const std::vector<work::TransferLine>& lines);
+    LineCache& cache_of(const work::TransferLine& part) {
+        return part.depth ? ports_.depth_cache : ports_.color_cache;
+    }
+    BlockStates* blocks_of(const work::TransferLine& part) {
+        return part.depth ? ports_.depth_blocks : ports_.color_blocks;
+    }
 
     const TimingConfig& config_;
     const Ports ports_;
@@ -63,7 +79,8 @@ private:
     bool transferring_ = false;          // They are of the first command, which waits for them.
     Bursts image_;                       // that the draw before reads
     bool decoding_ = false;
-    Cycle decoded_at_ = 0; // the last cycle that it takes
+    Cycle decoded_at_ = 0;                // the last cycle that it takes
+    std::uint64_t state_cycles_left_ = 0; // of a fast clear
 };
 
 } // namespace ffgpu::timing

@@ -4,10 +4,12 @@
 
 #pragma once
 
+#include "model/timing/config/blocks.h"
 #include "model/timing/config/cache.h"
 #include "model/timing/config/clip.h"
 #include "model/timing/config/clock.h"
 #include "model/timing/config/command_processor.h"
+#include "model/timing/config/depth.h"
 #include "model/timing/config/fragment.h"
 #include "model/timing/config/host.h"
 #include "model/timing/config/raster.h"
@@ -20,6 +22,7 @@
 #include "model/timing/memory/config.h"
 #include "model/work/config.h"
 
+#include <string_view>
 #include <type_traits>
 
 namespace ffgpu::timing {
@@ -39,6 +42,10 @@ struct TimingConfig {
     DepthCacheConfig depth_cache;
     ColorCacheConfig color_cache;
     FragmentConfig fragment;
+    DepthConfig depth;
+    HierarchicalDepthConfig hierarchical_depth;
+    DepthBlockConfig depth_blocks;
+    ColorBlockConfig color_blocks;
     ScanOutConfig scan_out;
     MemoryConfig memory;
 
@@ -48,7 +55,16 @@ struct TimingConfig {
                 .texel_cache = texel_cache,
                 .depth_cache = depth_cache,
                 .color_cache = color_cache,
-                .tiles = tiles};
+                .tiles = tiles,
+                .depth_test = depth.test};
+    }
+
+    // What depends on values of depths and colours; empty: nothing.
+    std::string_view needs_values() const {
+        if (depth.test == work::DepthTest::Late) return DepthConfig::Name;
+        if (hierarchical_depth.is_on()) return HierarchicalDepthConfig::Name;
+        if (depth_blocks.is_on()) return DepthBlockConfig::Name;
+        return color_blocks.is_on() ? ColorBlockConfig::Name : std::string_view{};
     }
 
     // Calls group(name, group) for each; then Group::visit names its fields.
@@ -71,6 +87,10 @@ struct TimingConfig {
         each(self.depth_cache);
         each(self.color_cache);
         each(self.fragment);
+        each(self.depth);
+        each(self.hierarchical_depth);
+        each(self.depth_blocks);
+        each(self.color_blocks);
         each(self.scan_out);
         each(self.memory);
     }

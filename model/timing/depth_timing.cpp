@@ -2,7 +2,31 @@
 
 #include "model/work/surface_lines.h"
 
+#include <bit>
+
 namespace ffgpu::timing {
+namespace {
+
+// Of what a quad writes to pixels with stencil values: their depths alone, which is all that is
+// known where the pixels were not read.
+work::WrittenBytes depths_alone(work::WrittenBytes written, const work::LineGrain& grain) {
+    constexpr LineMask OneByte = 0xeeeeeeeeeeeeeeee, TwoBytes = 0xaaaaaaaaaaaaaaaa;
+    if (grain.bytes() == 1) return {written.touched & OneByte, written.covered & OneByte};
+    return {written.touched, grain.bytes() == 2 ? written.covered & TwoBytes : 0};
+}
+
+bool has_stencil(const PreparedDraw& draw) {
+    return draw.state->targets.depth.format == Format::Depth24Stencil8;
+}
+
+// The lanes that have a sample in the mask.
+std::uint8_t lanes_of(SampleBits samples) {
+    unsigned lanes = 0;
+    for_each_sample(samples, [&](unsigned lane, unsigned) { lanes |= 1u << lane; });
+    return static_cast<std::uint8_t>(lanes);
+}
+
+} // namespace
 
 DepthTiming::DepthTiming(sc_core::sc_module_name name,
                          const Clock& clock,
@@ -13,11 +37,152 @@ DepthTiming::DepthTiming(sc_core::sc_module_name name,
     , config_(config)
     , ports_(ports)
     , in_flight_(in_flight)
+    , orders_writes_(ports.blocks != nullptr ||
+                     config.depth.test == work::DepthTest::EarlyWhereExact)
     , early_(config.depth_cache.fragment_fifo * config.raster.quads_per_cycle)
     , late_(config.depth_cache.fragment_fifo * config.raster.quads_per_cycle) {}
 
+bool DepthTiming::tests_here(Path path, const PreparedDraw& draw) const {
+    if (!draw.uses_depth) return false;
+    return draw.tests_twice || draw.early_depth == (path == Path::Early);
+}
+
+bool DepthTiming::writes_late(const PreparedDraw& draw) const {
+    return draw.uses_depth && draw.writes_depth && !draw.early_depth;
+}
+
+// --- The coarse test ---------------------------------------------------------------------------
+
+bool DepthTiming::test_coarse(const QuadToken& token, Budget& budget, bool& culled) {
+    const PreparedDraw& draw = token.draw();
+    if (!ports_.coarse || coarse_ != Coarse::Untested || !draw.value_kinds.depths) return true;
+    if (budget.tests == 0) return false;
+    --budget.tests;
+    HierarchicalDepth& coarse = *ports_.coarse;
+    ++coarse.statistics.tested;
+    const PreparedQuad& quad = token.quad();
+    switch (coarse.test(draw, quad, token.scene->work.values_of(quad).depths)) {
+    case HierarchicalDepth::Verdict::Fails:
+        culled = true;
+        cull(token);
+        return false;
+    case HierarchicalDepth::Verdict::Passes:
+        check(!draw.early_depth || quad.after_early_depth == quad.covered,
+              "what passes for certain passes");
+        coarse_ = draw.early_depth ? Coarse::Accepted : Coarse::Undecided;
+        coarse.statistics.accepted += draw.early_depth;
+        return true;
+    case HierarchicalDepth::Verdict::Unknown:
+        break;
+    }
+    coarse_ = Coarse::Undecided;
+    return true;
+}
+
+void DepthTiming::cull(const QuadToken& token) {
+    const PreparedQuad& quad = token.quad();
+    check(quad.after_depth == 0, "what fails for certain fails");
+    HierarchicalDepthStatistics& statistics = ports_.coarse->statistics;
+    ++statistics.culled;
+    statistics.culled_fragments += static_cast<unsigned>(std::popcount(quad.covered));
+    statistics.saved_lines += quad.depth_line_count;
+    if (quad.after_early_depth != 0) statistics.saved_textures += quad.texel_line_count;
+    token.scene->end_dead_quad(token.index, now());
+    in_flight_.leave();
+}
+
+// --- Order between the paths -------------------------------------------------------------------
+
+bool DepthTiming::waits_for_others(const QuadToken& token) const {
+    const PreparedQuad& quad = token.quad();
+    return orders_writes_ &&
+           pending_.any(PendingWrites::place(token.draw().depth_place.base, quad.x, quad.y));
+}
+
+// The quad goes on to the late test.
+void DepthTiming::announce(const QuadToken& token) {
+    const PreparedDraw& draw = token.draw();
+    const PreparedQuad& quad = token.quad();
+    pending_.add(PendingWrites::place(draw.depth_place.base, quad.x, quad.y));
+    if (!ports_.coarse) return;
+    for (const std::uint64_t line : token.scene->work.depth_lines(quad))
+        ports_.coarse->pending.add(line);
+    if (draw.state->depth.write_enable)
+        ports_.coarse->widen(draw, quad, token.scene->work.values_of(quad).depths);
+}
+
+// Its late test is done.
+void DepthTiming::complete(const QuadToken& token) {
+    const PreparedDraw& draw = token.draw();
+    const PreparedQuad& quad = token.quad();
+    pending_.done(PendingWrites::place(draw.depth_place.base, quad.x, quad.y));
+    if (!ports_.coarse) return;
+    for (const std::uint64_t line : token.scene->work.depth_lines(quad))
+        ports_.coarse->pending.done(line);
+}
+
+// --- Look-ups ----------------------------------------------------------------------------------
+
+// The quad with the samples that it writes as those that passed. Where values are followed, stencil
+// operations write each pixel that comes to its test.
+PreparedQuad DepthTiming::written_quad(Path path, const QuadToken& token) const {
+    const PreparedDraw& draw = token.draw();
+    PreparedQuad quad = token.quad();
+    if (!draw.writes_depth || (path == Path::Early && draw.tests_twice)) {
+        quad.after_depth = 0;
+        quad.samples_written = 0;
+    } else if (ports_.blocks && draw.value_kinds.tested_mask) {
+        quad.samples_written = token.scene->work.values_of(token.quad()).depth_words.samples;
+        quad.after_depth = lanes_of(quad.samples_written);
+    }
+    return quad;
+}
+
+LineAccess DepthTiming::access(Path path, const QuadToken& token, std::uint64_t line) const {
+    const PreparedDraw& draw = token.draw();
+    const PreparedQuad quad = written_quad(path, token);
+    work::WrittenBytes written;
+    if (quad.after_depth != 0)
+        written = quad_bytes(draw.depth_place, ports_.cache.grain(), quad, line);
+    const bool accepted = path == Path::Early && coarse_ == Coarse::Accepted;
+    if (accepted && has_stencil(draw)) written = depths_alone(written, ports_.cache.grain());
+    return {.number = line,
+            .read = accepted ? 0 : LineAccess::Whole,
+            .written = written.touched,
+            .covered = written.covered};
+}
+
+// True: all lines of the quad are looked up, or it has none to look up here.
+bool DepthTiming::look_up_lines(Path path,
+                                const QuadToken& token,
+                                Budget& budget,
+                                Activity& reason) {
+    const PreparedDraw& draw = token.draw();
+    LineWalk& walk = path == Path::Early ? early_walk_ : late_walk_;
+    const auto lines = token.scene->work.depth_lines(token.quad());
+    while (walk.next < lines.size() && budget.lookups > 0) {
+        const LineAccess wanted = access(path, token, lines[walk.next]);
+        const bool nothing = wanted.read == 0 && wanted.written == 0;
+        if (nothing) {
+            ++walk.next;
+            continue;
+        }
+        if (!walk.look_up(ports_.cache, wanted)) break;
+        --budget.lookups;
+        if (ports_.blocks && draw.has_values && wanted.written != 0)
+            ports_.blocks->write(draw.depth_place,
+                                 token.quad(),
+                                 token.scene->work.values_of(token.quad()).depth_words,
+                                 wanted.number,
+                                 draw.value_kinds.tested_mask);
+    }
+    if (walk.next == lines.size()) return true;
+    if (budget.lookups > 0) blame(reason, Activity::StalledRequests);
+    return false;
+}
+
 // Takes one quad in and looks its line up if it is tested on this path.
-bool DepthTiming::look_up(Path path, std::uint32_t& lookups_left, Activity& reason) {
+bool DepthTiming::look_up(Path path, Budget& budget, Activity& reason) {
     Channel<QuadToken>& in = path == Path::Early ? ports_.early_in : ports_.late_in;
     ParkedQuads& parked = path == Path::Early ? early_ : late_;
     if (!in.can_pop()) return false;
@@ -27,28 +192,26 @@ bool DepthTiming::look_up(Path path, std::uint32_t& lookups_left, Activity& reas
     }
     const QuadToken token = in.front();
     const PreparedDraw& draw = token.draw();
-    const bool tested_here = draw.uses_depth && draw.early_depth == (path == Path::Early);
     LineWalk& walk = path == Path::Early ? early_walk_ : late_walk_;
-    if (tested_here) {
-        const auto lines = token.scene->work.depth_lines(token.quad());
-        const bool writes = draw.writes_depth && token.quad().after_depth != 0;
-        const std::size_t before = walk.next;
-        while (walk.next < lines.size() && lookups_left > 0) {
-            const std::uint64_t line = lines[walk.next];
-            const work::WrittenBytes written =
-                writes ? quad_bytes(draw.depth_place, ports_.cache.grain(), token.quad(), line)
-                       : work::WrittenBytes{};
-            if (!walk.look_up(
-                    ports_.cache,
-                    {.number = line, .written = written.touched, .covered = written.covered}))
-                break;
-            --lookups_left;
-        }
-        if (walk.next < lines.size()) {
-            if (lookups_left > 0) blame(reason, Activity::StalledRequests);
-            return walk.next > before;
-        }
+    const bool early = path == Path::Early;
+    bool culled = false;
+    if (early && !test_coarse(token, budget, culled)) {
+        if (culled) in.pop();
+        return culled;
     }
+    if (tests_here(path, draw)) {
+        if (early && waits_for_others(token)) {
+            blame(reason, Activity::StalledOutput);
+            return false;
+        }
+        const std::size_t before = walk.next;
+        if (!look_up_lines(path, token, budget, reason)) return walk.next > before;
+    }
+    if (early && draw.early_depth && ports_.coarse && draw.has_values && draw.writes_depth)
+        ports_.coarse->widen(draw, token.quad(), token.scene->work.values_of(token.quad()).depths);
+    const bool goes_on = token.quad().after_early_depth != 0;
+    if (orders_writes_ && writes_late(draw) && goes_on) early ? announce(token) : complete(token);
+    if (early) coarse_ = Coarse::Untested;
     in.pop();
     parked.park(token, walk.end());
     return true;
@@ -83,14 +246,13 @@ Activity DepthTiming::step() {
     ports_.cache.begin_cycle(ports_.responses_in);
     Activity reason = Activity::Idle;
     bool worked = false;
-    std::uint32_t lookups_left =
-        config_.depth_cache.lookups_per_cycle * config_.raster.quads_per_cycle;
+    const std::uint32_t pipes = config_.raster.quads_per_cycle;
+    Budget budget{.lookups = config_.depth_cache.lookups_per_cycle * pipes,
+                  .tests = config_.hierarchical_depth.tests_per_cycle * pipes};
     for (const Path path : {Path::Late, Path::Early}) {
-        for (std::uint32_t i = 0; i < config_.raster.quads_per_cycle && send(path, reason); ++i)
+        for (std::uint32_t i = 0; i < pipes && send(path, reason); ++i)
             worked = true;
-        for (std::uint32_t i = 0;
-             i < config_.raster.quads_per_cycle && look_up(path, lookups_left, reason);
-             ++i)
+        for (std::uint32_t i = 0; i < pipes && look_up(path, budget, reason); ++i)
             worked = true;
     }
     return worked ? Activity::Busy : reason;

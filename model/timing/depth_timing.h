@@ -1,12 +1,19 @@
 // DepthTiming: depth and stencil tests in time, before texturing where the draw allows it and after
 // the fragment stages where not. One unit, one cache, two paths; the late path goes first. Quads of
 // the other kind pass through.
+//
+// Where coarse depths are kept, every quad that comes in is tested against them first. Where values
+// are followed, a quad that is tested early waits for those at its place that are on their way to
+// the late test.
 
 #pragma once
 
+#include "model/timing/block_states.h"
 #include "model/timing/channel.h"
+#include "model/timing/hierarchical_depth.h"
 #include "model/timing/in_flight.h"
 #include "model/timing/parked_quads.h"
+#include "model/timing/pending_writes.h"
 #include "model/timing/unit.h"
 
 namespace ffgpu::timing {
@@ -20,6 +27,8 @@ public:
         Channel<QuadToken>& late_out;
         Channel<std::uint64_t>& responses_in;
         LineCache& cache;
+        BlockStates* blocks;       // null: values are not followed
+        HierarchicalDepth* coarse; // null: none is kept
     };
 
     DepthTiming(sc_core::sc_module_name name,
@@ -30,17 +39,37 @@ public:
 
 private:
     enum class Path { Early, Late };
+    // What is left in a cycle.
+    struct Budget {
+        std::uint32_t lookups = 0, tests = 0;
+    };
+    // Of the quad at the front of the early path.
+    enum class Coarse { Untested, Undecided, Accepted };
 
     Activity step() override;
     bool may_sleep() const override { return true; }
-    bool look_up(Path path, std::uint32_t& lookups_left, Activity& reason);
+    bool look_up(Path path, Budget& budget, Activity& reason);
+    bool look_up_lines(Path path, const QuadToken& token, Budget& budget, Activity& reason);
+    LineAccess access(Path path, const QuadToken& token, std::uint64_t line) const;
+    work::PreparedQuad written_quad(Path path, const QuadToken& token) const;
+    // False: it is culled, or has to wait for a cycle with tests left.
+    bool test_coarse(const QuadToken& token, Budget& budget, bool& culled);
+    void cull(const QuadToken& token);
+    bool waits_for_others(const QuadToken& token) const;
+    void announce(const QuadToken& token);
+    void complete(const QuadToken& token);
+    bool tests_here(Path path, const PreparedDraw& draw) const;
+    bool writes_late(const PreparedDraw& draw) const;
     bool send(Path path, Activity& reason);
 
     const TimingConfig& config_;
     const Ports ports_;
     InFlight& in_flight_;
+    const bool orders_writes_; // early tests after late ones of the same place
     ParkedQuads early_, late_;
     LineWalk early_walk_, late_walk_; // of the quads that are looked up
+    Coarse coarse_ = Coarse::Untested;
+    PendingWrites pending_; // by place
 };
 
 } // namespace ffgpu::timing

@@ -3,6 +3,7 @@
 #include "model/timing/cache_checks.h"
 #include "model/timing/machine_thread.h"
 #include "model/timing/memory_lines.h"
+#include "model/timing/target_blocks.h"
 
 #include <utility>
 
@@ -19,6 +20,7 @@ GpuTiming::GpuTiming(const TimingConfig& config,
     : context_(std::make_unique<SimulationContext>()) {
     check_memory_lines(config);
     check_caches(config);
+    check_blocks(config);
     const SimulationContext::Scope scope(*context_);
     machine_ = std::make_unique<Machine>(*context_, config, evaluation, make_memory);
     thread_ = std::make_unique<MachineThread>(*machine_);
@@ -32,7 +34,12 @@ GpuTiming::~GpuTiming() {
 }
 
 void GpuTiming::command(std::shared_ptr<const work::WholeCommand> command) {
+    check_values(machine_->config, *command);
     order_->command(std::move(command));
+}
+
+void GpuTiming::content(const std::shared_ptr<const SurfaceContent>& content) {
+    order_->content(content);
 }
 
 void GpuTiming::host_transfer(const HostTransfer& transfer) {

@@ -53,6 +53,7 @@ public:
     ~GpuTiming() override;
 
     void command(std::shared_ptr<const work::WholeCommand> command) override;
+    void content(const std::shared_ptr<const SurfaceContent>& content) override;
     void host_transfer(const HostTransfer& transfer) override;
     // Runs the machine until the frame's last quad is written, then calls on_frame.
     void end_frame(std::uint32_t frame) override;

@@ -28,10 +28,23 @@ void HostBus::enqueue(work::PreparedTransfer&& transfer) {
     const CommandKind kind = is_store ? CommandKind::TileStore : command_kind(transfer.kind);
     const std::size_t entry = ports_.ledger.open(kind, transfer.number, 1);
     const std::uint32_t writes = transfer.register_writes, words = transfer.register_words;
-    Command command{
-        .token = std::make_shared<TransferCommand>(TransferCommand{std::move(transfer), entry})};
-    if (!is_store) return add(std::move(command), writes, words);
-    commands_.push_back(std::move(command)); // The machine's own: nothing of it is on the bus.
+    CommandToken token =
+        std::make_shared<TransferCommand>(TransferCommand{std::move(transfer), entry});
+    if (is_store) return add_without_bus(std::move(token));
+    add({.token = std::move(token)}, writes, words);
+}
+
+void HostBus::enqueue(work::PreparedContent&& content) {
+    add_without_bus(std::make_shared<const work::PreparedContent>(std::move(content)));
+}
+
+void HostBus::enqueue(std::vector<work::TransferLine>&& accessed) {
+    add_without_bus(std::make_shared<const std::vector<work::TransferLine>>(std::move(accessed)));
+}
+
+// The machine's own.
+void HostBus::add_without_bus(CommandToken token) {
+    commands_.push_back({.token = std::move(token)});
     wake();
 }
 

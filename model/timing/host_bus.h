@@ -14,6 +14,7 @@
 #include "model/timing/unit.h"
 
 #include <deque>
+#include <vector>
 
 namespace ffgpu::timing {
 
@@ -50,6 +51,8 @@ public:
     void enqueue(TimedScene& scene);
     void enqueue(work::PreparedTransfer&& transfer);
     void enqueue(const HostTransfer& transfer);
+    void enqueue(work::PreparedContent&& content);
+    void enqueue(std::vector<work::TransferLine>&& accessed);
     void enqueue_frame_end();
     // What is left to send could end within a cycle, in which the bus would go on to what the host
     // has not told yet: the clock must not go on without the host.
@@ -77,6 +80,7 @@ private:
     Cycle next_work(Activity last) const override {
         return now() < carried_at_ ? carried_at_ : Unit::next_work(last);
     }
+    void add_without_bus(CommandToken token);
     void add(Command command, std::uint32_t register_writes, std::uint32_t register_words);
     bool advance(Activity& reason);
     bool carry(Activity& reason);

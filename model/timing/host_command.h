@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <variant>
+#include <vector>
 
 namespace ffgpu::timing {
 
@@ -22,8 +23,17 @@ struct DrainCommand {
     bool ends_frame = false;
 };
 
-using CommandToken =
-    std::variant<std::monostate, DrawToken, std::shared_ptr<TransferCommand>, DrainCommand>;
+// What a target holds, and the lines of targets that the host is about to read or write: for the
+// states of their blocks. Nothing of them is on the bus.
+using ContentCommand = std::shared_ptr<const work::PreparedContent>;
+using HostAccessCommand = std::shared_ptr<const std::vector<work::TransferLine>>;
+
+using CommandToken = std::variant<std::monostate,
+                                  DrawToken,
+                                  std::shared_ptr<TransferCommand>,
+                                  DrainCommand,
+                                  ContentCommand,
+                                  HostAccessCommand>;
 
 // What CommandProcessor tells the host's bus: a DrainCommand is carried out.
 struct Drained {};

@@ -68,12 +68,11 @@ LineMask LineCache::needed(const LineAccess& access) const {
 
 LookupResult LineCache::look_up_present(const LineAccess& access, TagArray::Line& line) {
     const bool fetches = (needed(access) & ~line.valid) != 0;
-    if (fetches && !can_fetch()) return {};
+    if (fetches && is_in_memory(access.number) && !can_fetch()) return {};
     tags_.use(line);
     if (fetches) {
         ++statistics_.partial_fetches;
-        line.fill = fetch(access.number);
-        line.valid = grain_.all();
+        fill(access.number, line);
     }
     write(access, line);
     return {.accepted = true, .missed = false, .ticket = line.fill};
@@ -81,20 +80,13 @@ LookupResult LineCache::look_up_present(const LineAccess& access, TagArray::Line
 
 LookupResult LineCache::look_up_absent(const LineAccess& access) {
     const bool fetches = needed(access) != 0;
-    if (fetches ? !can_fetch() : !requests_.can_post()) return {};
+    const bool reads = fetches && is_in_memory(access.number);
+    if (reads ? !can_fetch() : !requests_.can_post()) return {};
     TagArray::Evicted evicted;
     TagArray::Line& line = tags_.replace(access.number, evicted);
-    if (evicted.line.dirty != 0) {
-        const LineWrite back = written_back(evicted.number, evicted.line.dirty);
-        requests_.post({.address = back.number * config_.line_bytes,
-                        .bytes = back.bytes,
-                        .write = true,
-                        .client = client_},
-                       !fetches);
-    }
+    if (evicted.line.dirty != 0) post(written_back(evicted.number, evicted.line), !reads);
     if (fetches) {
-        line.fill = fetch(access.number);
-        line.valid = grain_.all();
+        fill(access.number, line);
     } else {
         ++statistics_.without_fetch; // Complete from the start.
     }
@@ -115,14 +107,22 @@ LookupResult LineCache::look_up_optimal(const LineAccess& access) {
     return {.accepted = true, .missed = true, .ticket = ticket};
 }
 
+// What has no bytes in memory is there at once.
+void LineCache::fill(std::uint64_t number, TagArray::Line& line) {
+    if (store_) store_->fetched(number, line.dirty);
+    if (is_in_memory(number)) line.fill = fetch(number);
+    line.valid = grain_.all();
+}
+
 // Returns the ticket.
 std::uint64_t LineCache::fetch(std::uint64_t number) {
     const work::LineSource source = work::line_source(number, config_.line_bytes);
+    const std::uint32_t bytes = store_ ? store_->stored_bytes(number) : source.bytes;
     fills_.push_back({.done = false, .expands = work::expansion_of(number) != 0});
     ++outstanding_;
-    statistics_.read_bytes += source.bytes;
+    statistics_.read_bytes += bytes;
     requests_.post({.address = source.address,
-                    .bytes = source.bytes,
+                    .bytes = bytes,
                     .write = false,
                     .client = client_,
                     .ticket = next_ticket_},
@@ -150,13 +150,27 @@ void LineCache::count_miss(MissKind kind) {
                                     : statistics_.conflict);
 }
 
-LineWrite LineCache::written_back(std::uint64_t number, LineMask dirty) {
-    const LineWrite back{number, moved_bytes(dirty)};
+LineWrite LineCache::written_back(std::uint64_t number, const TagArray::Line& line) {
+    const LineWrite back = store_ ? store_->write_back({number, line.valid, line.dirty})
+                                  : LineWrite{number, moved_bytes(line.dirty), 0};
     statistics_.written_bytes += back.bytes;
     return back;
 }
 
+void LineCache::post(const LineWrite& back, bool last_of_miss) {
+    MemoryRequest request{.address = back.number * config_.line_bytes,
+                          .bytes = back.read_bytes,
+                          .write = false,
+                          .client = client_,
+                          .ticket = NobodyWaits};
+    if (back.read_bytes > 0) requests_.post(request, false);
+    request.bytes = back.bytes;
+    request.write = true;
+    requests_.post(request, last_of_miss);
+}
+
 void LineCache::complete(std::uint64_t ticket) {
+    if (ticket == NobodyWaits) return;
     check(ticket >= first_incomplete_ && ticket < next_ticket_, "a fill that nobody asked for");
     --outstanding_;
     if (config_.expand_cycles > 0 && fills_[ticket - first_incomplete_].expands)
@@ -176,7 +190,7 @@ void LineCache::finish(std::uint64_t ticket) {
 std::vector<LineWrite> LineCache::flush() {
     std::vector<LineWrite> dirty;
     tags_.for_each([&](std::uint64_t number, TagArray::Line& line) {
-        if (line.dirty != 0) dirty.push_back(written_back(number, line.dirty));
+        if (line.dirty != 0) dirty.push_back(written_back(number, line));
         tags_.drop(line);
     });
     if (optimal_) optimal_->clear();
@@ -189,11 +203,11 @@ LineWrite LineCache::overwrite(std::uint64_t number, LineMask overwritten) {
     classifier_.drop(number);
     TagArray::Line* const line = tags_.find(number);
     if (!line) return {};
-    const LineMask dirty = line->dirty;
+    const TagArray::Line dropped = *line;
     tags_.drop(*line);
-    if (dirty == 0) return {};
-    if ((overwritten & grain_.all()) != grain_.all()) return written_back(number, dirty);
-    statistics_.dropped_bytes += grain_.count_bytes(dirty);
+    if (dropped.dirty == 0) return {};
+    if ((overwritten & grain_.all()) != grain_.all()) return written_back(number, dropped);
+    statistics_.dropped_bytes += grain_.count_bytes(dropped.dirty);
     return {};
 }
 

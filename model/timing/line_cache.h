@@ -12,6 +12,7 @@
 #include "model/timing/cache_statistics.h"
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
+#include "model/timing/line_store.h"
 #include "model/timing/memory_request.h"
 #include "model/timing/request_port.h"
 #include "model/work/line_mask.h"
@@ -44,18 +45,15 @@ struct LookupResult {
     std::uint64_t ticket = 0; // of the fill that brings what is read
 };
 
-// A dirty line on its way to memory.
-struct LineWrite {
-    std::uint64_t number = 0;
-    std::uint32_t bytes = 0; // moved
-};
-
 class LineCache {
 public:
     LineCache(std::string_view name,
               const CacheConfig& config,
               Client client,
               RequestPort& requests);
+
+    // From now on `store` says what a line's way from and to memory costs; null: its bytes.
+    void set_store(LineStore* store) { store_ = store; }
 
     // The owner calls it first in each cycle: ports are free again, fills have come, requests that
     // waited go out.
@@ -107,21 +105,29 @@ private:
     LookupResult look_up_present(const LineAccess& access, work::TagArray::Line& line);
     LookupResult look_up_absent(const LineAccess& access);
     LookupResult look_up_optimal(const LineAccess& access);
+    void fill(std::uint64_t number, work::TagArray::Line& line);
     std::uint64_t fetch(std::uint64_t number);
     void write(const LineAccess& access, work::TagArray::Line& line);
     void count_hit();
     void count_miss(work::MissKind kind);
-    LineWrite written_back(std::uint64_t number, LineMask dirty);
+    LineWrite written_back(std::uint64_t number, const work::TagArray::Line& line);
+    void post(const LineWrite& back, bool last_of_miss);
+    bool is_in_memory(std::uint64_t number) const {
+        return !store_ || store_->stored_bytes(number) > 0;
+    }
 
     const CacheConfig config_;
     const work::LineGrain grain_;
     Client client_;
     RequestPort& requests_;
+    LineStore* store_ = nullptr;
     work::TagArray tags_;
     std::optional<work::OptimalTags> optimal_; // in the place of tags_
     work::MissClassifier classifier_;
     CacheStatistics statistics_;
     std::vector<std::uint32_t> bank_lookups_; // in this cycle
+
+    static constexpr std::uint64_t NobodyWaits = 0; // the ticket of a read that completes a write
 
     // Fills are numbered from 1; they may come back in any order and count in theirs (the reorder
     // buffer of the paper).

@@ -57,6 +57,7 @@ Machine::Machine(const SimulationContext& kernel,
     , depth_port("depth_cache", clock, config.depth_cache, Client::Depth, memory_in_flight)
     , color_port("color_cache", clock, config.color_cache, Client::Color, memory_in_flight)
     , texel_caches(clock, config, memory_in_flight)
+    , blocks(config)
     , commands(clock, config.host.queue)
     , drained(clock, 1)
     , draws(clock, 4)
@@ -89,6 +90,8 @@ Machine::Machine(const SimulationContext& kernel,
                          .responses_in = command_responses,
                          .depth_cache = depth_port.cache,
                          .color_cache = color_port.cache,
+                         .depth_blocks = blocks.depth.get(),
+                         .color_blocks = blocks.color.get(),
                          .ledger = ledger},
                         in_flight,
                         memory_in_flight)
@@ -125,7 +128,9 @@ Machine::Machine(const SimulationContext& kernel,
              .late_in = fragment_to_depth,
              .late_out = depth_to_color,
              .responses_in = depth_port.responses,
-             .cache = depth_port.cache},
+             .cache = depth_port.cache,
+             .blocks = blocks.depth.get(),
+             .coarse = blocks.coarse.get()},
             in_flight)
     , texture("texture",
               clock,
@@ -142,7 +147,8 @@ Machine::Machine(const SimulationContext& kernel,
             config,
             {.quads_in = depth_to_color,
              .responses_in = color_port.responses,
-             .cache = color_port.cache},
+             .cache = color_port.cache,
+             .blocks = blocks.color.get()},
             in_flight,
             [this](const QuadToken& token, Cycle now) { retire(token, now); })
     , scan_out("scan_out",
@@ -158,6 +164,8 @@ Machine::Machine(const SimulationContext& kernel,
                    .arbiter = arbiter,
                    .memory = *memory,
                    .second_level = texel_caches.unit()}) {
+    depth_port.cache.set_store(blocks.depth.get());
+    color_port.cache.set_store(blocks.color.get());
     connect_links();
     attach_units(evaluation.order);
     clock.set_on_walked([this] { bottlenecks.end_cycle(); });
@@ -224,6 +232,14 @@ void Machine::scene(work::PreparedScene&& scene) {
 void Machine::transfer(work::PreparedTransfer&& transfer) {
     host.enqueue(std::move(transfer));
     if (++waiting_quads > MostWaiting) run();
+}
+
+void Machine::content(work::PreparedContent&& content) {
+    if (content.depth ? blocks.depth : blocks.color) host.enqueue(std::move(content));
+}
+
+void Machine::host_access(std::vector<work::TransferLine>&& lines) {
+    if (blocks.depth || blocks.color) host.enqueue(std::move(lines));
 }
 
 void Machine::host_transfer(const HostTransfer& transfer) {
@@ -379,6 +395,8 @@ std::vector<const StatisticsGroup*> Machine::statistics() {
         groups.push_back(group);
     for (const CachePort* port : {&depth_port, &color_port})
         groups.push_back(&port->cache.statistics());
+    for (const StatisticsGroup* group : blocks.statistics())
+        groups.push_back(group);
     groups.push_back(&arbiter.statistics());
     for (const StatisticsGroup* group : memory->statistics())
         groups.push_back(group);

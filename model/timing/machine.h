@@ -20,6 +20,7 @@
 #include "model/timing/scan_out.h"
 #include "model/timing/setup_timing.h"
 #include "model/timing/simulation_context.h"
+#include "model/timing/target_blocks.h"
 #include "model/timing/texel_caches.h"
 #include "model/timing/texture_timing.h"
 #include "model/timing/tile_path.h"
@@ -51,6 +52,8 @@ public:
     void transfer(work::PreparedTransfer&& transfer) override;
     void host_transfer(const HostTransfer& transfer) override;
     void end_frame(std::uint32_t number) override;
+    void content(work::PreparedContent&& content) override;
+    void host_access(std::vector<work::TransferLine>&& lines) override;
     // What the screen reads from its next refresh on.
     void show(const work::PlacedLevel& picture);
 
@@ -73,6 +76,7 @@ public:
     Channel<std::uint64_t> host_responses, command_responses, screen_responses;
     CachePort index_port, vertex_port, depth_port, color_port;
     TexelCaches texel_caches;
+    TargetBlocks blocks;
 
     Channel<CommandToken> commands;
     Channel<Drained> drained;

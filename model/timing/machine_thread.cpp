@@ -35,6 +35,19 @@ void MachineThread::end_frame(std::uint32_t frame) {
     jobs_.drain();
 }
 
+void MachineThread::content(work::PreparedContent&& content) {
+    jobs_.push(1, [this, content = std::move(content)]() mutable {
+        machine_.content(std::move(content));
+    });
+}
+
+void MachineThread::host_access(std::vector<work::TransferLine>&& lines) {
+    const std::size_t weight = 1 + lines.size();
+    jobs_.push(weight, [this, lines = std::move(lines)]() mutable {
+        machine_.host_access(std::move(lines));
+    });
+}
+
 void MachineThread::show(const work::PlacedLevel& picture) {
     jobs_.push(1, [this, picture] { machine_.show(picture); });
 }

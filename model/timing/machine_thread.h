@@ -18,6 +18,8 @@ public:
     void host_transfer(const HostTransfer& transfer) override;
     // Returns when the frame has ended.
     void end_frame(std::uint32_t frame) override;
+    void content(work::PreparedContent&& content) override;
+    void host_access(std::vector<work::TransferLine>&& lines) override;
     void show(const work::PlacedLevel& picture);
 
     // Returns when the machine has read all that it was given.

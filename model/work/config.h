@@ -27,6 +27,13 @@ inline constexpr std::array<std::string_view, 3> LayoutNames{"linear", "blocked"
 enum class Granularity : std::uint8_t { Quad, Fragment };
 inline constexpr std::array<std::string_view, 2> GranularityNames{"quad", "fragment"};
 
+// When a machine tests depth: where nothing can see the difference, before texturing; also draws
+// that may lose fragments later, tested before and once more, and written, after texturing; all
+// after texturing.
+enum class DepthTest : std::uint8_t { AsGlAllows, EarlyWhereExact, Late };
+inline constexpr std::array<std::string_view, 3> DepthTestNames{
+    "as_gl_allows", "early_where_exact", "late"};
+
 struct RasterOrder {
     Architecture architecture = Architecture::Immediate;
     Granularity granularity = Granularity::Quad;
@@ -151,6 +158,7 @@ struct WorkConfig {
     CacheShape depth_cache;
     CacheShape color_cache;
     TileOrder tiles;
+    DepthTest depth_test = DepthTest::AsGlAllows;
 };
 
 } // namespace ffgpu::work

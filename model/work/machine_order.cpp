@@ -134,8 +134,8 @@ void MachineOrder::host_transfer(const HostTransfer& transfer) {
     deferred_.need_range(transfer.at, transfer.bytes);
     store_due();
     if (transfer.is_write) addresses_.memory_written(transfer.at, transfer.bytes);
-    out_.host_transfer(transfer);
     access(transfer);
+    out_.host_transfer(transfer);
 }
 
 void MachineOrder::content(const std::shared_ptr<const SurfaceContent>& content) {

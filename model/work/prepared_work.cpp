@@ -3,6 +3,7 @@
 #include "model/base/check.h"
 #include "model/device/extents.h"
 #include "model/work/block_walk.h"
+#include "model/work/depth_test_masks.h"
 #include "model/work/texel_lookups.h"
 #include "model/work/traversal.h"
 
@@ -79,6 +80,7 @@ public:
         , config_(config)
         , out_(out)
         , draw_(out.draws.emplace_back())
+        , test_(depth_test_place(command.draw, config.depth_test))
         , texels_(command, config, out) {
         draw_.kind = command.draw.kind;
         draw_.number = command.draw.number;
@@ -89,8 +91,9 @@ public:
         draw_.geometry.primitives = {};
         draw_.geometry.pieces = {};
         draw_.first_primitive = static_cast<std::uint32_t>(out.primitives.size());
-        draw_.early_depth = command.draw.early_depth;
         draw_.state = command.draw.state;
+        draw_.early_depth = test_.early;
+        draw_.tests_twice = test_.twice;
         draw_.first_quad = static_cast<std::uint32_t>(out.quads.size());
     }
 
@@ -124,8 +127,10 @@ private:
             places_.depth = &addresses.surface(state.targets.depth, config_.depth_cache);
             draw_.depth_place = *places_.depth;
         }
-        for (const Surface& target : state.targets.color) {
+        for (std::uint8_t i = 0; i < ColorTargets; ++i) {
+            const Surface& target = state.targets.color[i];
             if (target.format == Format::None) continue;
+            draw_.color_targets.push_back(i);
             const Blend& blend = state.blend;
             draw_.writes_color = blend.write_mask != 0;
             draw_.reads_color = draw_.writes_color &&
@@ -217,14 +222,14 @@ private:
                           .x = from.x,
                           .y = from.y,
                           .covered = from.covered,
-                          .after_early_depth = from.after_early_depth,
+                          .after_early_depth = test_.after_early_test(from),
                           .after_stencil = from.after_stencil,
                           .after_depth = from.after_depth,
                           .samples_written = from.samples_written,
                           .after_alpha = from.after_alpha};
         add_target_lines(from, quad);
         // With values, hidden fragments have texels, too.
-        texels_.add(number, static_cast<std::uint8_t>(lanes & from.after_early_depth), quad);
+        texels_.add(number, static_cast<std::uint8_t>(lanes & quad.after_early_depth), quad);
         if (draw_.has_values) add_values(number, lanes, quad);
         out_.quads.push_back(quad);
     }
@@ -265,11 +270,8 @@ private:
     void add_target_lines(const WorkQuad& from, PreparedQuad& quad) {
         quad.target_lines_begin = static_cast<std::uint32_t>(out_.target_lines.size());
         if (places_.depth)
-            quad.depth_line_count =
-                add_surface_lines(*places_.depth,
-                                  config_.depth_cache.line_bytes,
-                                  quad,
-                                  draw_.early_depth ? from.covered : from.after_alpha);
+            quad.depth_line_count = add_surface_lines(
+                *places_.depth, config_.depth_cache.line_bytes, quad, test_.tested(from));
         for (const PlacedLevel* const color : places_.colors)
             quad.color_line_count = static_cast<std::uint8_t>(
                 quad.color_line_count +
@@ -303,6 +305,7 @@ private:
     const WorkConfig& config_;
     PreparedScene& out_;
     PreparedDraw& draw_;
+    const DepthTestPlace test_;
     DrawPlaces places_;
     TexelLookups texels_;
     std::vector<Ordered> order_; // of a piece

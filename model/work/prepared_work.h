@@ -79,12 +79,14 @@ struct PreparedDraw {
     ImageMemory image;
     GeometryWork geometry; // Its primitives and pieces are the scene's.
     std::uint32_t first_primitive = 0, primitive_count = 0; // in PreparedScene::primitives
-    bool early_depth = false;
+    bool early_depth = false;     // Depth is tested before texturing, and only there.
+    bool tests_twice = false;     // before texturing, and once more, and written, after it
     std::uint32_t first_quad = 0; // immediate machines: the draw's quads stand together
     std::uint32_t quad_count = 0;
-    std::uint8_t combiners = 0;            // enabled texture environments
-    PlacedLevel depth_place;               // of its target, if it has one
-    std::vector<PlacedLevel> color_places; // of its colour targets
+    std::uint8_t combiners = 0;              // enabled texture environments
+    PlacedLevel depth_place;                 // of its target, if it has one
+    std::vector<PlacedLevel> color_places;   // of its colour targets
+    std::vector<std::uint8_t> color_targets; // their numbers
     bool uses_depth = false;
     bool writes_depth = false;
     bool reads_color = false; // blending, logic op or a partial mask

@@ -139,17 +139,15 @@ Run run_trace(const std::string& path, const RunOptions& options) {
         });
         sinks.add(assembler.emplace(*timing));
     }
-    const auto listen = [&] {
-        if (!sinks.empty()) gpu.set_work_sink(&sinks);
-    };
-    listen();
+    const bool values = options.timing && !options.timing->needs_values().empty();
+    if (!sinks.empty()) gpu.set_work_sink(&sinks, values ? WorkDetail::Values : WorkDetail::Masks);
 
     const auto source = open_frame_source(path, device, {.warn = [](const std::string&) {}});
     while (const auto frame = source->next()) {
         device.finish();
-        gpu.set_work_sink(nullptr); // To look at a picture is no work of the machine's.
+        gpu.hide_from_work(true); // To look at a picture is no work of the machine's.
         run.pictures.push_back(picture_of(frame->number, read_surface(device, frame->picture)));
-        listen();
+        gpu.hide_from_work(false);
         if (frame->number >= options.last_frame) break;
     }
     add(run.functional, gpu.statistics());

@@ -57,7 +57,8 @@ void Recording::make_output_folder() {
 }
 
 bool Recording::records_values() const {
-    return options_.work_values;
+    return options_.work_values ||
+           (options_.timing && !options_.configuration.timing.needs_values().empty());
 }
 
 void Recording::listen() {

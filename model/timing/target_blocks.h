@@ -1,0 +1,30 @@
+// TargetBlocks: the states of the targets' blocks and their coarse depths, as the configuration
+// wants them. What it does not want is null.
+
+#pragma once
+
+#include "model/timing/block_states.h"
+#include "model/timing/config.h"
+#include "model/timing/hierarchical_depth.h"
+
+#include <memory>
+#include <vector>
+
+namespace ffgpu::timing {
+
+struct TargetBlocks {
+    explicit TargetBlocks(const TimingConfig& config);
+
+    std::vector<const StatisticsGroup*> statistics() const;
+
+    std::unique_ptr<HierarchicalDepth> coarse;
+    std::unique_ptr<BlockStates> depth, color;
+};
+
+// Throws InputError: what is configured does not go together.
+void check_blocks(const TimingConfig& config);
+
+// Throws InputError: `config` needs values that the work does not tell.
+void check_values(const TimingConfig& config, const work::WholeCommand& command);
+
+} // namespace ffgpu::timing
