@@ -303,30 +303,6 @@ std::vector<Unit*> Machine::units() {
     return all;
 }
 
-// The way of the work: what each waits for is behind it, or the memory.
-std::vector<Stage> Machine::stages() {
-    std::vector<Stage> stages{
-        {Resource::Host, &host, {Client::Host}},
-        {Resource::CommandProcessor,
-         &command_processor,
-         {Client::Command, Client::Color, Client::Depth}},
-        {Resource::VertexFetch, &vertex_fetch, {Client::Vertex, Client::Index}},
-        {Resource::Geometry, &geometry, {}},
-        {Resource::Clip, &clip, {}},
-        {Resource::Setup, &setup, {}},
-        {Resource::Raster, &raster, {}},
-        {Resource::Depth, &depth, {Client::Depth}, &raster_to_depth},
-        {Resource::Texture, &texture, {Client::Texture}},
-        {Resource::Fragment, &fragment, {}},
-        {Resource::Depth, &depth, {Client::Depth}, &fragment_to_depth},
-        {Resource::Color, &color, {Client::Color}}};
-    if (tiles) {
-        const std::vector<Stage> more = tiles->stages();
-        stages.insert(stages.begin() + 6, more.begin(), more.end()); // behind set-up
-    }
-    return stages;
-}
-
 // In the order of the pipe, or shuffled by a linear congruential generator.
 void Machine::attach_units(std::uint32_t seed) {
     auto shuffled = units();
@@ -373,34 +349,6 @@ void Machine::retire(const QuadToken& token, Cycle now) {
                .written = quad.after_depth,
                .texture_misses = token.misses,
                .cycles = cycles});
-}
-
-std::vector<const StatisticsGroup*> Machine::statistics() {
-    std::vector<const StatisticsGroup*> groups{&frame_statistics};
-    for (Unit* unit : units())
-        groups.push_back(&unit->account());
-    groups.push_back(&bottlenecks.statistics());
-    groups.push_back(&host.statistics());
-    groups.push_back(&vertex_fetch.statistics());
-    groups.push_back(&clip.statistics());
-    groups.push_back(&raster.statistics());
-    groups.push_back(&scan_out.statistics());
-    if (tiles)
-        for (const StatisticsGroup* const group : tiles->statistics())
-            groups.push_back(group);
-    groups.push_back(&texture.statistics());
-    for (const CachePort* port : {&index_port, &vertex_port})
-        groups.push_back(&port->cache.statistics());
-    for (const StatisticsGroup* group : texel_caches.statistics())
-        groups.push_back(group);
-    for (const CachePort* port : {&depth_port, &color_port})
-        groups.push_back(&port->cache.statistics());
-    for (const StatisticsGroup* group : blocks.statistics())
-        groups.push_back(group);
-    groups.push_back(&arbiter.statistics());
-    for (const StatisticsGroup* group : memory->statistics())
-        groups.push_back(group);
-    return groups;
 }
 
 } // namespace ffgpu::timing

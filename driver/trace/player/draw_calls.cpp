@@ -69,7 +69,7 @@ void TracePlayer::set_array(const GlCommand* command, Call& call) {
 
 // An array that is enabled but has too little memory is one that the program did not care for, as a
 // texture unit's that is off, or whose pointer the tracer did not tell again: what it has is used,
-// and zeroes after that. One without any memory is disabled for the draw.
+// and no sure value after that. One without any memory is disabled for the draw.
 void TracePlayer::draw_checked(const GlCommand* command, Call& call, std::uint64_t vertices) {
     gl::VertexArrayObject& object = *gl::current_context()->client.arrays.object;
     if (memory_.vertices_available(object.of(Attribute::Position)) < vertices)
