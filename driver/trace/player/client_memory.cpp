@@ -65,7 +65,7 @@ bool ClientMemory::extend(gl::VertexArray& array, std::uint64_t vertices) {
         static_cast<std::uint64_t>(static_cast<const std::byte*>(array.pointer) - blob->data());
     const std::uint64_t needed = offset + vertices * stride + element;
     if (needed > Limit) return false;
-    if (needed > blob->size()) blob->pad(needed - blob->size());
+    blob->pad(needed);
     array.pointer = blob->data() + offset;
     return true;
 }

@@ -69,7 +69,9 @@ void TracePlayer::set_array(const GlCommand* command, Call& call) {
 
 // An array that is enabled but has too little memory is one that the program did not care for, as a
 // texture unit's that is off, or whose pointer the tracer did not tell again: what it has is used,
-// and no sure value after that. One without any memory is disabled for the draw.
+// and zeroes after that. One without any memory is disabled for the draw. (apitrace tells the
+// arrays of texture units other than the active one only where GL_MAX_TEXTURE_COORDS is known,
+// which OpenGL 1.5 without programs does not have: such a unit keeps an array of an earlier draw.)
 void TracePlayer::draw_checked(const GlCommand* command, Call& call, std::uint64_t vertices) {
     gl::VertexArrayObject& object = *gl::current_context()->client.arrays.object;
     if (memory_.vertices_available(object.of(Attribute::Position)) < vertices)
@@ -79,8 +81,16 @@ void TracePlayer::draw_checked(const GlCommand* command, Call& call, std::uint64
     std::array<gl::VertexArray*, Attributes> disabled{};
     std::size_t count = 0;
     for (gl::VertexArray& array : object.arrays) {
-        if (memory_.vertices_available(array) >= vertices || memory_.extend(array, vertices))
+        const std::uint64_t available = memory_.vertices_available(array);
+        if (available >= vertices) continue;
+        if (memory_.extend(array, vertices)) {
+            warn_once("a short array",
+                      "call " + std::to_string(call.number()) + " " + std::string(call.name()) +
+                          ": an array has " + std::to_string(available) + " of " +
+                          std::to_string(vertices) +
+                          " vertices in the trace, the others read as zero");
             continue;
+        }
         array.enabled = false;
         disabled[count++] = &array;
     }
