@@ -68,6 +68,10 @@ void GpuTiming::set_quad_observer(QuadObserver* observer) {
     machine_->texture.set_observer(observer);
 }
 
+void GpuTiming::set_memory_observer(MemoryObserver* observer) {
+    machine_->arbiter.set_observer(observer);
+}
+
 std::uint64_t GpuTiming::cycles() const {
     return machine_->clock.now();
 }

@@ -39,7 +39,8 @@ struct FrameTiming {
 
 class Machine;
 class MachineThread;
-class QuadObserver; // quad_observer.h
+class MemoryObserver; // memory_observer.h
+class QuadObserver;   // quad_observer.h
 class SimulationContext;
 
 class GpuTiming final : public work::CommandSink {
@@ -65,6 +66,7 @@ public:
     void set_on_retire(std::function<void(const QuadRetired&)> on_retire);
     // Told on the thread that runs the machine; null: nobody.
     void set_quad_observer(QuadObserver* observer);
+    void set_memory_observer(MemoryObserver* observer); // the same
 
     std::uint64_t cycles() const;
     // All units' groups: accounts, caches, memory. They add up at the end of a frame.

@@ -43,6 +43,7 @@ Activity MemoryArbiter::step() {
         tlm::tlm_phase phase = tlm::BEGIN_REQ;
         sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
         pending_[channel] = &payload;
+        if (observer_) observer_->sent(request, now());
         if (socket->nb_transport_fw(payload, phase, delay) == tlm::TLM_UPDATED) {
             pending_[channel] = nullptr;
             taken_at_[channel] = now();
@@ -69,6 +70,7 @@ tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,
         return tlm::TLM_ACCEPTED;
     }
     statistics_.on_done(request, now());
+    if (observer_) observer_->done(request, now());
     if (!request.write) ports_.responses_out[request.port]->push(request.ticket);
     if (request.client != Client::ScanOut) in_flight_.leave(); // No frame waits for the screen.
     payload.release();

@@ -12,6 +12,7 @@
 #include "model/timing/config.h"
 #include "model/timing/in_flight.h"
 #include "model/timing/memory/address_mapping.h"
+#include "model/timing/memory_observer.h"
 #include "model/timing/memory_payload.h"
 #include "model/timing/memory_request.h"
 #include "model/timing/memory_statistics.h"
@@ -40,6 +41,8 @@ public:
 
     tlm_utils::simple_initiator_socket<MemoryArbiter> socket{"socket"};
     const ClientStatistics& statistics() const { return statistics_; }
+    // Null: nobody.
+    void set_observer(MemoryObserver* observer) { observer_ = observer; }
 
 private:
     Activity step() override;
@@ -52,6 +55,7 @@ private:
     InFlight& in_flight_;
     PayloadPool pool_;
     ClientStatistics statistics_;
+    MemoryObserver* observer_ = nullptr;
     std::size_t next_port_ = 0;
     // Per memory channel: the request that the controller has not taken yet, and when it took the
     // last.

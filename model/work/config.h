@@ -159,6 +159,7 @@ struct WorkConfig {
     CacheShape color_cache;
     TileOrder tiles;
     DepthTest depth_test = DepthTest::AsGlAllows;
+    bool merges_texel_reads = true; // of a line, by a quad; fragments merge none
 };
 
 } // namespace ffgpu::work

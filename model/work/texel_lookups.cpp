@@ -10,7 +10,7 @@ TexelLookups::TexelLookups(const WholeCommand& command,
                            PreparedScene& out)
     : command_(command)
     , line_bytes_(config.texel_cache.line_bytes)
-    , merges_(config.raster.granularity == Granularity::Quad)
+    , merges_(config.raster.granularity == Granularity::Quad && config.merges_texel_reads)
     , out_(out) {}
 
 void TexelLookups::add(std::uint32_t number, std::uint8_t lanes, PreparedQuad& quad) {

@@ -53,11 +53,13 @@ int run_command_line(int count, const char* const* arguments, const char* versio
     add_replay_command(application, run);
     add_run_command(application, run);
     add_time_command(application, run);
+    add_cache_command(application, run);
     add_compare_command(application, run);
     add_config_command(application, run);
     add_info_command(application, run);
     add_dump_command(application, run);
     add_explain_command(application, run);
+    add_export_command(application, run);
     add_completion_command(application, run);
     add_manual_command(application, run);
     add_presets_command(application, run);

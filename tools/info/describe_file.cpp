@@ -2,13 +2,12 @@
 
 #include "model/base/input_error.h"
 #include "model/capture/capture_reader.h"
-#include "model/work/work_file_format.h"
 #include "model/work/work_file_reader.h"
 #include "tools/frames/frame_source.h"
 #include "tools/info/census_device.h"
 #include "tools/info/trace_calls.h"
+#include "tools/work/work_player.h"
 
-#include <fstream>
 #include <map>
 #include <set>
 
@@ -99,13 +98,6 @@ std::string describe_trace(const std::string& path) {
     for (const std::string& note : notes)
         text += "note: " + note + '\n';
     return text;
-}
-
-bool is_work_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string magic(work::WorkFileMagic.size(), '\0');
-    return file.read(magic.data(), static_cast<std::streamsize>(magic.size())) &&
-           magic == work::WorkFileMagic;
 }
 
 } // namespace

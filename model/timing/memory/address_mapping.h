@@ -29,12 +29,20 @@ inline std::uint32_t bank_of(const MemoryConfig& config, std::uint64_t row_of_ba
     return static_cast<std::uint32_t>(work::SetIndex(config.banks, config.bank_hash)(row_of_bank));
 }
 
-inline DramPlace place_of(const MemoryConfig& config, std::uint64_t address) {
+// Of the channel's own bytes.
+inline std::uint64_t in_channel(const MemoryConfig& config, std::uint64_t address) {
     const std::uint64_t block =
         quotient(quotient(address, config.interleave_bytes), config.channels);
-    const std::uint64_t in_channel =
-        block * config.interleave_bytes + remainder(address, config.interleave_bytes);
-    const std::uint64_t row_of_bank = quotient(in_channel, config.row_bytes);
+    return block * config.interleave_bytes + remainder(address, config.interleave_bytes);
+}
+
+// In the row.
+inline std::uint64_t row_offset(const MemoryConfig& config, std::uint64_t address) {
+    return remainder(in_channel(config, address), config.row_bytes);
+}
+
+inline DramPlace place_of(const MemoryConfig& config, std::uint64_t address) {
+    const std::uint64_t row_of_bank = quotient(in_channel(config, address), config.row_bytes);
     return {.channel = memory_channel(config, address),
             .bank = bank_of(config, row_of_bank),
             .row = quotient(row_of_bank, config.banks)};

@@ -1,0 +1,182 @@
+#include "model/work/miss_curves.h"
+
+#include "model/base/check.h"
+#include "model/work/texel_line.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+namespace ffgpu::work {
+namespace {
+
+void count(std::vector<std::uint64_t>& histogram, std::uint32_t at) {
+    if (at >= histogram.size()) histogram.resize(std::size_t{at} * 2 + 64, 0);
+    ++histogram[at];
+}
+
+// Of each entry the sum from there on.
+void sum_up(std::vector<std::uint64_t>& histogram) {
+    std::partial_sum(histogram.rbegin(), histogram.rend(), histogram.rbegin());
+}
+
+std::uint64_t value(const std::vector<std::uint64_t>& sums, std::uint64_t at) {
+    return at < sums.size() ? sums[at] : 0;
+}
+
+} // namespace
+
+MissCurves::MissCurves(const CurvesShape& shape)
+    : shape_(shape)
+    , shift_(static_cast<unsigned>(std::countr_zero(shape.line_bytes / shape.lookup_bytes))) {
+    check(shape.line_bytes >= shape.lookup_bytes, "look-ups of lines, or of parts of them");
+    for (std::uint32_t sets = 2; sets <= shape.most_sets; sets *= 2) {
+        Level& level = levels_.emplace_back(Level{SetStacks(sets, shape.most_ways), {}, {}});
+        for (Histogram& histogram : level.positions)
+            histogram.assign(std::size_t{shape.most_ways} + 1, 0);
+        level.in_both.assign(std::size_t{shape.most_ways} + 1, 0);
+    }
+}
+
+// The bits above a line's number that tell of its expansion stay.
+std::uint64_t MissCurves::own_line(std::uint64_t line) const {
+    constexpr std::uint64_t Low = (std::uint64_t{1} << ExpansionAt) - 1;
+    return (line & ~Low) | (line & Low) >> shift_;
+}
+
+// Into merged_: what a machine with lines of this size looks up.
+void MissCurves::merge(std::span<const LineLookup> lines) {
+    merged_.clear();
+    for (const LineLookup& lookup : lines) {
+        const std::uint64_t line = own_line(lookup.line);
+        auto from = merged_.begin();
+        if (!shape_.merges && !merged_.empty()) from = merged_.end() - 1;
+        const auto found = std::find_if(
+            from, merged_.end(), [&](const LineLookup& other) { return other.line == line; });
+        if (found == merged_.end())
+            merged_.push_back({line, lookup.write});
+        else
+            found->write |= lookup.write;
+    }
+}
+
+void MissCurves::lookups(const LookupPlace& place, std::span<const LineLookup> lines) {
+    if (shift_ > 0) {
+        merge(lines);
+        lines = merged_;
+    }
+    for (const LineLookup& lookup : lines)
+        look_up(place, lookup);
+}
+
+void MissCurves::look_up(const LookupPlace& place, const LineLookup& lookup) {
+    LineUse use{.id = numbers_[lookup.line], .line = lookup.line, .write = lookup.write};
+    if (use.id >= last_use_.size()) last_use_.resize(std::size_t{use.id} * 2 + 64, Never);
+    std::uint64_t& last = last_use_[use.id];
+    if (last == Never || last < place.began[static_cast<std::size_t>(Reuse::Frame)]) ++lines_now_;
+    use.known = all_.has(use.id);
+    if (use.known) {
+        use.reuse = place.since(last);
+        ++reuses_[static_cast<std::size_t>(use.reuse)];
+    } else {
+        ++compulsory_;
+    }
+    last = place.number;
+    if (use.id != newest_)
+        use_again(use);
+    else if (use.write && !all_.is_dirty_everywhere(use.id))
+        write_again(use);
+    newest_ = use.id;
+}
+
+// From the fewest sets on, until it is its set's last used one: from there on nothing moves.
+void MissCurves::use_again(const LineUse& use) {
+    const bool changes = use.write && !(use.known && all_.is_dirty_everywhere(use.id));
+    const std::uint32_t depth = all_.use(use.id, use.write);
+    const auto reuse = static_cast<std::size_t>(use.reuse);
+    if (use.known) count(positions_[reuse], depth);
+    std::uint32_t share = depth;
+    for (Level& level : levels_) {
+        share /= 2;
+        const std::uint32_t position = level.stacks.use({use.id, use.line, use.write}, use.known);
+        if (!use.known) continue;
+        if (position == 0 && !changes) return;
+        if (position == 0) continue;
+        const std::uint32_t at = std::min(position, shape_.most_ways);
+        ++level.positions[reuse][at];
+        ++level.in_both[std::min(at, share)];
+    }
+}
+
+// It is on top everywhere and becomes dirty in caches of any number of ways.
+void MissCurves::write_again(const LineUse& use) {
+    all_.use(use.id, true);
+    for (Level& level : levels_)
+        level.stacks.use({use.id, use.line, true}, true);
+}
+
+void MissCurves::flush() {
+    all_.flush();
+    for (Level& level : levels_)
+        level.stacks.flush();
+    newest_ = Nothing;
+}
+
+void MissCurves::overwritten(std::span<const OverwrittenLine> lines) {
+    const std::size_t parts = std::size_t{1} << shift_;
+    for (std::size_t i = 0; i < lines.size();) {
+        const std::uint64_t line = own_line(lines[i].line);
+        std::size_t whole = 0;
+        for (; i < lines.size() && own_line(lines[i].line) == line; ++i)
+            whole += lines[i].whole;
+        const std::uint32_t id = numbers_[line];
+        if (!all_.has(id)) continue;
+        if (id == newest_) newest_ = Nothing;
+        all_.drop(id, whole == parts);
+        for (Level& level : levels_)
+            level.stacks.drop({id, line, false}, whole == parts);
+    }
+}
+
+void MissCurves::end_frame() {
+    frame_lines_.push_back(lines_now_);
+    lines_now_ = 0;
+}
+
+CurveSums MissCurves::sums() const {
+    CurveSums sums;
+    sums.most_ways_ = shape_.most_ways;
+    sums.compulsory_ = compulsory_;
+    sums.accesses_ = std::accumulate(reuses_.begin(), reuses_.end(), compulsory_);
+    sums.stacks_.push_back({positions_, {}, all_.write_backs()});
+    for (const Level& level : levels_)
+        sums.stacks_.push_back({level.positions, level.in_both, level.stacks.write_backs()});
+    for (CurveSums::Stacks& stacks : sums.stacks_) {
+        for (CurveSums::Sums& positions : stacks.positions)
+            sum_up(positions);
+        sum_up(stacks.in_both);
+    }
+    return sums;
+}
+
+CacheCounts CurveSums::counts(std::uint32_t sets, std::uint32_t ways) const {
+    const auto level = static_cast<std::size_t>(std::countr_zero(sets));
+    check(std::has_single_bit(sets) && level < stacks_.size(), "a followed number of sets");
+    check(ways > 0 && (sets == 1 || ways <= most_ways_), "a followed number of ways");
+    const Stacks& stacks = stacks_[level];
+    CacheCounts counts{.accesses = accesses_, .compulsory = compulsory_};
+    std::uint64_t shadow_misses = 0; // of lines known before
+    for (std::size_t i = 0; i < counts.by_reuse.size(); ++i) {
+        counts.by_reuse[i] = value(stacks.positions[i], ways);
+        counts.misses += counts.by_reuse[i];
+        shadow_misses += value(stacks_[0].positions[i], std::uint64_t{sets} * ways);
+    }
+    counts.capacity = sets > 1 ? value(stacks.in_both, ways) : counts.misses;
+    counts.conflict = counts.misses - counts.capacity;
+    counts.hits_beyond_lru = shadow_misses - counts.capacity;
+    counts.misses += compulsory_;
+    counts.write_backs = stacks.write_backs.in(ways);
+    return counts;
+}
+
+} // namespace ffgpu::work

@@ -1,0 +1,119 @@
+// MissCurves: the hits, misses and write-backs of LRU caches of one line size, of any number of
+// sets and ways, from one pass over the look-ups (M. D. Hill, A. J. Smith, Evaluating Associativity
+// in CPU Caches, IEEE Trans. Computers 38 (12), 1989). A line that was its set's last used is that
+// of every smaller set, too: most look-ups touch few of the stacks.
+//
+// Misses are told by kind as miss_classifier.h has them, and by where the line was used last: the
+// compulsory ones and the six of Reuse add up to all.
+
+#pragma once
+
+#include "model/work/line_numbers.h"
+#include "model/work/line_stack.h"
+#include "model/work/lookups.h"
+#include "model/work/set_stacks.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ffgpu::work {
+
+struct CacheCounts {
+    std::uint64_t accesses = 0, misses = 0;
+    std::uint64_t compulsory = 0, capacity = 0, conflict = 0;
+    std::uint64_t hits_beyond_lru = 0; // where a fully associative cache of the size misses
+    std::array<std::uint64_t, ReuseScopes + 1> by_reuse{}; // misses but the compulsory ones
+    std::uint64_t write_backs = 0; // lines, by replacement, flushes and partial overwriting
+
+    bool operator==(const CacheCounts&) const = default;
+};
+
+struct CurvesShape {
+    std::uint32_t line_bytes = 64; // at least the look-ups' own, which `lookup_bytes` are
+    std::uint32_t lookup_bytes = 64;
+    std::uint32_t most_sets = 4096; // a power of two
+    std::uint32_t most_ways = 32;   // of more sets than one
+    bool merges = true;             // look-ups of one quad that fall on one line are one
+};
+
+// What was counted, ready to be asked of any cache.
+class CurveSums {
+public:
+    // `ways` up to most_ways; of one set any number.
+    CacheCounts counts(std::uint32_t sets, std::uint32_t ways) const;
+
+private:
+    friend class MissCurves;
+    // Of each position the counts from there on.
+    using Sums = std::vector<std::uint64_t>;
+    struct Stacks {
+        std::array<Sums, ReuseScopes + 1> positions;
+        Sums in_both; // empty of one set
+        WriteBacks write_backs;
+    };
+
+    std::uint32_t most_ways_ = 0;
+    std::uint64_t accesses_ = 0, compulsory_ = 0;
+    std::vector<Stacks> stacks_; // of 1, 2, 4 ... sets
+};
+
+class MissCurves {
+public:
+    explicit MissCurves(const CurvesShape& shape);
+
+    void lookups(const LookupPlace& place, std::span<const LineLookup> lines);
+    void flush();
+    void overwritten(std::span<const OverwrittenLine> lines);
+    void end_frame();
+
+    CurveSums sums() const;
+
+    // Different lines that each frame looked up.
+    const std::vector<std::uint64_t>& frame_lines() const { return frame_lines_; }
+    const CurvesShape& shape() const { return shape_; }
+
+private:
+    static constexpr std::uint64_t Never = ~std::uint64_t{0};
+    static constexpr std::uint32_t Nothing = ~std::uint32_t{0};
+
+    // Counts by position; the last of a set's stack are all deeper ones.
+    using Histogram = std::vector<std::uint64_t>;
+    using ReuseHistograms = std::array<Histogram, ReuseScopes + 1>;
+    // Of 2, 4 ... sets.
+    struct Level {
+        SetStacks stacks;
+        ReuseHistograms positions;
+        Histogram in_both; // the lesser of position and what is over of the sets' share
+    };
+    struct LineUse {
+        std::uint32_t id = 0;
+        std::uint64_t line = 0;
+        bool write = false;
+        Reuse reuse = Reuse::EarlierFrame;
+        bool known = false; // used before, and not thrown out since
+    };
+
+    std::uint64_t own_line(std::uint64_t line) const;
+    void merge(std::span<const LineLookup> lines);
+    void look_up(const LookupPlace& place, const LineLookup& lookup);
+    void use_again(const LineUse& use);
+    void write_again(const LineUse& use);
+
+    const CurvesShape shape_;
+    const unsigned shift_;
+    LineNumbers numbers_;
+    std::vector<std::uint64_t> last_use_; // by line: the number of its place
+    LineStack all_;
+    ReuseHistograms positions_; // in all_
+    std::vector<Level> levels_;
+    std::uint32_t newest_ = Nothing; // the line looked up last
+    std::array<std::uint64_t, ReuseScopes + 1> reuses_{};
+    std::uint64_t compulsory_ = 0;
+    std::uint64_t lines_now_ = 0; // of this frame
+    std::vector<std::uint64_t> frame_lines_;
+    std::vector<LineLookup> merged_; // of one place
+};
+
+} // namespace ffgpu::work

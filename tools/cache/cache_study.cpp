@@ -1,0 +1,284 @@
+#include "tools/cache/cache_study.h"
+
+#include "model/base/input_error.h"
+#include "model/work/first_level.h"
+#include "model/work/job_thread.h"
+#include "model/work/lookup_walk.h"
+#include "tools/cache/lookup_chunks.h"
+#include "tools/cache/miss_map.h"
+#include "tools/record/work_fan_out.h"
+#include "tools/work/work_player.h"
+
+#include <algorithm>
+#include <deque>
+#include <thread>
+
+#include <fmt/format.h>
+
+namespace ffgpu::tools {
+namespace {
+
+using work::LookupClient;
+
+// The curves of one client and line size.
+class ClientCurves final : public work::LookupSink {
+public:
+    ClientCurves(LookupClient client, const work::CurvesShape& shape)
+        : client_(client)
+        , curves_(shape) {}
+
+    void lookups(LookupClient client,
+                 const work::LookupPlace& place,
+                 std::span<const work::LineLookup> lines,
+                 std::uint32_t reads) override {
+        if (client != client_) return;
+        reads_ += reads;
+        curves_.lookups(place, lines);
+    }
+    void flush(LookupClient client) override {
+        if (client == client_) curves_.flush();
+    }
+    void overwritten(LookupClient client, std::span<const work::OverwrittenLine> lines) override {
+        if (client == client_) curves_.overwritten(lines);
+    }
+    void end_frame(std::uint32_t) override { curves_.end_frame(); }
+
+    LookupClient client() const { return client_; }
+    const work::MissCurves& curves() const { return curves_; }
+    std::uint64_t reads() const { return reads_; }
+
+private:
+    LookupClient client_;
+    work::MissCurves curves_;
+    std::uint64_t reads_ = 0;
+};
+
+// Threads, each with a part of the curves. No result depends on their number.
+class CurveThreads {
+public:
+    explicit CurveThreads(unsigned count) {
+        for (unsigned i = 0; i < count; ++i)
+            threads_.emplace_back(MostWeight);
+    }
+
+    work::JobThread& next() { return threads_[taken_++ % threads_.size()]; }
+    void drain() {
+        for (work::JobThread& thread : threads_)
+            thread.drain();
+    }
+
+private:
+    static constexpr std::size_t MostWeight = std::size_t{1} << 18;
+
+    std::deque<work::JobThread> threads_;
+    std::size_t taken_ = 0;
+};
+
+// Only the look-ups of clients that somebody follows.
+class ClientFilter final : public work::LookupSink {
+public:
+    ClientFilter(std::vector<LookupClient> clients, work::LookupSink& out)
+        : clients_(std::move(clients))
+        , out_(out) {}
+
+    void lookups(LookupClient client,
+                 const work::LookupPlace& place,
+                 std::span<const work::LineLookup> lines,
+                 std::uint32_t reads) override {
+        if (follows(client)) out_.lookups(client, place, lines, reads);
+    }
+    void flush(LookupClient client) override {
+        if (follows(client)) out_.flush(client);
+    }
+    void overwritten(LookupClient client, std::span<const work::OverwrittenLine> lines) override {
+        if (follows(client)) out_.overwritten(client, lines);
+    }
+    void end_frame(std::uint32_t frame) override { out_.end_frame(frame); }
+
+private:
+    bool follows(LookupClient client) const {
+        return std::find(clients_.begin(), clients_.end(), client) != clients_.end();
+    }
+
+    std::vector<LookupClient> clients_;
+    work::LookupSink& out_;
+};
+
+work::WorkConfig work_config(const CacheStudyOptions& options, const CacheVariant& variant) {
+    work::WorkConfig config = options.configuration.timing.work();
+    const std::uint32_t finest =
+        *std::min_element(options.line_bytes.begin(), options.line_bytes.end());
+    for (work::CacheShape* const shape : {static_cast<work::CacheShape*>(&config.texel_cache),
+                                          &config.depth_cache,
+                                          &config.color_cache}) {
+        shape->line_bytes = finest;
+        if (!options.layouts.empty()) shape->layout = variant.layout;
+    }
+    if (options.first_level) config.texel_cache.line_bytes = options.first_level->line_bytes;
+    config.raster.traversal = variant.order.traversal;
+    config.raster.tile_width = variant.order.tile_width;
+    config.merges_texel_reads = variant.merges;
+    return config;
+}
+
+work::VertexFetchShape vertex_shape(const CacheStudyOptions& options) {
+    const timing::VertexConfig& vertex = options.configuration.timing.vertex;
+    return {.line_bytes = *std::min_element(options.line_bytes.begin(), options.line_bytes.end()),
+            .reuse_entries = vertex.reuse_entries,
+            .reuse_lru = vertex.reuse_policy == timing::ReusePolicy::Lru};
+}
+
+// One machine: its order and places, its look-ups, and their curves.
+class Variant {
+public:
+    Variant(const CacheStudyOptions& options, const CacheVariant& variant, CurveThreads& threads)
+        : options_(options)
+        , variant_(variant)
+        , config_(work_config(options, variant))
+        , chunker_([this](std::shared_ptr<const LookupChunk> chunk) { hand_over(chunk); })
+        , filter_(options.clients, chunker_)
+        , walk_(config_, vertex_shape(options), first_sink())
+        , order_(config_, walk_) {
+        for (const LookupClient client : options.clients)
+            for (const std::uint32_t line_bytes : options.line_bytes)
+                add(client, line_bytes, threads);
+    }
+
+    work::CommandSink& sink() { return order_; }
+    const work::WorkConfig& config() const { return config_; }
+    void finish() { chunker_.finish(); }
+
+    void tell(CacheStudyResult& result) const {
+        for (const Follower& follower : followers_) {
+            const ClientCurves& curves = *follower.curves;
+            result.curves.push_back({.client = curves.client(),
+                                     .variant = variant_,
+                                     .second_level = behind_first(curves.client()),
+                                     .line_bytes = curves.curves().shape().line_bytes,
+                                     .reads = curves.reads(),
+                                     .sums = curves.curves().sums(),
+                                     .frame_lines = curves.curves().frame_lines()});
+        }
+    }
+
+private:
+    struct Follower {
+        std::unique_ptr<ClientCurves> curves;
+        work::JobThread* thread = nullptr;
+    };
+
+    bool behind_first(LookupClient client) const {
+        return client == LookupClient::Texel && options_.first_level;
+    }
+    work::LookupSink& first_sink() {
+        if (!options_.first_level) return filter_;
+        const CacheGeometry& shape = *options_.first_level;
+        return first_level_.emplace(shape.sets, shape.ways, shape.line_bytes, filter_);
+    }
+    void add(LookupClient client, std::uint32_t line_bytes, CurveThreads& threads) {
+        const bool texel = client == LookupClient::Texel;
+        const bool quads = variant_.granularity == work::Granularity::Quad && variant_.merges;
+        const std::uint32_t own =
+            texel ? config_.texel_cache.line_bytes : config_.depth_cache.line_bytes;
+        followers_.push_back(
+            {std::make_unique<ClientCurves>(client,
+                                            work::CurvesShape{.line_bytes = line_bytes,
+                                                              .lookup_bytes = own,
+                                                              .most_sets = options_.most_sets,
+                                                              .most_ways = options_.most_ways,
+                                                              .merges = !texel || quads}),
+             &threads.next()});
+    }
+    void hand_over(const std::shared_ptr<const LookupChunk>& chunk) {
+        for (const Follower& follower : followers_)
+            follower.thread->push(
+                chunk->weight(), [curves = follower.curves.get(), chunk] { chunk->play(*curves); });
+    }
+
+    const CacheStudyOptions& options_;
+    const CacheVariant variant_;
+    const work::WorkConfig config_;
+    std::vector<Follower> followers_;
+    LookupChunker chunker_;
+    ClientFilter filter_;
+    std::optional<work::FirstLevel> first_level_;
+    work::LookupWalk walk_;
+    work::MachineOrder order_;
+};
+
+void check_options(const CacheStudyOptions& options) {
+    if (!options.first_level) return;
+    for (const std::uint32_t line_bytes : options.line_bytes)
+        if (line_bytes < options.first_level->line_bytes)
+            throw InputError(fmt::format("--line {}: expected at least the first level's {} bytes",
+                                         line_bytes,
+                                         options.first_level->line_bytes));
+}
+
+std::vector<CacheVariant> variants_of(const CacheStudyOptions& options) {
+    const timing::TimingConfig& timing = options.configuration.timing;
+    const work::RasterOrder& raster = timing.raster;
+    std::vector<work::Layout> layouts = options.layouts;
+    if (layouts.empty()) layouts.push_back(timing.texel_cache.layout);
+    std::vector<RasterChoice> orders = options.orders;
+    if (orders.empty()) orders.push_back({raster.traversal, raster.tile_width});
+    std::vector<CacheVariant> variants;
+    for (const work::Layout layout : layouts)
+        for (const RasterChoice& order : orders)
+            variants.push_back({layout, order, raster.granularity, options.merges});
+    return variants;
+}
+
+} // namespace
+
+void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
+    check_options(options);
+    std::deque<Variant> variants;
+    CurveThreads threads(std::max(1u, std::thread::hardware_concurrency())); // use the variants
+    CommandFanOut readers;
+    for (const CacheVariant& variant : variants_of(options))
+        readers.add(variants.emplace_back(options, variant, threads).sink());
+    std::optional<MissMap> map;
+    if (options.miss_map)
+        readers.add(map.emplace(variants.front().config(), *options.miss_map).sink());
+    const auto on_frame = [&](const work::FrameFigures& frame) {
+        result.frames.push_back(frame.number);
+        if (map) options.on_miss_map(frame.number, map->picture(frame.width, frame.height));
+    };
+    const auto finish = [&] {
+        for (Variant& variant : variants)
+            variant.finish();
+        threads.drain();
+        for (const Variant& variant : variants)
+            variant.tell(result);
+    };
+    try {
+        play_work({.input = options.input,
+                   .frames = options.frames,
+                   .gpu = options.configuration.gpu,
+                   .warn = options.warn},
+                  readers,
+                  on_frame);
+    } catch (const InputError&) {
+        finish();
+        throw;
+    }
+    finish();
+}
+
+std::vector<CacheGeometry> told_geometries(const CacheStudyOptions& options,
+                                           const CurveResult& curve) {
+    std::vector<CacheGeometry> all;
+    for (std::uint32_t sets = 1; sets <= options.most_sets; sets *= 2)
+        for (std::uint32_t ways = 1; ways <= options.most_ways; ++ways)
+            all.push_back({sets, ways, curve.line_bytes});
+    constexpr std::uint32_t MostLines = 1u << 20;
+    for (std::uint32_t ways = 1; ways <= MostLines; ways *= 2) {
+        if (ways > options.most_ways) all.push_back({1, ways, curve.line_bytes});
+        const work::CacheCounts counts = curve.sums.counts(1, ways);
+        if (counts.misses == counts.compulsory) break;
+    }
+    return all;
+}
+
+} // namespace ffgpu::tools

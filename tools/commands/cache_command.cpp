@@ -1,0 +1,72 @@
+#include "model/base/input_error.h"
+#include "tools/cache/cache_arguments.h"
+#include "tools/cache/cache_report.h"
+#include "tools/cache/curve_plots.h"
+#include "tools/commands/commands.h"
+#include "tools/commands/warn.h"
+#include "tools/files/whole_file.h"
+#include "tools/report/statistics_file.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace ffgpu::tools {
+namespace {
+
+void write_file(const std::string& folder, const std::string& name, const std::string& text) {
+    WholeFile file((std::filesystem::path(folder) / name).string());
+    file.write(text);
+    file.commit();
+}
+
+void write_results(const CacheArguments& arguments,
+                   const CacheStudyOptions& options,
+                   const CacheStudyResult& result) {
+    std::fputs(cache_tables(options, result).c_str(), stdout);
+    if (arguments.output.empty()) return;
+    write_file(arguments.output, "curves.csv", curves_csv(options, result));
+    write_file(arguments.output, "working_sets.csv", working_sets_csv(result));
+    for (const NamedPlot& plot : curve_plots(options, result))
+        write_file(arguments.output, plot.file, plot.svg);
+}
+
+void run_cache(const CacheArguments& arguments) {
+    CacheStudyOptions options = resolve(arguments);
+    options.warn = warn;
+    if (!arguments.output.empty()) make_folder(arguments.output);
+    options.on_miss_map = [&](std::uint64_t frame, const Image& map) {
+        const std::string name = fmt::format("miss_map_{:04}.png", frame);
+        write_png((std::filesystem::path(arguments.output) / name).string(), map);
+    };
+    CacheStudyResult result;
+    try {
+        study_caches(options, result);
+    } catch (const InputError&) {
+        if (!result.frames.empty()) write_results(arguments, options, result); // What is done.
+        throw;
+    }
+    write_results(arguments, options, result);
+}
+
+} // namespace
+
+void add_cache_command(CLI::App& application, Run& run) {
+    const auto arguments = std::make_shared<CacheArguments>();
+    CLI::App* const verb = application.add_subcommand(
+        "cache", "Miss-rate curves of all LRU caches from one pass over a trace or its work");
+    add_cache_options(*verb, *arguments);
+    verb->footer("Example: ffgpu cache traces/corridor.trace -o out/cache --layout linear,blocked "
+                 "--order scanline,tiled:8");
+    verb->callback([arguments, &run] {
+        run = [arguments] {
+            run_cache(*arguments);
+            return 0;
+        };
+    });
+}
+
+} // namespace ffgpu::tools

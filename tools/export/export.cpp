@@ -1,0 +1,218 @@
+#include "tools/export/export.h"
+
+#include "model/base/input_error.h"
+#include "model/timing/gpu_timing.h"
+#include "model/work/lookup_walk.h"
+#include "tools/config/nearest_name.h"
+#include "tools/export/din_writer.h"
+#include "tools/export/memory_trace.h"
+#include "tools/work/work_player.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace ffgpu::tools {
+namespace {
+
+WorkPlayOptions play_options(const ExportOptions& options) {
+    const bool values = !options.configuration.timing.needs_values().empty();
+    return {.input = options.input,
+            .frames = options.frames,
+            .gpu = options.configuration.gpu,
+            .detail = values ? WorkDetail::Values : WorkDetail::Masks,
+            .warn = options.warn};
+}
+
+// Plays the work, then completes the output; a fault of the input comes after that.
+template <class Finish>
+void play_and_finish(const ExportOptions& options,
+                     work::CommandSink& sink,
+                     const std::function<void(const work::FrameFigures&)>& frame,
+                     Finish&& finish) {
+    std::uint64_t frames = 0;
+    const auto counting = [&](const work::FrameFigures& figures) {
+        frame(figures);
+        ++frames;
+    };
+    std::exception_ptr fault;
+    try {
+        play_work(play_options(options), sink, counting);
+    } catch (const InputError&) {
+        if (frames == 0) throw;
+        fault = std::current_exception();
+    }
+    finish();
+    if (fault) std::rethrow_exception(fault);
+}
+
+std::uint32_t line_bytes_of(const timing::TimingConfig& timing, work::LookupClient client) {
+    switch (client) {
+    case work::LookupClient::Texel:
+        return timing.texel_cache.line_bytes;
+    case work::LookupClient::Depth:
+        return timing.depth_cache.line_bytes;
+    case work::LookupClient::Color:
+        return timing.color_cache.line_bytes;
+    case work::LookupClient::Vertex:
+        break;
+    }
+    return timing.vertex.line_bytes;
+}
+
+// --- Look-ups ------------------------------------------------------------------------------------
+
+std::string export_lookups(const ExportOptions& options) {
+    const timing::TimingConfig& timing = options.configuration.timing;
+    ExportOutput output(options.output, options.compresses);
+    TextWriter text(output);
+    const auto form =
+        options.format == ExportFormat::Din ? DinWriter::Form::Din : DinWriter::Form::Extended;
+    const std::uint32_t line_bytes = line_bytes_of(timing, options.client);
+    DinWriter writer(form, options.client, line_bytes, text);
+    work::LookupWalk walk(timing.work(),
+                          {.line_bytes = timing.vertex.line_bytes,
+                           .reuse_entries = timing.vertex.reuse_entries,
+                           .reuse_lru = timing.vertex.reuse_policy == timing::ReusePolicy::Lru},
+                          writer);
+    work::MachineOrder order(timing.work(), walk);
+    play_and_finish(
+        options,
+        order,
+        [](const work::FrameFigures&) {},
+        [&] {
+            text.flush();
+            output.commit();
+        });
+    return fmt::format("{} look-ups of lines of {} bytes\n", writer.written(), line_bytes);
+}
+
+// --- Memory --------------------------------------------------------------------------------------
+
+MemoryTraceKind trace_kind(ExportFormat format) {
+    switch (format) {
+    case ExportFormat::Ramulator2:
+        return MemoryTraceKind::Ramulator2;
+    case ExportFormat::Ramulator2Vectors:
+        return MemoryTraceKind::Ramulator2Vectors;
+    case ExportFormat::Dramsim3:
+        return MemoryTraceKind::Dramsim3;
+    case ExportFormat::Dramsys:
+        return MemoryTraceKind::Dramsys;
+    default:
+        return MemoryTraceKind::Csv;
+    }
+}
+
+class NoMachine final : public work::MachineSink {
+public:
+    void scene(work::PreparedScene&&) override {}
+    void transfer(work::PreparedTransfer&&) override {}
+    void host_transfer(const HostTransfer&) override {}
+    void end_frame(std::uint32_t) override {}
+};
+
+// The machine in time; where textures are asked for, their places, before it knows them.
+class TracedMachine final : public work::CommandSink {
+public:
+    TracedMachine(const timing::TimingConfig& config, bool with_places)
+        : with_places_(with_places)
+        , order_(config.work(), no_machine_)
+        , timing_(config) {}
+
+    void command(std::shared_ptr<const work::WholeCommand> command) override {
+        if (with_places_) {
+            order_.command(command);
+            places_.add(*command, order_);
+        }
+        timing_.command(std::move(command));
+    }
+    void content(const std::shared_ptr<const SurfaceContent>& content) override {
+        if (with_places_) order_.content(content);
+        timing_.content(content);
+    }
+    void host_transfer(const HostTransfer& transfer) override {
+        if (with_places_) order_.host_transfer(transfer);
+        timing_.host_transfer(transfer);
+    }
+    void end_frame(std::uint32_t frame) override {
+        if (with_places_) order_.end_frame(frame);
+        timing_.end_frame(frame);
+    }
+
+    timing::GpuTiming& timing() { return timing_; }
+    const TexturePlaces& places() const { return places_; }
+
+private:
+    const bool with_places_;
+    NoMachine no_machine_;
+    work::MachineOrder order_;
+    TexturePlaces places_;
+    timing::GpuTiming timing_;
+};
+
+std::string traffic_text(const TrafficByClient& traffic) {
+    std::string text;
+    for (std::size_t i = 0; i < traffic.size(); ++i)
+        if (traffic[i].requests > 0)
+            text += fmt::format("{:>10}: {} requests, {} bytes read, {} written\n",
+                                timing::ClientNames[i],
+                                traffic[i].requests,
+                                traffic[i].read_bytes,
+                                traffic[i].written_bytes);
+    return text;
+}
+
+std::string export_memory(const ExportOptions& options) {
+    const timing::TimingConfig& config = options.configuration.timing;
+    ExportOutput output(options.output, options.compresses);
+    TextWriter text(output);
+    const bool names_quads = options.format == ExportFormat::Csv;
+    TracedMachine machine(config, names_quads);
+    MemoryTrace trace(make_memory_format(trace_kind(options.format),
+                                         {.memory = config.memory,
+                                          .access_bytes = options.access_bytes,
+                                          .tile_width = config.raster.tile_width}),
+                      config.texel_cache.line_bytes,
+                      machine.places(),
+                      text);
+    machine.timing().set_memory_observer(&trace);
+    // What misses in a first level need not come to memory.
+    if (names_quads && !config.texel_l2.enable) machine.timing().set_quad_observer(&trace);
+    play_and_finish(
+        options,
+        machine,
+        [&](const work::FrameFigures&) {
+            machine.timing().catch_up();
+            trace.end_frame();
+        },
+        [&] {
+            trace.finish();
+            output.commit();
+        });
+    return traffic_text(trace.traffic());
+}
+
+} // namespace
+
+ExportFormat parse_export_format(const std::string& name) {
+    const auto found = std::find(ExportFormatNames.begin(), ExportFormatNames.end(), name);
+    if (found == ExportFormatNames.end())
+        throw InputError(
+            fmt::format("--format {}: expected {}; did you mean '{}'?",
+                        name,
+                        fmt::join(ExportFormatNames, ", "),
+                        nearest_name(name, {ExportFormatNames.begin(), ExportFormatNames.end()})));
+    return static_cast<ExportFormat>(found - ExportFormatNames.begin());
+}
+
+std::string export_trace(const ExportOptions& options) {
+    switch (options.format) {
+    case ExportFormat::Din:
+    case ExportFormat::Xdin:
+        return export_lookups(options);
+    default:
+        return export_memory(options);
+    }
+}
+
+} // namespace ffgpu::tools

@@ -1,0 +1,49 @@
+// Exports of an application's memory traffic, for other tools: docs/export.md has a section for
+// each format.
+
+#pragma once
+
+#include "model/work/lookups.h"
+#include "tools/config/configuration.h"
+#include "tools/frames/frame_range.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace ffgpu::tools {
+
+enum class ExportFormat : std::uint8_t {
+    Din,
+    Xdin,
+    Ramulator2,
+    Ramulator2Vectors,
+    Dramsim3,
+    Dramsys,
+    Csv
+};
+inline constexpr std::array<std::string_view, 7> ExportFormatNames{
+    "din", "xdin", "ramulator2", "ramulator2_vectors", "dramsim3", "dramsys", "csv"};
+
+struct ExportOptions {
+    std::string input{};
+    std::string output = "-"; // a file; "-": standard output
+    ExportFormat format = ExportFormat::Din;
+    FrameRange frames{};
+    Configuration configuration{};
+    work::LookupClient client = work::LookupClient::Texel; // din, xdin
+    std::uint32_t access_bytes = 64; // of a record, in formats of memory traces without sizes
+    bool compresses = false;
+    std::function<void(const std::string& line)> warn = [](const std::string&) {};
+};
+
+// Throws InputError for a name that is none, with the nearest that is.
+ExportFormat parse_export_format(const std::string& name);
+
+// Returns a summary for people. Throws InputError; what was exported before a fault of the input is
+// kept, what a full disk cut off is not.
+std::string export_trace(const ExportOptions& options);
+
+} // namespace ffgpu::tools

@@ -1,0 +1,124 @@
+#include "tools/work/work_player.h"
+
+#include "model/base/input_error.h"
+#include "model/gpu/functional_gpu.h"
+#include "model/work/command_assembler.h"
+#include "model/work/sink_thread.h"
+#include "model/work/work_file_format.h"
+#include "model/work/work_file_reader.h"
+#include "tools/frames/frame_source.h"
+#include "tools/frames/progress.h"
+#include "tools/replay/interruption.h"
+
+#include <algorithm>
+#include <fstream>
+#include <thread>
+
+#include <fmt/format.h>
+
+namespace ffgpu::tools {
+namespace {
+
+using OnFrame = std::function<void(const work::FrameFigures&)>;
+
+FunctionalGpu::Config gpu_config(const GpuParameters& parameters) {
+    const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+    return {.threads = parameters.threads == 0 ? processors : parameters.threads,
+            .tile_size = parameters.tile_size};
+}
+
+// Draws, and hands the work over on a thread of its own.
+class Drawing {
+public:
+    Drawing(const WorkPlayOptions& options, work::CommandSink& sink, const OnFrame& on_frame)
+        : options_(options)
+        , on_frame_(on_frame)
+        , assembler_(sink)
+        , gpu_(gpu_config(options.gpu))
+        , thread_(assembler_)
+        , source_(open_frame_source(options.input, gpu_, {.warn = options.warn})) {}
+
+    void run() {
+        try {
+            play();
+        } catch (const InputError&) {
+            finish(); // What was drawn is handed over.
+            throw;
+        }
+        finish();
+    }
+
+private:
+    void play() {
+        Progress progress(std::nullopt);
+        std::uint64_t next = source_->first_frame();
+        gpu_.number_from(static_cast<std::uint32_t>(next), source_->prepare());
+        while (next <= options_.frames.last && Interruption::signal() == 0) {
+            if (!recording_ && next >= options_.frames.first) {
+                gpu_.set_work_sink(&thread_, options_.detail);
+                recording_ = true;
+            }
+            const std::optional<Frame> frame = source_->next();
+            if (!frame) break;
+            if (recording_) hand_over(*frame);
+            progress.show(frame->number);
+            next = frame->number + 1;
+        }
+        if (!recording_)
+            throw InputError(fmt::format("--frames: {} ends before frame {}: none of those asked "
+                                         "for is there",
+                                         options_.input,
+                                         next));
+    }
+
+    void hand_over(const Frame& frame) {
+        gpu_.finish();
+        thread_.check_failure();
+        const work::FrameFigures figures{.number = frame.number,
+                                         .width = frame.picture.width,
+                                         .height = frame.picture.height,
+                                         .api_calls = frame.api_calls,
+                                         .functional = {}};
+        thread_.post([this, figures] { on_frame_(figures); });
+    }
+
+    void finish() {
+        gpu_.finish();
+        thread_.drain();
+    }
+
+    const WorkPlayOptions& options_;
+    const OnFrame& on_frame_;
+    work::CommandAssembler assembler_;
+    FunctionalGpu gpu_;
+    work::SinkThread thread_;
+    std::unique_ptr<FrameSource> source_; // Plays on the GPU.
+    bool recording_ = false;
+};
+
+void play_file(const WorkPlayOptions& options, work::CommandSink& sink, const OnFrame& on_frame) {
+    if (!(options.frames == FrameRange{}))
+        throw InputError("--frames: a work file is played whole: " + options.input);
+    work::WorkFileReader file(options.input);
+    Progress progress(std::nullopt);
+    file.play(sink, [&](const work::FrameFigures& figures) {
+        on_frame(figures);
+        progress.show(figures.number);
+    });
+}
+
+} // namespace
+
+bool is_work_file(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string magic(work::WorkFileMagic.size(), '\0');
+    return file.read(magic.data(), static_cast<std::streamsize>(magic.size())) &&
+           magic == work::WorkFileMagic;
+}
+
+void play_work(const WorkPlayOptions& options, work::CommandSink& sink, const OnFrame& frame) {
+    if (is_work_file(options.input)) return play_file(options, sink, frame);
+    Drawing(options, sink, frame).run();
+}
+
+} // namespace ffgpu::tools

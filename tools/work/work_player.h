@@ -1,0 +1,33 @@
+// The work of a trace, a device capture or a work file, played to whoever reads whole commands.
+
+#pragma once
+
+#include "model/packets/work_stream.h"
+#include "model/work/frame_figures.h"
+#include "model/work/whole_command.h"
+#include "tools/config/configuration.h"
+#include "tools/frames/frame_range.h"
+
+#include <functional>
+#include <string>
+
+namespace ffgpu::tools {
+
+bool is_work_file(const std::string& path);
+
+struct WorkPlayOptions {
+    std::string input{};
+    FrameRange frames{}; // A work file is played whole.
+    GpuParameters gpu{};
+    WorkDetail detail = WorkDetail::Masks; // A work file has what it was recorded with.
+    std::function<void(const std::string& line)> warn = [](const std::string&) {};
+};
+
+// Calls `frame` where a frame's work has all been handed over; that and all calls of the sink come
+// from one thread, which need not be the caller's. Throws InputError; all that came before the
+// fault has been handed over then.
+void play_work(const WorkPlayOptions& options,
+               work::CommandSink& sink,
+               const std::function<void(const work::FrameFigures&)>& frame);
+
+} // namespace ffgpu::tools
