@@ -1,0 +1,269 @@
+// One bench for every unit with a channel in and a channel out: clock, reset, stalls, power-up
+// values, and the comparison with the model.
+//
+// A Unit names its Verilated module (Dut), the packed structs State, Input and Output, and gives
+//
+//     declare(bins), cover(bins, state, input)     the cases that random vectors have to meet
+//     random_state(random), random_input(random, state)
+//     expect(state, input, outputs)                by the model's scalar functions alone
+//     set_tag(input, tag)                          the bank of registers that the input is under
+//     reset()                                      may be left out: forgets what came before
+//     settle(output)                               may be left out: clears what does not matter
+//
+// Draws follow each other without a gap, under the tags 0 and 1 in turn. A bank is written anew
+// when the last item under it has left, as the front end does it.
+
+#pragma once
+
+#include "tests/rtl/bench/ports.h"
+#include "tests/rtl/bench/random.h"
+#include "tests/rtl/bench/stalls.h"
+
+#include <array>
+#include <cstdlib>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ffgpu::rtl {
+
+// A unit without registers.
+struct NoState {
+    template <class Self, class Visitor>
+    static void visit(Self&, Visitor&&) {}
+};
+
+template <class Unit>
+struct Source {
+    std::function<std::optional<typename Unit::State>()> next_draw;  // none: that was all
+    std::function<std::optional<typename Unit::Input>()> next_input; // none: end of the draw
+};
+
+// For exhaustive tests: draw n of `draws` has state(n) and the inputs input(n, i), i < `inputs`.
+template <class Unit, class State, class Input>
+Source<Unit> counted_source(unsigned draws, unsigned inputs, State state, Input input) {
+    struct Place {
+        unsigned draw = 0, at = 0;
+    };
+    auto place = std::make_shared<Place>();
+    return {
+        [=]() -> std::optional<typename Unit::State> {
+            if (place->draw == draws) return std::nullopt;
+            place->at = 0;
+            return state(place->draw++);
+        },
+        [=]() -> std::optional<typename Unit::Input> {
+            if (place->at == inputs) return std::nullopt;
+            return input(place->draw - 1, place->at++);
+        },
+    };
+}
+
+// Told by ./dev rtl_mutate, which must see the tests fail.
+inline bool is_blind() {
+    static const bool Blind = std::getenv("FFGPU_RTL_BLIND") != nullptr;
+    return Blind;
+}
+
+template <class Unit>
+class UnitBench {
+public:
+    using Dut = typename Unit::Dut;
+    using State = typename Unit::State;
+    using Input = typename Unit::Input;
+    using Output = typename Unit::Output;
+
+    // Flops wake up with numbers of this seed.
+    explicit UnitBench(Unit& unit, unsigned seed = 1)
+        : unit_(unit) {
+        context_->randSeed(static_cast<int>(seed));
+        context_->randReset(2);
+        dut_ = std::make_unique<Dut>(context_.get());
+        dut_->clk_i = 0;
+        dut_->in_valid_i = 0;
+        dut_->out_ready_i = 0;
+        dut_->rst_ni = 1; // An asynchronous reset is an edge.
+        dut_->eval();
+        reset();
+    }
+
+    std::uint64_t compared = 0, mismatches = 0, dependences = 0, stuck = 0;
+    std::string report;
+
+    bool probes_dependences = false;
+    unsigned resets_one_in = 0; // cycles; 0: never
+    Bins* bins = nullptr;
+    // Applied to what the model says, to see that the bench notices.
+    std::function<void(Bits&)> corrupt;
+
+    void reset() {
+        dut_->rst_ni = 0;
+        dut_->eval();
+        if (dut_->out_valid_o) note("    valid while in reset\n");
+        clock();
+        dut_->rst_ni = 1;
+        dut_->eval();
+        expected_.clear();
+        inside_ = {};
+        offered_.reset();
+        if constexpr (requires { unit_.reset(); }) unit_.reset();
+    }
+
+    void run(const Source<Unit>& source, Stall stall, std::uint64_t seed) {
+        Random random(seed);
+        Stalls stalls(stall, random);
+        bool more = begin_draw(source);
+        for (unsigned idle = 0; more || offered_ || !expected_.empty();) {
+            if (more && !offered_) more = offer(source);
+            dut_->in_valid_i = offered_ && (holds_ || stalls.offers());
+            dut_->out_ready_i = stalls.takes();
+            dut_->eval();
+            if (probes_dependences && random.one_in(4)) probe();
+            idle = exchange() || !dut_->out_ready_i ? 0 : idle + 1;
+            if (idle > MostIdleCycles) return fail_stuck();
+            clock();
+            if (resets_one_in != 0 && random.one_in(resets_one_in)) reset();
+        }
+    }
+
+private:
+    static constexpr unsigned MostIdleCycles = 4000, MostReports = 4;
+
+    struct Expected {
+        Bits output, state, input;
+        unsigned tag;
+    };
+
+    void clock() {
+        dut_->clk_i = 1;
+        dut_->eval();
+        dut_->clk_i = 0;
+        context_->timeInc(1);
+    }
+
+    // The next draw waits until its bank is free.
+    bool begin_draw(const Source<Unit>& source) {
+        pending_ = source.next_draw();
+        return pending_.has_value();
+    }
+
+    bool offer(const Source<Unit>& source) {
+        holds_ = false;
+        if (pending_) {
+            const unsigned tag = tag_ ^ 1;
+            if (inside_[tag] != 0) return true;
+            tag_ = tag;
+            states_[tag] = *pending_;
+            state_bits_[tag] = to_bits(*pending_);
+            pending_.reset();
+            if constexpr (!std::is_same_v<State, NoState>) {
+                if (tag == 0) drive(dut_->state_0_i, state_bits_[tag]);
+                if (tag == 1) drive(dut_->state_1_i, state_bits_[tag]);
+            }
+        }
+        offered_ = source.next_input();
+        if (!offered_) return begin_draw(source);
+        unit_.set_tag(*offered_, tag_);
+        offered_bits_ = to_bits(*offered_);
+        drive(dut_->in_data_i, offered_bits_);
+        return true;
+    }
+
+    // What the edge to come will transfer. True: something.
+    bool exchange() {
+        holds_ = dut_->in_valid_i;
+        const bool taken = dut_->in_valid_i && dut_->in_ready_o;
+        const bool given = dut_->out_valid_o && dut_->out_ready_i;
+        if (taken) accept();
+        if (given) compare();
+        return taken || given;
+    }
+
+    void accept() {
+        outputs_.clear();
+        unit_.expect(states_[tag_], *offered_, outputs_);
+        if (bins) unit_.cover(*bins, states_[tag_], *offered_);
+        for (const Output& output : outputs_) {
+            expected_.push_back({settled(to_bits(output)), state_bits_[tag_], offered_bits_, tag_});
+            if (corrupt) corrupt(expected_.back().output);
+            ++inside_[tag_];
+        }
+        offered_.reset();
+        holds_ = false;
+    }
+
+    void compare() {
+        const Bits got = settled(sample(dut_->out_data_o, bits_of<Output>()));
+        if (expected_.empty()) {
+            ++mismatches;
+            return note("    an output without an input\n");
+        }
+        const Expected& front = expected_.front();
+        ++compared;
+        if (!is_blind() && !(got == front.output)) {
+            ++mismatches;
+            note(differences<Output>(front.output, got) +
+                 "    again: FFGPU_RTL_VECTOR=" + to_hex(front.state) + '/' + to_hex(front.input) +
+                 " build/tests/rtl/rtl_" + Unit::Name + "_test '[again]'\n");
+        }
+        --inside_[front.tag];
+        expected_.pop_front();
+    }
+
+    // Without what does not matter, where a unit says so.
+    static Bits settled(const Bits& bits) {
+        if constexpr (requires(Output & output) { Unit::settle(output); }) {
+            auto output = from_bits<Output>(bits);
+            Unit::settle(output);
+            return to_bits(output);
+        } else {
+            return bits;
+        }
+    }
+
+    // In the middle of a cycle: own valid must not reach ready, the receiver's ready not valid or
+    // data.
+    void probe() {
+        const auto ready = dut_->in_ready_o;
+        const auto valid = dut_->out_valid_o;
+        const Bits data = sample(dut_->out_data_o, bits_of<Output>());
+        dut_->in_valid_i = !dut_->in_valid_i;
+        dut_->eval();
+        dependences += dut_->in_ready_o != ready;
+        dut_->in_valid_i = !dut_->in_valid_i;
+        dut_->out_ready_i = !dut_->out_ready_i;
+        dut_->eval();
+        dependences += dut_->out_valid_o != valid;
+        dependences += valid && !(sample(dut_->out_data_o, bits_of<Output>()) == data);
+        dut_->out_ready_i = !dut_->out_ready_i;
+        dut_->eval();
+    }
+
+    void fail_stuck() {
+        ++stuck;
+        note("    nothing moved for " + std::to_string(MostIdleCycles) + " cycles\n");
+    }
+
+    void note(const std::string& text) {
+        if (++reports_ <= MostReports) report += std::string(Unit::Name) + ":\n" + text;
+    }
+
+    Unit& unit_;
+    std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
+    std::unique_ptr<Dut> dut_;
+    unsigned tag_ = 0, reports_ = 0;
+    std::array<unsigned, 2> inside_{};
+    std::array<State, 2> states_{};
+    std::array<Bits, 2> state_bits_{};
+    std::optional<State> pending_;
+    std::optional<Input> offered_;
+    Bits offered_bits_;
+    bool holds_ = false; // valid was up, and must stay
+    std::deque<Expected> expected_;
+    std::vector<Output> outputs_;
+};
+
+} // namespace ffgpu::rtl

@@ -1,0 +1,96 @@
+// The units of binary32 against the host's IEEE arithmetic, on zeros and normal numbers whose
+// results are such: what the range rule lets into the fragment path.
+
+#include "Vfloat_units.h"
+#include "model/arith/range.h"
+#include "tests/rtl/bench/random.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+
+#include <catch2/catch.hpp>
+#include <verilated.h>
+
+namespace ffgpu::rtl {
+namespace {
+
+std::uint32_t bits(float value) {
+    return std::bit_cast<std::uint32_t>(value);
+}
+
+// Mantissas of few bits come often: their sums and products end in ties.
+float random_float(Random& random, int least, int most) {
+    if (random.one_in(50)) return random.one_in(2) ? 0.0f : -0.0f;
+    const std::uint32_t kept = random.below(24);
+    std::uint32_t mantissa = random.word() >> 9;
+    if (random.one_in(2)) mantissa = mantissa >> kept << kept;
+    if (random.one_in(8)) mantissa ^= 0x7fffff;
+    const auto exponent = static_cast<std::uint32_t>(127 + least) +
+                          random.below(static_cast<std::uint32_t>(most - least + 1));
+    return std::bit_cast<float>(random.word() << 31 | exponent << 23 | mantissa);
+}
+
+// Which way the exact result went: down, up, exact, or from a tie.
+unsigned rounding(double exact, float rounded) {
+    const double below = std::nextafter(rounded, -INFINITY),
+                 above = std::nextafter(rounded, INFINITY);
+    if (exact == rounded) return 0;
+    if (exact == (rounded + below) / 2 || exact == (rounded + above) / 2) return 3;
+    return exact < rounded ? 1 : 2;
+}
+
+class Checker {
+public:
+    void check(float a, float b) {
+        dut_.a_i = bits(a);
+        dut_.b_i = bits(b);
+        dut_.eval();
+        const float product = a * b, sum = a + b;
+        if (is_ordinary(product) && std::abs(double{a} * b) >= 0x1p-126)
+            compare("product", product, dut_.product_o, double{a} * b);
+        if (product == 0 && (a == 0 || b == 0)) compare("product", product, dut_.product_o, 0);
+        // Exact in binary64 where the exponents are near.
+        if (is_ordinary(sum)) compare("sum", sum, dut_.sum_o, double{a} + b);
+        if (a >= 0 && a < 1048576 && dut_.integer_o != static_cast<std::uint32_t>(a))
+            tell("integer", a, b);
+    }
+    std::uint64_t wrong = 0, compared = 0;
+    std::array<std::uint64_t, 4> products{}, sums{};
+
+private:
+    void compare(const char* what, float expected, std::uint32_t got, double exact) {
+        ++compared;
+        ++(what[0] == 'p' ? products : sums)[rounding(exact, expected)];
+        if (bits(expected) != got) tell(what, exact, got);
+    }
+    void tell(const char* what, double a, double b) {
+        if (++wrong < 4) UNSCOPED_INFO(what << ' ' << a << ' ' << b);
+    }
+
+    Vfloat_units dut_;
+};
+
+TEST_CASE("products, sums and conversions of binary32 equal the host's") {
+    Checker checker;
+    Random random(5);
+    const std::uint64_t count = std::getenv("FFGPU_RTL_LONG") ? 10000000 : 1000000;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const float a = random_float(random, -60, 60);
+        // Sums of near exponents cancel.
+        const int near = a == 0 ? 0 : std::ilogb(a);
+        const float b = random.one_in(2) ? random_float(random, near - 27, near + 27)
+                                         : random_float(random, -60, 60);
+        checker.check(a, b);
+        if (random.one_in(16)) checker.check(a, -a);
+    }
+    CHECK(checker.wrong == 0);
+    CHECK(checker.compared > count);
+    for (unsigned way = 0; way < 4; ++way) {
+        CHECK(checker.products[way] > 0);
+        CHECK(checker.sums[way] > 0);
+    }
+}
+
+} // namespace
+} // namespace ffgpu::rtl

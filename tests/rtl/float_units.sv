@@ -1,0 +1,28 @@
+// The units of binary32 side by side, for their test.
+
+module float_units (
+  input  ffgpu_pkg::float_t a_i,
+  input  ffgpu_pkg::float_t b_i,
+  output ffgpu_pkg::float_t product_o,
+  output ffgpu_pkg::float_t sum_o,
+  output logic [19:0]       integer_o
+);
+
+  float_multiply u_multiply (
+    .a_i,
+    .b_i,
+    .product_o
+  );
+  float_add u_add (
+    .a_i,
+    .b_i,
+    .sum_o
+  );
+  float_to_unsigned #(
+    .Width(20)
+  ) u_to_unsigned (
+    .value_i(a_i),
+    .integer_o
+  );
+
+endmodule

@@ -1,0 +1,189 @@
+#!/usr/bin/env python3
+"""mutate.py [--seed N] [--units A,B] [--mutants N] [--all]: how many planted faults the RTL's tests see.
+
+Mutants of each unit and of the modules inside it, drawn by the seed, are built into one program a
+unit (mutants.py) and run one after the other: a test that fails, an assertion or a hang kills one.
+Survivors are given to yosys, which may prove that they compute the same; the others are listed, and
+the exit status is 1. Also with the bench's comparison off: then each unit's tests have to fail.
+"""
+import argparse
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import mutants
+
+Root = Path(__file__).resolve().parents[2]
+Rtl = Root / "rtl"
+Work = Root / "out" / "rtl_mutants"
+Build = Root / "build-rtl-mutants"
+
+
+def units():
+    """Names of the modules that have a test."""
+    return sorted(p.name[: -len("_test.cpp")] for p in (Root / "tests/rtl").glob("*_test.cpp")
+                  if (Rtl / (p.name[: -len("_test.cpp")] + ".sv")).exists())
+
+
+def inside(module):
+    """The module and those that stand in it, itself first."""
+    found, todo = [], [module]
+    while todo:
+        name = todo.pop(0)
+        if name in found or not (Rtl / f"{name}.sv").exists():
+            continue
+        found.append(name)
+        text = (Rtl / f"{name}.sv").read_text()
+        todo += re.findall(r"^\s+(\w+)(?: #\($|\s+u_\w+ \($)", text, re.M)
+    return found
+
+
+def draw(unit, count, seed):
+    """The mutants of a unit: {file: set of (kind, line, from, to)}, spread over the kinds."""
+    rng = random.Random(f"{seed} {unit}")
+    everything = []
+    for module in inside(unit) + ["ffgpu_pkg"]:
+        _, made = mutants.schemata((Rtl / f"{module}.sv").read_text(), 0, lambda *_: True)
+        used = set(re.findall(r"ffgpu_pkg::(\w+)\(", "".join((Rtl / f"{m}.sv").read_text()
+                                                           for m in inside(unit))))
+        if module == "ffgpu_pkg":
+            made = [m for m in made if function_at(m[1]) in used]
+        everything += [(module, *m[1:]) for m in made]
+    rng.shuffle(everything)
+    by_kind = {}
+    for mutant in everything:
+        by_kind.setdefault(mutant[2], []).append(mutant)
+    chosen = []
+    while len(chosen) < count and any(by_kind.values()):
+        for kind in sorted(by_kind):
+            if by_kind[kind] and len(chosen) < count:
+                chosen.append(by_kind[kind].pop())
+    return chosen
+
+
+def function_at(line):
+    """The package's function that a line stands in."""
+    before = (Rtl / "ffgpu_pkg.sv").read_text().splitlines()[:line]
+    names = [m[1] for m in (re.match(r"\s*function automatic \w+ (\w+)\(", l) for l in before) if m]
+    return names[-1] if names else ""
+
+
+def write_sources(chosen):
+    """One folder of RTL a unit with its mutants in it; returns {unit: [(number, file, ...)]}."""
+    numbered = {}
+    for unit, wanted in chosen.items():
+        folder = Work / unit
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(Rtl, folder)
+        number, numbered[unit] = 1, []
+        for module in dict.fromkeys(m[0] for m in wanted):
+            picks = {m[1:] for m in wanted if m[0] == module}
+            path = Rtl / f"{module}.sv"
+            text, made = pick(path.read_text(), number, picks)
+            (folder / f"{module}.sv").write_text(text)
+            numbered[unit] += [(n, module, *rest) for n, *rest in made]
+            number += len(made)
+    return numbered
+
+
+def pick(text, first, picks):
+    """The schemata of the wanted mutants alone. Two passes: what there is, then what is kept."""
+    _, everything = mutants.schemata(text, 0, lambda *_: True)
+    wanted = [m[1:] in picks for m in everything]
+    turn = iter(wanted)
+    return mutants.schemata(text, first, lambda *_: next(turn))
+
+
+def build(jobs):
+    subprocess.run(["cmake", "-S", Root, "-B", Build, "-G", "Ninja", "-DFFGPU_RTL_MUTANTS=ON",
+                    f"-DFFGPU_RTL_FOLDER={Work}", "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"],
+                   check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--build", Build, "-j", str(jobs), "--target", "rtl_mutants"],
+                   check=True, stdout=subprocess.DEVNULL)
+
+
+def passes(unit, **environment):
+    """Whether a unit's tests pass: not if they fail, abort or hang."""
+    program = Build / "tests" / "rtl" / f"rtl_{unit}_test"
+    try:
+        run = subprocess.run([program, "--abort"], env={**os.environ, **environment}, timeout=300,
+                             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    except subprocess.TimeoutExpired:
+        return False
+    return run.returncode == 0
+
+
+def is_equivalent(unit, number, module):
+    """Whether yosys proves that the mutant and the original compute the same."""
+    if module.endswith("_pkg"):
+        return False
+    folder = Work / "proof" / f"{unit}_{number}"
+    folder.mkdir(parents=True, exist_ok=True)
+    mutated = (Work / unit / f"{module}.sv").read_text()
+    (folder / f"{module}.sv").write_text(re.sub(
+        re.escape(f"({mutants.Chosen} == ") + r"(\d+)\)",
+        lambda m: f"(1'b{int(int(m[1]) == number)})", mutated))
+    # A module with parameters is not the same for all of them: then the unit as a whole.
+    top = unit if "#(\n  parameter" in (Rtl / f"{module}.sv").read_text() else module
+    packages = f"{Rtl}/ffgpu_registers_pkg.sv {Rtl}/ffgpu_pkg.sv"
+
+    def design(name, place):
+        files = " ".join(str((folder if place and m == module else Rtl) / f"{m}.sv")
+                         for m in inside(top))
+        return (f"read_verilog -sv {packages} {files}; hierarchy -top {top}; proc; flatten; opt;"
+                f"rename -top {name}; design -stash {name};")
+
+    script = (design("gold", False) + design("gate", True) +
+              "design -copy-from gold -as gold gold; design -copy-from gate -as gate gate;"
+              "equiv_make gold gate equiv; hierarchy -top equiv; opt -full; equiv_simple -undef;"
+              "equiv_induct; equiv_status -assert")
+    try:
+        return subprocess.run(["yosys", "-q", "-p", script], timeout=120,
+                              capture_output=True).returncode == 0
+    except (subprocess.TimeoutExpired, FileNotFoundError):
+        return False
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--units", default=",".join(units()))
+    parser.add_argument("--mutants", type=int, default=24, help="of a unit")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    arguments = parser.parse_args()
+
+    names = arguments.units.split(",")
+    shutil.rmtree(Work, ignore_errors=True)
+    chosen = {unit: draw(unit, arguments.mutants, arguments.seed) for unit in names}
+    numbered = write_sources(chosen)
+    build(arguments.jobs)
+
+    bad = False
+    for unit in names:
+        if not passes(unit):
+            sys.exit(f"{unit}: fails without a mutant")
+        if passes(unit, FFGPU_RTL_BLIND="1"):
+            print(f"{unit}: passes with the comparison off")
+            bad = True
+        with ThreadPoolExecutor(arguments.jobs) as pool:
+            alive = list(pool.map(
+                lambda m: passes(unit, FFGPU_RTL_MUTANT=str(m[0])), numbered[unit]))
+        survivors = [m for m, lives in zip(numbered[unit], alive) if lives]
+        proved = [m for m in survivors if is_equivalent(unit, m[0], m[1])]
+        killed = len(numbered[unit]) - len(survivors)
+        print(f"{unit}: {len(numbered[unit])} mutants, {killed} killed, {len(proved)} proved to be "
+              f"the same, {len(survivors) - len(proved)} survive", flush=True)
+        for number, module, line, kind, before, after in survivors:
+            word = "the same" if any(m[0] == number for m in proved) else "SURVIVES"
+            print(f"  {word}: {module}.sv:{line} {kind}: {before}  ->  {after}", flush=True)
+        bad |= len(proved) < len(survivors)
+    sys.exit(1 if bad else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,72 @@
+// rtl/quad_interlock.sv around a read, three stages and a store: what a quad reads is what the one
+// before it at its place has stored, whatever stalls.
+
+#include "Vinterlock_loop.h"
+#include "tests/rtl/bench/quad.h"
+#include "tests/rtl/bench/unit_bench.h"
+
+#include <map>
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::rtl {
+namespace {
+
+struct QuadInterlock {
+    static constexpr const char* Name = "quad_interlock";
+    static constexpr std::uint64_t ShortItems = 60000, LongItems = 5000000;
+
+    using Dut = Vinterlock_loop;
+    using State = NoState;
+    using Input = Quad;
+    using Output = Quad;
+
+    static void set_tag(Quad& quad, unsigned tag) { quad.tag = tag != 0; }
+    static State random_state(Random&) { return {}; }
+
+    // The place of the quad before it, a neighbour in one bit, or any of the window's 256 quads.
+    Quad random_input(Random& random, const State&) {
+        Quad quad = random_quad(random);
+        if (random.one_in(3)) {
+            x_ = random.below(16);
+            y_ = random.below(16);
+        } else if (random.one_in(2)) {
+            (random.one_in(2) ? x_ : y_) ^= 1u << random.below(4);
+        }
+        quad.x = static_cast<std::uint16_t>(2 * x_);
+        quad.y = static_cast<std::uint16_t>(2 * y_);
+        return quad;
+    }
+
+    // How many quads ago there was one of this place: 1 to 4, longer.
+    static void declare(Bins& bins) { bins.declare("distance to the same place", 5); }
+    void cover(Bins& bins, const State&, const Quad&) const {
+        bins.hit("distance to the same place", distance_);
+    }
+
+    void expect(const State&, const Quad& input, std::vector<Quad>& outputs) {
+        Quad quad = input;
+        const std::pair<unsigned, unsigned> place{quad.x, quad.y};
+        quad.depth[0] = count_[place]++;
+        const std::uint64_t last = quad.depth[0] == 0 ? 0 : last_[place];
+        distance_ = quad.depth[0] == 0 || now_ - last > 4 ? 4 : now_ - last - 1;
+        last_[place] = now_++;
+        outputs.push_back(quad);
+    }
+    void reset() {
+        count_.clear();
+        last_.clear();
+    }
+
+private:
+    unsigned x_ = 0, y_ = 0;
+    std::map<std::pair<unsigned, unsigned>, std::uint32_t> count_;
+    std::map<std::pair<unsigned, unsigned>, std::uint64_t> last_;
+    std::uint64_t now_ = 0, distance_ = 4;
+};
+using Unit = QuadInterlock;
+
+} // namespace
+} // namespace ffgpu::rtl
+
+#include "tests/rtl/bench/unit_tests.inl"

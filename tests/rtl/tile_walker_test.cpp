@@ -1,0 +1,178 @@
+// rtl/tile_walker.sv against cover_tile_scalar().
+
+#include "Vtile_walker.h"
+#include "model/raster/coverage.h"
+#include "tests/rtl/bench/unit_bench.h"
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::rtl {
+namespace {
+
+constexpr int TileSize = 32;
+
+struct TileEdges {
+    bool tag = false;
+    std::uint32_t draw = 0, primitive = 0, piece = 0;
+    bool front_facing = false;
+    std::uint16_t tile_x = 0, tile_y = 0;
+    std::uint16_t box_x0 = 0, box_y0 = 0, box_x1 = 0, box_y1 = 0;
+    std::uint8_t edge_count = 0;
+    std::array<std::int32_t, MaxEdges> a{}, b{};
+    std::array<std::int64_t, MaxEdges> c{};
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field("tag", self.tag, 1);
+        field("key.draw", self.draw, 32);
+        field("key.primitive_number", self.primitive, 32);
+        field("key.piece", self.piece, 32);
+        field("front_facing", self.front_facing, 1);
+        field("tile_x", self.tile_x, 13);
+        field("tile_y", self.tile_y, 13);
+        field("box_x0", self.box_x0, 14);
+        field("box_y0", self.box_y0, 14);
+        field("box_x1", self.box_x1, 14);
+        field("box_y1", self.box_y1, 14);
+        field("edge_count", self.edge_count, 3);
+        visit_lanes(field, "a", self.a, 23);
+        visit_lanes(field, "b", self.b, 23);
+        visit_lanes(field, "c", self.c, 45);
+    }
+    Rectangle tile() const { return {tile_x, tile_y, tile_x + TileSize, tile_y + TileSize}; }
+};
+
+struct CoveredQuad {
+    bool tag = false;
+    std::uint32_t draw = 0, primitive = 0, piece = 0;
+    bool front_facing = false;
+    std::uint16_t x = 0, y = 0;
+    std::uint8_t live = 0;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field("tag", self.tag, 1);
+        field("key.draw", self.draw, 32);
+        field("key.primitive_number", self.primitive, 32);
+        field("key.piece", self.piece, 32);
+        field("front_facing", self.front_facing, 1);
+        field("x", self.x, 13);
+        field("y", self.y, 13);
+        field("live", self.live, 4);
+    }
+};
+
+struct TileWalker {
+    static constexpr const char* Name = "tile_walker";
+    static constexpr std::uint64_t ShortItems = 20000, LongItems = 500000; // some 50 cycles each
+
+    using Dut = Vtile_walker;
+    using State = NoState;
+    using Input = TileEdges;
+    using Output = CoveredQuad;
+
+    static void set_tag(TileEdges& walk, unsigned tag) { walk.tag = tag != 0; }
+    static State random_state(Random&) { return {}; }
+
+    // A coordinate in or around the tile, or far off; on a pixel's centre often, so that edges meet
+    // centres.
+    static std::int32_t coordinate(Random& random, int tile) {
+        const int reach = random.one_in(6) ? 2000 : 48;
+        const int whole =
+            tile - reach / 3 + static_cast<int>(random.below(static_cast<std::uint32_t>(reach)));
+        const int clamped = std::clamp(whole, -8191, 8191);
+        return 256 * clamped + (random.one_in(2) ? 128 : static_cast<int>(random.below(256)));
+    }
+    // Up to four corners, counter-clockwise where there are three.
+    static void random_edges(Random& random, TileEdges& walk) {
+        std::array<SubPixelPoint, MaxEdges> corners;
+        for (SubPixelPoint& corner : corners)
+            corner = {coordinate(random, walk.tile_x), coordinate(random, walk.tile_y)};
+        if (double_area(corners[0], corners[1], corners[2]) < 0) std::swap(corners[1], corners[2]);
+        walk.edge_count = static_cast<std::uint8_t>(random.one_in(4) ? random.below(5) : 3);
+        for (unsigned i = 0; i < MaxEdges; ++i) {
+            const unsigned count = std::max<unsigned>(walk.edge_count, 1);
+            const Edge edge = make_edge(corners[i], corners[(i + 1) % count]);
+            walk.a[i] = edge.a;
+            walk.b[i] = edge.b;
+            walk.c[i] = edge.c;
+        }
+    }
+    static TileEdges random_input(Random& random, const State&) {
+        TileEdges walk{.draw = random.word(),
+                       .primitive = random.word(),
+                       .piece = random.word(),
+                       .front_facing = random.one_in(2),
+                       .tile_x = static_cast<std::uint16_t>(random.below(256) * TileSize),
+                       .tile_y = static_cast<std::uint16_t>(random.below(256) * TileSize)};
+        const auto bound = [&](int tile) {
+            const int at = tile - 8 + static_cast<int>(random.below(48));
+            return static_cast<std::uint16_t>(std::clamp(at, 0, 8192));
+        };
+        walk.box_x1 = walk.box_y1 = 8192;
+        if (random.one_in(2)) walk.box_x0 = bound(walk.tile_x);
+        if (random.one_in(2)) walk.box_y0 = bound(walk.tile_y);
+        if (random.one_in(2)) walk.box_x1 = bound(walk.tile_x);
+        if (random.one_in(2)) walk.box_y1 = bound(walk.tile_y);
+        random_edges(random, walk);
+        return walk;
+    }
+
+    static void cover_tile(const TileEdges& walk, TileCoverage& coverage) {
+        std::array<Edge, MaxEdges> edges;
+        for (unsigned i = 0; i < MaxEdges; ++i)
+            edges[i] = {walk.a[i], walk.b[i], walk.c[i]};
+        const Rectangle box{walk.box_x0, walk.box_y0, walk.box_x1, walk.box_y1};
+        cover_tile_scalar({box, {edges.data(), walk.edge_count}}, walk.tile(), coverage);
+    }
+
+    static void declare(Bins& bins) {
+        bins.declare("edges", 5);
+        bins.declare("live lanes", 16);
+        bins.hit("live lanes", 0); // No quad has none.
+        bins.declare("blocks: none, some, all", 3);
+        bins.declare("block partly, wholly covered", 2);
+        bins.declare("centre on an edge", 1);
+    }
+    static void cover(Bins& bins, const State&, const TileEdges& walk) {
+        TileCoverage coverage;
+        cover_tile(walk, coverage);
+        bins.hit("edges", walk.edge_count);
+        bins.hit("blocks: none, some, all", coverage.count == 0 ? 0 : coverage.count < 16 ? 1 : 2);
+        for (unsigned i = 0; i < coverage.count; ++i) {
+            bins.hit("block partly, wholly covered", coverage.blocks[i].mask == FullBlock);
+            for (unsigned quad = 0; quad < 16; ++quad)
+                if (const unsigned live = coverage.blocks[i].mask >> 4 * quad & 15)
+                    bins.hit("live lanes", live);
+        }
+        for (unsigned i = 0; i < walk.edge_count; ++i)
+            for (int x = walk.tile_x; x < walk.tile_x + TileSize; ++x)
+                if (Edge{walk.a[i], walk.b[i], walk.c[i]}.at(x, walk.tile_y + 7) == 0)
+                    bins.hit("centre on an edge", 0);
+    }
+
+    static void expect(const State&, const TileEdges& walk, std::vector<CoveredQuad>& outputs) {
+        TileCoverage coverage;
+        cover_tile(walk, coverage);
+        for (unsigned i = 0; i < coverage.count; ++i)
+            for (unsigned quad = 0; quad < 16; ++quad) {
+                const BlockCoverage& block = coverage.blocks[i];
+                const auto live = static_cast<std::uint8_t>(block.mask >> 4 * quad & 15);
+                if (live != 0)
+                    outputs.push_back({walk.tag,
+                                       walk.draw,
+                                       walk.primitive,
+                                       walk.piece,
+                                       walk.front_facing,
+                                       static_cast<std::uint16_t>(block.x + quad % 4 * 2),
+                                       static_cast<std::uint16_t>(block.y + quad / 4 * 2),
+                                       live});
+            }
+    }
+};
+using Unit = TileWalker;
+
+} // namespace
+} // namespace ffgpu::rtl
+
+#include "tests/rtl/bench/unit_tests.inl"
