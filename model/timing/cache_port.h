@@ -7,6 +7,7 @@
 #include "model/timing/request_port.h"
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace ffgpu::timing {
@@ -14,22 +15,24 @@ namespace ffgpu::timing {
 inline constexpr std::size_t ResponseQueue = 256; // and as many as a cache may have outstanding
 
 struct CachePort {
-    CachePort(std::string_view name,
+    CachePort(std::string_view cache_name,
               const Clock& clock,
               const CacheConfig& config,
               Client client,
               InFlight& in_flight,
               Cycle response_latency = 1)
-        : requests(clock, config.request_queue, in_flight, config.miss_queue)
+        : name(cache_name)
+        , requests(clock, config.request_queue, in_flight, config.miss_queue)
         , responses(clock, ResponseQueue + config.outstanding_lines, response_latency)
-        , cache(name, config, client, requests) {}
+        , cache(cache_name, config, client, requests) {}
 
     // The cache's owner, and what answers it.
     void connect(Unit& owner, Unit& memory) {
-        requests.channel().connect(owner, memory);
-        responses.connect(memory, owner);
+        requests.channel().connect(name + "_requests", owner, memory);
+        responses.connect(name + "_responses", memory, owner);
     }
 
+    const std::string name;
     RequestPort requests;
     Channel<std::uint64_t> responses;
     LineCache cache;

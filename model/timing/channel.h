@@ -15,26 +15,42 @@
 #include "model/timing/unit.h"
 
 #include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace ffgpu::timing {
 
+struct MemoryRequest;
+
+// What an item is, for people; an item says so by key().
 template <class T>
-class Channel : public Link {
+std::string key_of(const T& item) {
+    if constexpr (requires { item.key(); }) return item.key();
+    if constexpr (std::is_integral_v<T>) return std::to_string(item);
+    return {};
+}
+
+template <class T>
+class Channel final : public Link {
 public:
     // `queue`: places at the end; `width`: items that may enter the delay line in a cycle.
     Channel(const Clock& clock, std::size_t queue, Cycle latency = 1, std::size_t width = 1)
-        : clock_(clock)
+        : Link(queue + (latency - 1) * width, std::is_same_v<T, MemoryRequest>)
+        , clock_(clock)
+        , items_(places())
         , latency_(latency) {
         check(queue > 0 && width > 0, "a channel needs a place");
         check(latency > 0, "a channel without latency would show the order of evaluation");
-        items_.resize(queue + (latency - 1) * width);
     }
 
-    // Both ends are known before the simulation starts.
-    void connect(Unit& producer, Unit& consumer) {
+    // Both ends are known before the simulation starts. `name`: in reports and statistics.
+    void connect(std::string name, Unit& producer, Unit& consumer) {
+        name_ = std::move(name);
         producer_ = &producer;
         consumer_ = &consumer;
+        producer.add_output(*this);
         consumer.add_input(*this);
     }
 
@@ -49,6 +65,7 @@ public:
         std::size_t last = first_ + count_;
         if (last >= items_.size()) last -= items_.size();
         items_[last] = {clock_.now() + latency_, item};
+        count_before(clock_.now());
         if (count_++ == 0) arrival_ = items_[last].ready_at;
         if (consumer_) consumer_->wake(items_[last].ready_at);
     }
@@ -62,6 +79,7 @@ public:
         check(can_pop(), "pop from an empty channel");
         T value = items_[first_].value;
         if (++first_ == items_.size()) first_ = 0;
+        count_before(clock_.now());
         arrival_ = --count_ > 0 ? items_[first_].ready_at : Never;
         if (last_pop_ != clock_.now()) {
             last_pop_ = clock_.now();
@@ -76,6 +94,10 @@ public:
     // As it is, not as it was when the cycle began: for may_sleep().
     bool holds_nothing() const { return count_ == 0; }
     bool is_full() const { return count_ == items_.size(); }
+
+    std::string front_key() const override {
+        return count_ == 0 ? std::string() : key_of(items_[first_].value);
+    }
 
 private:
     struct Item {
@@ -97,12 +119,9 @@ private:
     const Clock& clock_;
     std::vector<Item> items_;
     Cycle latency_;
-    std::size_t first_ = 0, count_ = 0;
+    std::size_t first_ = 0;
     Cycle last_pop_ = 0;
     std::size_t popped_now_ = 0;
-    mutable bool refused_ = false; // the producer, since the last pop
-    Unit* producer_ = nullptr;
-    Unit* consumer_ = nullptr;
 };
 
 } // namespace ffgpu::timing

@@ -32,6 +32,7 @@ public:
         , config_(config)
         , ports_(ports) {}
 
+    std::string state() const override;
     const ClipStatistics& statistics() const { return statistics_; }
 
 private:

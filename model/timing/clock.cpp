@@ -39,10 +39,14 @@ void Clock::on_tick() {
 
 bool Clock::paused() {
     if (!must_wait_()) return false;
+    pause();
+    return true;
+}
+
+void Clock::pause() {
     sc_core::sc_pause();
     next_trigger(resume_);
     resume_.notify(sc_core::SC_ZERO_TIME);
-    return true;
 }
 
 bool Clock::run_cycle() {
@@ -58,7 +62,11 @@ bool Clock::run_ahead() {
     while (now_ < end) {
         if (paused()) return false;
         const Cycle due = next_due();
-        check(due != Never, "no unit of the timed machine will ever work again");
+        if (due == Never) {
+            is_stuck_ = true;
+            pause();
+            return false;
+        }
         now_ = due;
         walk();
     }

@@ -51,6 +51,8 @@ public:
     void set_pace(Pace pace) { pace_ = pace; }
 
     Cycle now() const { return now_; }
+    // No unit will ever be due again, and the host is not waited for: the simulation paused.
+    bool is_stuck() const { return is_stuck_; }
     // For processes that are not units: once a cycle, after the units. Not fired when decoupled.
     const sc_core::sc_event& edge() const { return edge_; }
 
@@ -72,6 +74,7 @@ private:
     bool run_cycle();
     bool run_ahead();
     bool paused();
+    void pause();
     void walk();
     std::uint64_t take_due();
     // The cycle in which a unit is due next.
@@ -90,6 +93,7 @@ private:
     mutable std::uint64_t due_next_ = 0;
     mutable std::vector<Cycle> due_;
     mutable Cycle soonest_ = Never;
+    bool is_stuck_ = false;
 };
 
 } // namespace ffgpu::timing

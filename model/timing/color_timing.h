@@ -30,6 +30,8 @@ public:
                 InFlight& in_flight,
                 std::function<void(const QuadToken&, Cycle)> on_retire);
 
+    std::string state() const override;
+
 private:
     Activity step() override;
     bool may_sleep() const override { return true; }

@@ -12,6 +12,7 @@
 
 #include "model/packets/work_stream.h"
 #include "model/timing/resource.h"
+#include "model/work/draw_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -52,7 +53,8 @@ struct CommandCycles {
     CommandKind kind = CommandKind::Draw;
     std::uint32_t number = 0; // WorkDraw::number; of a host transfer: of the draw that it precedes
     std::uint64_t cycles = 0;
-    WaitedCycles waited{}; // whose sum they are
+    WaitedCycles waited{};   // whose sum they are
+    work::DrawShape shape{}; // of a draw or an image
 
     // What it waited for most; of two the first.
     Resource bottleneck() const {
@@ -68,6 +70,9 @@ class CommandLedger {
 public:
     // A command that ends with the last of `parts`; returns its entry.
     std::size_t open(CommandKind kind, std::uint32_t number, std::uint64_t parts);
+    void set_shape(std::size_t entry, const work::DrawShape& shape) {
+        entries_[entry].listed.shape = shape;
+    }
 
     void retire(std::size_t entry, std::uint64_t now);   // A part that is charged for the time.
     void end_part(std::size_t entry, std::uint64_t now); // Any other part.

@@ -27,7 +27,7 @@ Activity CommandProcessor::step() {
         if (--state_cycles_left_ == 0 && requests_.empty()) end_transfer();
         return Activity::Busy;
     }
-    if (!requests_.empty()) return move_line();
+    if (!requests_.empty()) return move_lines();
     if (!image_.empty()) return read_image();
     if (!ports_.commands_in.can_pop()) return Activity::Idle;
     const CommandToken& command = ports_.commands_in.front();
@@ -212,21 +212,28 @@ void CommandProcessor::write_back(LineCache& cache) {
         write_back(cache, line);
 }
 
-Activity CommandProcessor::move_line() {
+// One at least.
+Activity CommandProcessor::move_lines() {
     if (!ports_.requests_out.can_push()) return Activity::StalledRequests;
-    ports_.requests_out.push(requests_.front());
-    requests_.pop_front();
+    for (std::uint32_t i = 0; i < config_.command_processor.lines_per_cycle; ++i) {
+        if (requests_.empty() || !ports_.requests_out.can_push()) break;
+        ports_.requests_out.push(requests_.front());
+        requests_.pop_front();
+    }
     if (requests_.empty() && transferring_) end_transfer();
     return Activity::Busy;
 }
 
 Activity CommandProcessor::read_image() {
     if (!ports_.requests_out.can_push()) return Activity::StalledRequests;
-    ports_.requests_out.push({.address = image_.address(),
-                              .bytes = image_.bytes(config_.host.burst_bytes),
-                              .write = false,
-                              .client = Client::Command});
-    image_.advance(config_.host.burst_bytes);
+    for (std::uint32_t i = 0; i < config_.command_processor.lines_per_cycle; ++i) {
+        if (image_.empty() || !ports_.requests_out.can_push()) break;
+        ports_.requests_out.push({.address = image_.address(),
+                                  .bytes = image_.bytes(config_.host.burst_bytes),
+                                  .write = false,
+                                  .client = Client::Command});
+        image_.advance(config_.host.burst_bytes);
+    }
     return Activity::Busy;
 }
 

@@ -40,6 +40,8 @@ public:
                      InFlight& in_flight,
                      InFlight& memory_in_flight);
 
+    std::string state() const override;
+
 private:
     Activity step() override;
     bool may_sleep() const override { return true; }
@@ -51,7 +53,7 @@ private:
     Activity begin(TransferCommand& transfer);
     void end_transfer();
     Activity drain(const DrainCommand& drain);
-    Activity move_line();
+    Activity move_lines();
     Activity read_image();
     void read(const LineCache& cache, std::uint64_t line, std::uint32_t bytes);
     void write_back(const LineCache& cache, const LineWrite& line);

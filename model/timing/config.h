@@ -14,6 +14,7 @@
 #include "model/timing/config/host.h"
 #include "model/timing/config/raster.h"
 #include "model/timing/config/scan_out.h"
+#include "model/timing/config/series.h"
 #include "model/timing/config/setup.h"
 #include "model/timing/config/texel_l2.h"
 #include "model/timing/config/texture.h"
@@ -48,6 +49,7 @@ struct TimingConfig {
     ColorBlockConfig color_blocks;
     ScanOutConfig scan_out;
     MemoryConfig memory;
+    SeriesConfig series;
 
     // The part that work's order and places depend on.
     work::WorkConfig work() const {
@@ -93,6 +95,7 @@ struct TimingConfig {
         each(self.color_blocks);
         each(self.scan_out);
         each(self.memory);
+        each(self.series);
     }
 };
 

@@ -37,6 +37,8 @@ public:
                 const Ports& ports,
                 InFlight& in_flight);
 
+    std::string state() const override;
+
 private:
     enum class Path { Early, Late };
     // What is left in a cycle.

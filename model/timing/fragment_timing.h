@@ -30,6 +30,8 @@ public:
         , exit_(config, ports.quads_out)
         , pipes_(config.raster.quads_per_cycle) {}
 
+    std::string state() const override;
+
 private:
     struct Pipe {
         std::deque<QuadToken> waiting;

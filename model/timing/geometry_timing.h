@@ -31,6 +31,8 @@ public:
         , ports_(ports)
         , free_at_(config.vertex.units) {}
 
+    std::string state() const override;
+
 private:
     struct Shaded {
         VertexToken vertex;

@@ -72,12 +72,20 @@ void GpuTiming::set_memory_observer(MemoryObserver* observer) {
     machine_->arbiter.set_observer(observer);
 }
 
+void GpuTiming::set_series_sink(SeriesSink* sink) {
+    if (machine_->series) machine_->series->set_sink(sink);
+}
+
 std::uint64_t GpuTiming::cycles() const {
     return machine_->clock.now();
 }
 
 std::vector<const StatisticsGroup*> GpuTiming::statistics() const {
     return machine_->statistics();
+}
+
+std::vector<const Histogram*> GpuTiming::histograms() const {
+    return machine_->histograms();
 }
 
 std::vector<std::string> GpuTiming::unit_names() const {

@@ -37,10 +37,12 @@ struct FrameTiming {
     std::vector<CommandCycles> commands; // all of them; the sum of theirs is `cycles`
 };
 
+class Histogram; // histogram.h
 class Machine;
 class MachineThread;
 class MemoryObserver; // memory_observer.h
 class QuadObserver;   // quad_observer.h
+class SeriesSink;     // series.h
 class SimulationContext;
 
 class GpuTiming final : public work::CommandSink {
@@ -68,9 +70,15 @@ public:
     void set_quad_observer(QuadObserver* observer);
     void set_memory_observer(MemoryObserver* observer); // the same
 
+    // What every account counts, over time (series.h), where series.interval_cycles says so; null:
+    // nobody. Before the first command.
+    void set_series_sink(SeriesSink* sink);
+
     std::uint64_t cycles() const;
     // All units' groups: accounts, caches, memory. They add up at the end of a frame.
     std::vector<const StatisticsGroup*> statistics() const;
+    // Of frames that have ended.
+    std::vector<const Histogram*> histograms() const;
     // The units' names in the order of the pipe; each has NAME_busy_cycles and so on.
     std::vector<std::string> unit_names() const;
 

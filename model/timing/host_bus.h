@@ -60,6 +60,7 @@ public:
         return ends_frame_ ? commands_.empty() : commands_.size() <= most_in_a_cycle_;
     }
 
+    std::string state() const override;
     const HostStatistics& statistics() const { return statistics_; }
 
 private:

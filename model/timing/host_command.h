@@ -34,6 +34,7 @@ using CommandToken = std::variant<std::monostate,
                                   DrainCommand,
                                   ContentCommand,
                                   HostAccessCommand>;
+std::string key_of(const CommandToken& command);
 
 // What CommandProcessor tells the host's bus: a DrainCommand is carried out.
 struct Drained {};

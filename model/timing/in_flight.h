@@ -25,6 +25,7 @@ public:
     }
     // The unit that asks was_empty().
     void connect(Unit& waiter) { waiter_ = &waiter; }
+    std::uint64_t count() const { return count_; }
     // Of the cycles before this one, so that the order of evaluation within a cycle is invisible.
     bool was_empty() const { return count_ == 0 && changed_ < clock_.now(); }
 

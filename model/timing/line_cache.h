@@ -87,6 +87,8 @@ public:
     bool all_complete() const {
         return first_incomplete_ == next_ticket_ && requests_.nothing_waits();
     }
+    // What is under way, for people.
+    std::string state() const;
     const CacheStatistics& statistics() const { return statistics_; }
     std::uint32_t line_bytes() const { return config_.line_bytes; }
     const work::LineGrain& grain() const { return grain_; }

@@ -1,9 +1,14 @@
-// Link: what a channel of any type tells the units at its ends, so that they need not look in every
-// cycle.
+// Link: what a channel of any type tells: the units at its ends, so that they need not look in
+// every cycle, and who reports what the machine is at, for how long it held how many items.
 
 #pragma once
 
 #include "model/timing/clock.h"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace ffgpu::timing {
 
@@ -14,8 +19,53 @@ public:
     // When the oldest item can be popped; Never where there is none.
     Cycle arrival() const { return arrival_; }
 
+    // Items that are in the queue, or on their way to it.
+    std::size_t items() const { return count_; }
+    std::size_t places() const { return cycles_at_.size() - 1; }
+    // What the oldest item is, for people; empty: there is none, or nothing to tell of it.
+    virtual std::string front_key() const = 0;
+
+    // Empty where the link was not connected.
+    const std::string& name() const { return name_; }
+    const Unit* producer() const { return producer_; }
+    const Unit* consumer() const { return consumer_; }
+    // The producer found no place, and none came free since.
+    bool is_refused() const { return refused_; }
+    // To the memory, or to a cache before it: the consumer answers.
+    bool carries_requests() const { return carries_requests_; }
+
+    // Of all cycles counted: in how many there were 0, 1, 2 ... items at the cycle's end, and the
+    // sum of the items over the cycles.
+    const std::vector<Cycle>& cycles_at() const { return cycles_at_; }
+    std::uint64_t item_cycles() const { return item_cycles_; }
+    // Counts all cycles before `now`.
+    void count_before(Cycle now) const {
+        if (now <= next_) return;
+        const Cycle cycles = now - std::exchange(next_, now);
+        cycles_at_[count_] += cycles;
+        item_cycles_ += count_ * cycles;
+    }
+
 protected:
+    Link(std::size_t places, bool carries_requests)
+        : cycles_at_(places + 1)
+        , carries_requests_(carries_requests) {}
+    ~Link() = default;
+    Link(const Link&) = default;
+    Link& operator=(const Link&) = default;
+
+    std::string name_;
+    Unit* producer_ = nullptr;
+    Unit* consumer_ = nullptr;
     Cycle arrival_ = Never;
+    std::size_t count_ = 0;
+    mutable bool refused_ = false; // the producer, since the last pop
+
+private:
+    mutable std::vector<Cycle> cycles_at_;
+    mutable std::uint64_t item_cycles_ = 0;
+    mutable Cycle next_ = 1; // that is counted
+    bool carries_requests_;
 };
 
 } // namespace ffgpu::timing

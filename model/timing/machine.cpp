@@ -1,5 +1,6 @@
 #include "model/timing/machine.h"
 
+#include "model/timing/machine_stuck.h"
 #include "model/timing/memory_controller.h"
 
 #include <utility>
@@ -168,35 +169,40 @@ Machine::Machine(const SimulationContext& kernel,
     color_port.cache.set_store(blocks.color.get());
     connect_links();
     attach_units(evaluation.order);
+    queues = std::make_unique<QueueStatistics>(links());
+    if (config.series.interval_cycles > 0) {
+        series = std::make_unique<SeriesRecorder>("series", clock, config.series.interval_cycles);
+        series->attach();
+    }
     clock.set_on_walked([this] { bottlenecks.end_cycle(); });
     // A memory whose processes are its own sees each cycle.
     if (!memory->unit() && evaluation.pace == Pace::Decoupled) clock.set_pace(Pace::Lockstep);
 }
 
 void Machine::connect_links() {
-    commands.connect(host, command_processor);
-    drained.connect(command_processor, host);
-    draws.connect(command_processor, vertex_fetch);
-    vertices.connect(vertex_fetch, geometry);
-    primitives.connect(geometry, clip);
-    clipped.connect(clip, setup);
+    commands.connect("commands", host, command_processor);
+    drained.connect("drained", command_processor, host);
+    draws.connect("draws", command_processor, vertex_fetch);
+    vertices.connect("vertices", vertex_fetch, geometry);
+    primitives.connect("primitives", geometry, clip);
+    clipped.connect("clipped", clip, setup);
     if (tiles) {
         tiles->connect(setup, raster, arbiter);
     } else {
-        setups.connect(setup, raster);
+        setups.connect("setups", setup, raster);
     }
-    raster_to_depth.connect(raster, depth);
-    depth_to_texture.connect(depth, texture);
-    texture_to_fragment.connect(texture, fragment);
-    fragment_to_depth.connect(fragment, depth);
-    depth_to_color.connect(depth, color);
+    raster_to_depth.connect("raster_to_depth", raster, depth);
+    depth_to_texture.connect("depth_to_texture", depth, texture);
+    texture_to_fragment.connect("texture_to_fragment", texture, fragment);
+    fragment_to_depth.connect("fragment_to_depth", fragment, depth);
+    depth_to_color.connect("depth_to_color", depth, color);
     connect_memory(host, host_requests, host_responses);
     connect_memory(command_processor, command_requests, command_responses);
-    connect_memory(vertex_fetch, index_port.requests, index_port.responses);
-    connect_memory(vertex_fetch, vertex_port.requests, vertex_port.responses);
+    index_port.connect(vertex_fetch, arbiter);
+    vertex_port.connect(vertex_fetch, arbiter);
     texel_caches.connect(texture, arbiter);
-    connect_memory(depth, depth_port.requests, depth_port.responses);
-    connect_memory(color, color_port.requests, color_port.responses);
+    depth_port.connect(depth, arbiter);
+    color_port.connect(color, arbiter);
     connect_memory(scan_out, screen_requests, screen_responses);
     memory->connect(arbiter);
     arbiter.socket.bind(memory->target());
@@ -261,22 +267,32 @@ void Machine::show(const work::PlacedLevel& picture) {
 void Machine::run() {
     const SimulationContext::Scope scope(context);
     sc_core::sc_start();
+    if (is_stuck || clock.is_stuck()) throw MachineStuck(stuck_report());
     waiting_quads = 0;
     while (scenes.size() > 1 && scenes.front().is_done())
         scenes.pop_front();
 }
 
-void Machine::finish_frame(std::uint32_t number) {
+// The memory's own figures are those of the requests that it has served.
+void Machine::settle() {
     for (Unit* unit : units())
         unit->settle();
     bottlenecks.settle();
-    memory->settle();
     texel_caches.settle();
+    queues->settle(clock.now());
     frame_statistics.cycles += clock.now() - frame_statistics.cycles.value();
+}
+
+void Machine::finish_frame(std::uint32_t number) {
+    settle();
+    memory->settle();
+    if (series) series->end_frame(statistics(), number);
     frame.frame = number;
     frame.cycles = clock.now() - frame_begin;
     frame_begin = clock.now();
     frame.commands = ledger.end_frame(clock.now());
+    for (const CommandCycles& command : frame.commands)
+        shapes.add(command.shape);
     if (on_frame) on_frame(frame);
 }
 
@@ -316,26 +332,18 @@ void Machine::attach_units(std::uint32_t seed) {
 
 bool Machine::must_wait() {
     if (clock.now() >= next_progress_check) check_progress();
-    return host.starves();
-}
-
-// A machine in which no unit has worked for a million cycles is wired wrongly.
-void Machine::check_progress() {
-    constexpr Cycle Interval = 1'000'000;
-    Cycle busy = 0;
-    for (Unit* unit : units()) {
-        unit->settle();
-        if (unit != &scan_out) // The screen never stops.
-            busy += unit->account().cycles(Activity::Busy);
+    if (is_stuck || host.starves()) return true;
+    if (series && series->is_due()) {
+        settle();
+        series->record(statistics());
     }
-    check(busy != busy_at_last_check || clock.now() == 0, "the timed machine is stuck");
-    busy_at_last_check = busy;
-    next_progress_check = clock.now() + Interval;
+    return false;
 }
 
 void Machine::connect_memory(Unit& unit, RequestPort& requests, Channel<std::uint64_t>& responses) {
-    requests.channel().connect(unit, arbiter);
-    responses.connect(arbiter, unit);
+    const std::string& name = unit.account().unit();
+    requests.channel().connect(name + "_requests", unit, arbiter);
+    responses.connect(name + "_responses", arbiter, unit);
 }
 
 void Machine::retire(const QuadToken& token, Cycle now) {

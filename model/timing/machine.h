@@ -16,10 +16,14 @@
 #include "model/timing/host_bus.h"
 #include "model/timing/memory_arbiter.h"
 #include "model/timing/quad_observer.h"
+#include "model/timing/queue_statistics.h"
 #include "model/timing/raster_timing.h"
 #include "model/timing/scan_out.h"
+#include "model/timing/series.h"
 #include "model/timing/setup_timing.h"
+#include "model/timing/shape_statistics.h"
 #include "model/timing/simulation_context.h"
+#include "model/timing/stuck_report.h"
 #include "model/timing/target_blocks.h"
 #include "model/timing/texel_caches.h"
 #include "model/timing/texture_timing.h"
@@ -62,7 +66,10 @@ public:
     void run();
 
     std::vector<Unit*> units();
+    // All that are connected, in the order of the units that they lead to.
+    std::vector<const Link*> links();
     std::vector<const StatisticsGroup*> statistics();
+    std::vector<const Histogram*> histograms();
 
     const SimulationContext& context;
     const TimingConfig config;
@@ -104,14 +111,18 @@ public:
     MemoryArbiter arbiter;
     std::unique_ptr<MemoryModule> memory;
     Bottlenecks bottlenecks;
+    std::unique_ptr<QueueStatistics> queues;
+    std::unique_ptr<SeriesRecorder> series; // null: nobody wants them
 
     std::vector<HostWrite> host_writes; // since the last scene
     FrameStatistics frame_statistics;
+    ShapeStatistics shapes;
     FrameTiming frame;
     Cycle frame_begin = 0;
     Cycle last_retired = 0;
     Cycle next_progress_check = 0;
     Cycle busy_at_last_check = ~Cycle{0};
+    bool is_stuck = false;
     std::function<void(const FrameTiming&)> on_frame;
     std::function<void(const QuadRetired&)> on_retire;
     QuadObserver* observer = nullptr;
@@ -121,9 +132,12 @@ private:
     std::vector<Stage> stages();
     bool must_wait();
     void check_progress();
+    StuckParts stuck_parts();
+    std::string stuck_report();
     void connect_links();
     MemoryArbiter::Ports memory_ports();
     void connect_memory(Unit& unit, RequestPort& requests, Channel<std::uint64_t>& responses);
+    void settle();
     void finish_frame(std::uint32_t number);
     void retire(const QuadToken& token, Cycle now);
 };

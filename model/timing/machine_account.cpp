@@ -54,7 +54,22 @@ std::vector<const StatisticsGroup*> Machine::statistics() {
     groups.push_back(&arbiter.statistics());
     for (const StatisticsGroup* group : memory->statistics())
         groups.push_back(group);
+    groups.push_back(queues.get());
     return groups;
+}
+
+std::vector<const Histogram*> Machine::histograms() {
+    std::vector<const Histogram*> all = shapes.histograms();
+    for (const auto& histograms : {arbiter.statistics().histograms(), queues->histograms()})
+        all.insert(all.end(), histograms.begin(), histograms.end());
+    return all;
+}
+
+std::vector<const Link*> Machine::links() {
+    std::vector<const Link*> links;
+    for (const Unit* unit : units())
+        links.insert(links.end(), unit->inputs().begin(), unit->inputs().end());
+    return links;
 }
 
 } // namespace ffgpu::timing

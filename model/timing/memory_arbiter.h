@@ -40,6 +40,8 @@ public:
                   InFlight& in_flight);
 
     tlm_utils::simple_initiator_socket<MemoryArbiter> socket{"socket"};
+    std::string state() const override;
+    bool waits_outside() const override { return pool_.first_used() != nullptr; }
     const ClientStatistics& statistics() const { return statistics_; }
     // Null: nobody.
     void set_observer(MemoryObserver* observer) { observer_ = observer; }

@@ -34,8 +34,9 @@ MemoryController::MemoryController(sc_core::sc_module_name name,
 }
 
 void MemoryController::connect(Unit& arbiter) {
-    for (Lane& lane : lanes_)
-        lane.arrivals->connect(arbiter, *this);
+    for (std::size_t number = 0; number < lanes_.size(); ++number)
+        lanes_[number].arrivals->connect(
+            "memory_channel" + std::to_string(number) + "_arrivals", arbiter, *this);
 }
 
 tlm::tlm_sync_enum MemoryController::on_forward(tlm::tlm_generic_payload& payload,

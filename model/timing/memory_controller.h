@@ -33,6 +33,7 @@ public:
     void connect(Unit& arbiter) override;
     bool serves(Client client, bool write) const override;
     void settle() override;
+    std::string state() const override;
     std::vector<const StatisticsGroup*> statistics() const override { return {&statistics_}; }
 
 private:

@@ -53,6 +53,18 @@ public:
         return payload;
     }
 
+    // Of those that are in use, the one whose request was issued first; null: none is.
+    const MemoryRequest* first_used() const {
+        const MemoryRequest* first = nullptr;
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            const MemoryRequest& request = tags_[i]->request;
+            if (all_[i]->get_ref_count() > 0 && (!first || request.issued < first->issued))
+                first = &request;
+        }
+        return first;
+    }
+    std::size_t used() const { return all_.size() - free_.size(); }
+
     void free(tlm::tlm_generic_payload* payload) override { free_.push_back(payload); }
 
 private:

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace ffgpu::timing {
@@ -32,6 +33,8 @@ struct MemoryRequest {
     std::uint64_t ticket = 0; // reads: the fill that it completes
     std::uint64_t issued = 0; // cycle in which the client asked; its port sets it
     std::size_t port = 0;     // of the arbiter, by which it came; the arbiter sets it
+
+    std::string key() const;
 };
 
 } // namespace ffgpu::timing

@@ -16,35 +16,50 @@ constexpr std::array<const char*, LostCauses> LostMeanings{
 } // namespace
 
 ClientStatistics::ClientStatistics() {
-    for (std::size_t client = 0; client < Clients; ++client) {
-        const std::string prefix = "memory_" + std::string(ClientNames[client]) + '_';
-        OfClient& of = clients_[client];
-        of.read_bytes = &add(prefix + "read_bytes", "bytes", "read for this client");
-        of.written_bytes = &add(prefix + "written_bytes", "bytes", "written for this client");
-        of.requests = &add(prefix + "requests", "requests", "reads and writes of this client");
-        of.latency = &add(prefix + "read_latency_cycles",
-                          "cycles",
-                          "sum over its reads, from the client's request to its data");
-        for (unsigned i = 0; i < Buckets; ++i) {
-            const bool last = i + 1 == Buckets;
-            const unsigned limit = 1u << (FirstBucket + i - (last ? 1 : 0));
-            of.histogram[i] = &add(
-                prefix + "read_latency_" +
-                    (last ? std::to_string(limit) + "_or_more" : "below_" + std::to_string(limit)),
-                "reads",
-                "by latency in cycles, each read in one of the ranges");
-        }
+    for (std::size_t client = 0; client < Clients; ++client)
+        clients_.push_back(of_client("memory_" + std::string(ClientNames[client]) + '_'));
+}
+
+ClientStatistics::OfClient ClientStatistics::of_client(const std::string& prefix) {
+    OfClient of{
+        .read_bytes = &add(prefix + "read_bytes", "bytes", "read for this client"),
+        .written_bytes = &add(prefix + "written_bytes", "bytes", "written for this client"),
+        .requests = &add(prefix + "requests", "requests", "reads and writes of this client"),
+        .latency = &add(prefix + "read_latency_cycles",
+                        "cycles",
+                        "sum over its reads, from the client's request to its data"),
+        .write_latency = &add(prefix + "write_latency_cycles",
+                              "cycles",
+                              "sum over its writes, from the client's request to its end"),
+        .read_latencies = {prefix + "read_latency", "reads", "by latency in cycles, doubling"},
+        .write_latencies = {prefix + "write_latency", "writes", "by latency in cycles, doubling"}};
+    for (unsigned i = 0; i < Buckets; ++i) {
+        const bool last = i + 1 == Buckets;
+        const unsigned limit = 1u << (FirstBucket + i - (last ? 1 : 0));
+        of.histogram[i] =
+            &add(prefix + "read_latency_" +
+                     (last ? std::to_string(limit) + "_or_more" : "below_" + std::to_string(limit)),
+                 "reads",
+                 "by latency in cycles, each read in one of the ranges");
     }
+    return of;
 }
 
 void ClientStatistics::on_done(const MemoryRequest& request, std::uint64_t now) {
     OfClient& of = clients_[static_cast<std::size_t>(request.client)];
+    const std::uint64_t latency = now - request.issued;
     ++*of.requests;
     *(request.write ? of.written_bytes : of.read_bytes) += request.bytes;
-    if (request.write) return;
-    const std::uint64_t latency = now - request.issued;
-    *of.latency += latency;
-    ++*of.histogram[bucket(latency)];
+    *(request.write ? of.write_latency : of.latency) += latency;
+    (request.write ? of.write_latencies : of.read_latencies).add(Histogram::doubling(latency));
+    if (!request.write) ++*of.histogram[bucket(latency)];
+}
+
+std::vector<const Histogram*> ClientStatistics::histograms() const {
+    std::vector<const Histogram*> histograms;
+    for (const OfClient& of : clients_)
+        histograms.insert(histograms.end(), {&of.read_latencies, &of.write_latencies});
+    return histograms;
 }
 
 DramStatistics::DramStatistics(const MemoryConfig& config) {

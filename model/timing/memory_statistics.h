@@ -4,6 +4,7 @@
 #pragma once
 
 #include "model/base/statistics.h"
+#include "model/timing/histogram.h"
 #include "model/timing/memory/config.h"
 #include "model/timing/memory/dram_request.h"
 #include "model/timing/memory_request.h"
@@ -33,6 +34,8 @@ public:
     ClientStatistics();
     void on_done(const MemoryRequest& request, std::uint64_t now);
 
+    std::vector<const Histogram*> histograms() const;
+
     // Latencies of reads are counted below 2^5, 2^6 ... 2^10 cycles, and above.
     static constexpr unsigned FirstBucket = 5;
     static constexpr unsigned Buckets = 7;
@@ -43,10 +46,13 @@ public:
 
 private:
     struct OfClient {
-        Counter *requests, *read_bytes, *written_bytes, *latency;
-        std::array<Counter*, Buckets> histogram;
+        Counter *read_bytes, *written_bytes, *requests, *latency, *write_latency;
+        Histogram read_latencies, write_latencies;
+        std::array<Counter*, Buckets> histogram{};
     };
-    std::array<OfClient, Clients> clients_;
+    OfClient of_client(const std::string& prefix);
+
+    std::vector<OfClient> clients_;
 };
 
 class DramStatistics : public NamedStatistics, public DramObserver {

@@ -32,6 +32,8 @@ public:
         , config_(config)
         , ports_(ports) {}
 
+    std::string state() const override;
+
 private:
     struct Open {
         BinToken token;

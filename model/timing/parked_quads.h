@@ -21,6 +21,8 @@ public:
     bool empty() const { return quads_.empty(); }
     void park(const QuadToken& quad, std::uint64_t ticket) { quads_.push_back({quad, ticket}); }
 
+    std::size_t size() const { return quads_.size(); }
+    std::uint64_t front_ticket() const { return quads_.front().ticket; }
     const QuadToken& front() const { return quads_.front().quad; }
     bool front_has_data(const LineCache& cache) const {
         return cache.is_complete(quads_.front().ticket);

@@ -17,6 +17,7 @@ bool RasterTiming::take() {
 
 void RasterTiming::take(const BinToken& token) {
     scene_ = token.pass.scene;
+    bin_ = token.bin;
     take_pieces(token.plan().pieces_begin, token.plan().pieces_end);
 }
 
@@ -37,8 +38,9 @@ void RasterTiming::take_pieces(std::uint32_t begin, std::uint32_t end) {
     in_flight_.enter(pieces[end - 1].end - quad_);
 }
 
-// The draw itself is through: its quads are counted now.
+// The draw itself is through: its quads are counted now. Or the bin is.
 void RasterTiming::end_record() {
+    if (config_.architecture == Architecture::TileBased) return scene_->end_walk(bin_, now());
     if (!std::exchange(ends_draw_, false)) return;
     in_flight_.leave();
     scene_->end_draw(draw_, now());

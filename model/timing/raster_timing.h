@@ -38,6 +38,7 @@ public:
         , ports_(ports)
         , in_flight_(in_flight) {}
 
+    std::string state() const override;
     const RasterStatistics& statistics() const { return statistics_; }
 
 private:
@@ -61,6 +62,7 @@ private:
     TimedScene* scene_ = nullptr;
     std::uint32_t draw_ = 0; // immediate: of the record under way
     bool ends_draw_ = false;
+    std::uint32_t bin_ = 0; // tile-based: under way
     std::uint32_t piece_ = 0, end_piece_ = 0;
     std::uint32_t quad_ = 0; // of the piece
     bool in_block_ = false;  // Its block was stepped to.

@@ -50,6 +50,7 @@ public:
             waiting_.pop_front();
         }
     }
+    std::size_t waiting() const { return waiting_.size(); }
     bool nothing_waits() const { return waiting_.empty(); }
 
     // The arbiter's end.

@@ -38,6 +38,7 @@ public:
         wake();
     }
 
+    std::string state() const override;
     const ScanOutStatistics& statistics() const { return statistics_; }
 
 private:

@@ -29,6 +29,8 @@ public:
         , config_(config)
         , ports_(ports) {}
 
+    std::string state() const override;
+
 private:
     struct InUnit {
         SetupToken record;

@@ -25,6 +25,8 @@ public:
             const Ports& ports,
             InFlight& memory_in_flight);
 
+    std::string state() const override;
+
 private:
     struct Waiting {
         std::uint64_t ticket = 0;  // of this cache's fill

@@ -34,13 +34,17 @@ public:
     void set_observer(QuadObserver* observer) { observer_ = observer; }
 
     // Quads that wait for the tags, or with their texels for the filter.
-    bool has_backlog() const { return !waiting_.empty() || read_ > 1; }
+    bool has_backlog() const {
+        return !waiting_.empty() || (parked_.size() > 1 && cache_.is_complete(parked_[1].ticket));
+    }
 
     // Some cycles have to pass before a quad whose texels are there can be filtered.
     bool expands_texels() const {
         return config_.texel_cache.decompress_cycles > 0 && !parked_.empty() &&
                (read_ > 0 || cache_.is_complete(parked_.front().ticket));
     }
+
+    std::string state() const;
 
     // One cycle's work of each part; false, and the reason, where there was none.
     bool compare_tags(TextureStatistics& statistics, Cycle now, Activity& reason);

@@ -26,6 +26,7 @@ public:
                   const TimingConfig& config,
                   const Ports& ports);
 
+    std::string state() const override;
     const TextureStatistics& statistics() const { return statistics_; }
     void set_observer(QuadObserver* observer);
 

@@ -44,6 +44,7 @@ public:
                const Ports& ports,
                InFlight& in_flight);
 
+    std::string state() const override;
     const BinnerStatistics& statistics() const { return statistics_; }
 
 private:

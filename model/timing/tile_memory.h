@@ -47,6 +47,7 @@ public:
                const Ports& ports,
                InFlight& in_flight);
 
+    std::string state() const override;
     const TileStatistics& statistics() const { return statistics_; }
 
 private:

@@ -39,16 +39,16 @@ TilePath::TilePath(const Clock& clock, const TimingConfig& config, const Ports& 
               ports.in_flight) {}
 
 void TilePath::connect(Unit& setup, Unit& raster, Unit& arbiter) {
-    ports_.setups_in.connect(setup, binner_);
-    passes_.connect(binner_, fetch_);
-    fetched_bins_.connect(fetch_, memory_);
-    free_buffers_.connect(memory_, binner_);
-    ports_.bins_out.connect(memory_, raster);
-    binner_requests_.channel().connect(binner_, arbiter);
-    fetch_requests_.channel().connect(fetch_, arbiter);
-    memory_requests_.channel().connect(memory_, arbiter);
-    fetch_responses_.connect(arbiter, fetch_);
-    memory_responses_.connect(arbiter, memory_);
+    ports_.setups_in.connect("setups", setup, binner_);
+    passes_.connect("passes", binner_, fetch_);
+    fetched_bins_.connect("fetched_bins", fetch_, memory_);
+    free_buffers_.connect("free_buffers", memory_, binner_);
+    ports_.bins_out.connect("bins", memory_, raster);
+    binner_requests_.channel().connect("binner_requests", binner_, arbiter);
+    fetch_requests_.channel().connect("parameter_fetch_requests", fetch_, arbiter);
+    memory_requests_.channel().connect("tile_memory_requests", memory_, arbiter);
+    fetch_responses_.connect("parameter_fetch_responses", arbiter, fetch_);
+    memory_responses_.connect("tile_memory_responses", arbiter, memory_);
 }
 
 void TilePath::add_to(MemoryArbiter::Ports& arbiter) {

@@ -16,6 +16,7 @@ struct PassToken {
 
     const work::TilePass& plan() const { return scene->work.tiles.passes[pass]; }
     bool is_last() const { return pass + 1 == scene->work.tiles.passes.size(); }
+    std::string key() const;
 };
 
 // A bin of a pass. A pass without bins sends one that is empty.
@@ -26,6 +27,7 @@ struct BinToken {
     bool last_of_pass = false;
 
     const work::TileBin& plan() const { return pass.scene->work.tiles.bins[bin]; }
+    std::string key() const;
 };
 
 } // namespace ffgpu::timing

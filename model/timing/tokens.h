@@ -1,4 +1,5 @@
-// What travels between the units: small values that point into scenes.
+// What travels between the units: small values that point into scenes. Each says by key() what of
+// the work it is.
 
 #pragma once
 
@@ -7,6 +8,7 @@
 #include "model/work/prepared_work.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -46,9 +48,15 @@ struct TimedScene {
         end_quad(quad, now);
         ledger_.end_part(first_entry_ + work.quads[quad].draw, now);
     }
-    // Tile-based: all quads of the bin ended in cycles before this one.
+    // Tile-based: the bin was walked to its end, and all its quads ended, in cycles before this
+    // one.
     bool bin_is_drawn(std::uint32_t bin, std::uint64_t now) const {
-        return bins_[bin].quads_left == 0 && bins_[bin].changed < now;
+        return bins_[bin].is_drawn() && bins_[bin].changed < now;
+    }
+    // By the rasterizer, in the last cycle of the walk.
+    void end_walk(std::uint32_t bin, std::uint64_t now) {
+        bins_[bin].walked = true;
+        change_bin(bins_[bin], now);
     }
     // The unit that asks it.
     void set_bin_waiter(Unit& waiter) { bin_waiter_ = &waiter; }
@@ -68,6 +76,7 @@ private:
         for (const PreparedDraw& draw : work.draws) {
             const std::size_t entry = ledger_.open(
                 command_kind(draw.kind), draw.number, std::uint64_t{draw.quad_count} + 1);
+            ledger_.set_shape(entry, draw.shape);
             if (&draw == work.draws.data()) first = entry;
         }
         return first;
@@ -79,21 +88,29 @@ private:
         for (const work::TileBin& bin : work.tiles.bins) {
             for (std::uint32_t quad = bin.quads_begin; quad < bin.quads_end; ++quad)
                 bin_of_quad_[quad] = static_cast<std::uint32_t>(bins_.size());
-            bins_.push_back({bin.quads_end - bin.quads_begin, 0});
+            bins_.push_back(
+                {bin.quads_end - bin.quads_begin, bin.pieces_begin == bin.pieces_end, 0});
         }
     }
     void end_quad(std::uint32_t quad, std::uint64_t now) {
         ++ended_quads_;
         if (bins_.empty()) return;
         Bin& bin = bins_[bin_of_quad_[quad]];
-        bin.changed = now;
-        if (--bin.quads_left == 0) bin_waiter_->wake();
+        --bin.quads_left;
+        change_bin(bin, now);
     }
 
     struct Bin {
         std::uint32_t quads_left = 0;
+        bool walked = false; // to its end
         std::uint64_t changed = 0;
+
+        bool is_drawn() const { return walked && quads_left == 0; }
     };
+    void change_bin(Bin& bin, std::uint64_t now) {
+        bin.changed = now;
+        if (bin.is_drawn()) bin_waiter_->wake();
+    }
 
     CommandLedger& ledger_;
     std::size_t first_entry_;
@@ -108,6 +125,7 @@ struct DrawToken {
     std::uint32_t draw = 0;
 
     const PreparedDraw& prepared() const { return scene->work.draws[draw]; }
+    std::string key() const;
 };
 
 struct VertexToken {
@@ -119,6 +137,7 @@ struct VertexToken {
     bool ends_draw() const {
         return position + 1 == std::max<std::size_t>(draw.prepared().geometry.vertices.size(), 1);
     }
+    std::string key() const;
 };
 
 struct PrimitiveToken {
@@ -132,6 +151,7 @@ struct PrimitiveToken {
         const work::PreparedScene& scene = draw.scene->work;
         return scene.primitives[draw.prepared().first_primitive + primitive];
     }
+    std::string key() const;
 };
 
 // A piece that was set up, or a primitive without one. Tile-based machines bin it.
@@ -139,6 +159,8 @@ struct SetupToken {
     DrawToken draw;
     std::uint32_t begin = 0, end = 0;
     bool last = false; // of its draw
+
+    std::string key() const;
 };
 
 struct QuadToken {
@@ -148,6 +170,7 @@ struct QuadToken {
 
     const PreparedQuad& quad() const { return scene->work.quads[index]; }
     const PreparedDraw& draw() const { return scene->work.draws[quad().draw]; }
+    std::string key() const;
 };
 
 } // namespace ffgpu::timing

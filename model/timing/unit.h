@@ -18,6 +18,7 @@
 #include "model/timing/link.h"
 
 #include <algorithm>
+#include <string>
 #include <systemc>
 #include <vector>
 
@@ -28,6 +29,15 @@ public:
     const Account& account() const { return account_; }
     // What the last cycle was.
     Activity activity() const { return last_; }
+    // What it has inside, on one line, for a report of a machine that is stuck.
+    virtual std::string state() const { return {}; }
+    // It waits for somebody who is no unit.
+    virtual bool waits_outside() const { return false; }
+    // The first of the cycles that were all as the last one.
+    Cycle since() const { return accounted_ + 1; }
+    const std::vector<const Link*>& inputs() const { return inputs_; }
+    const std::vector<const Link*>& outputs() const { return outputs_; }
+
     // At the end of a cycle: work that could have been begun in it was left over.
     virtual bool has_backlog() const {
         return std::any_of(inputs_.begin(), inputs_.end(), [this](const Link* input) {
@@ -62,8 +72,9 @@ public:
         clock_.wake(place_, due);
     }
 
-    // By a channel that is connected to the unit.
+    // By a channel of which the unit is the consumer, or the producer.
     void add_input(const Link& input) { inputs_.push_back(&input); }
+    void add_output(const Link& output) { outputs_.push_back(&output); }
 
 protected:
     Unit(sc_core::sc_module_name name, const Clock& clock)
@@ -103,7 +114,7 @@ private:
 
     const Clock& clock_;
     Account account_;
-    std::vector<const Link*> inputs_;
+    std::vector<const Link*> inputs_, outputs_;
     Activity last_ = Activity::Idle; // of all cycles since accounted_
     Cycle accounted_ = 0;
     std::size_t place_ = 0; // in the clock's walk

@@ -39,6 +39,7 @@ public:
                 const VertexConfig& config,
                 const Ports& ports);
 
+    std::string state() const override;
     const VertexStatistics& statistics() const { return statistics_; }
 
 private:

@@ -5,11 +5,13 @@
 #include "model/work/block_walk.h"
 #include "model/work/depth_test_masks.h"
 #include "model/work/texel_lookups.h"
+#include "model/work/tile_lines.h"
 #include "model/work/traversal.h"
 
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace ffgpu::work {
@@ -108,6 +110,7 @@ public:
         } else {
             add_primitives();
         }
+        draw_.shape.add_quads(command_.quads);
         draw_.primitive_count =
             static_cast<std::uint32_t>(out_.primitives.size()) - draw_.first_primitive;
         draw_.quad_count = static_cast<std::uint32_t>(out_.quads.size()) - draw_.first_quad;
@@ -186,6 +189,9 @@ private:
         std::sort(order_.begin(), order_.end(), [](const Ordered& a, const Ordered& b) {
             return std::pair(a.key, a.quad) < std::pair(b.key, b.quad);
         });
+        if (draw_.kind == WorkKind::Draw)
+            draw_.shape.add_piece(std::span(command_.quads).subspan(begin, end - begin),
+                                  draw_.state && draw_.state->targets.samples() > 1);
         PreparedPiece piece{.begin = static_cast<std::uint32_t>(out_.quads.size()), .box = box};
         for (const Ordered& each : order_)
             add_quad(each.quad, each.lanes);
@@ -311,17 +317,44 @@ private:
     std::vector<Ordered> order_; // of a piece
 };
 
-// What of a box lies in the quad's bin.
-PieceBox part_in_bin(const PieceBox& box, const RasterOrder& raster, const PreparedQuad& quad) {
+// What of a box lies in the bin.
+PieceBox part_in_bin(const PieceBox& box, const RasterOrder& raster, BinKey key) {
     if (box.empty()) return {};
-    const auto low = [&](std::uint32_t bound, std::uint32_t at) {
-        return static_cast<std::uint16_t>(std::max(bound, at / raster.bin_size * raster.bin_size));
+    const std::uint32_t size = raster.bin_size;
+    const Rectangle bin = bin_rectangle(size, static_cast<std::uint32_t>(key));
+    const auto inside = [](int bound, int from, int to) {
+        return static_cast<std::uint16_t>(std::clamp(bound, from, to));
     };
-    const auto high = [&](std::uint32_t bound, std::uint32_t at) {
-        return static_cast<std::uint16_t>(
-            std::min(bound, (at / raster.bin_size + 1) * raster.bin_size));
-    };
-    return {low(box.x0, quad.x), low(box.y0, quad.y), high(box.x1, quad.x), high(box.y1, quad.y)};
+    return {inside(box.x0, bin.x0, bin.x1),
+            inside(box.y0, bin.y0, bin.y1),
+            inside(box.x1, bin.x0, bin.x1),
+            inside(box.y1, bin.y0, bin.y1)};
+}
+
+// A quad of a piece in a bin, or the piece in a bin where it has none.
+struct Placed {
+    static constexpr std::uint32_t None = ~0u;
+
+    BinKey key = 0;
+    std::uint32_t piece = 0, quad = None;
+
+    bool operator<(const Placed& other) const {
+        return std::tie(key, piece, quad) < std::tie(other.key, other.piece, other.quad);
+    }
+};
+
+std::vector<Placed> placed_in_bins(const std::vector<BinKey>& keys,
+                                   const std::vector<PiecePart>& walked,
+                                   const PreparedScene& scene) {
+    std::vector<Placed> order;
+    order.reserve(scene.quads.size() + walked.size());
+    for (std::uint32_t piece = 0; piece < scene.pieces.size(); ++piece)
+        for (std::uint32_t i = scene.pieces[piece].begin; i < scene.pieces[piece].end; ++i)
+            order.push_back({keys[i], piece, i});
+    for (const PiecePart& part : walked)
+        order.push_back({part.key, part.piece, Placed::None});
+    std::sort(order.begin(), order.end());
+    return order;
 }
 
 } // namespace
@@ -349,34 +382,29 @@ void append(const WholeCommand& command,
     Appender(command, config, scene).run(addresses);
 }
 
-void sort_quads(const RasterOrder& raster,
-                const std::vector<std::uint64_t>& keys,
-                PreparedScene& scene) {
-    struct Placed {
-        std::uint64_t key = 0;
-        std::uint32_t piece = 0, quad = 0;
-    };
-    std::vector<Placed> order;
-    order.reserve(scene.quads.size());
-    for (std::uint32_t piece = 0; piece < scene.pieces.size(); ++piece)
-        for (std::uint32_t i = scene.pieces[piece].begin; i < scene.pieces[piece].end; ++i)
-            order.push_back({keys[i], piece, i});
-    std::stable_sort(
-        order.begin(), order.end(), [](const Placed& a, const Placed& b) { return a.key < b.key; });
+std::vector<BinKey> sort_quads(const RasterOrder& raster,
+                               const std::vector<BinKey>& keys,
+                               const std::vector<PiecePart>& walked,
+                               PreparedScene& scene) {
+    const std::vector<Placed> order = placed_in_bins(keys, walked, scene);
     const std::vector<PreparedPiece> whole = std::exchange(scene.pieces, {});
     const std::vector<PreparedQuad> quads = std::exchange(scene.quads, {});
+    std::vector<BinKey> part_keys;
     for (std::size_t i = 0; i < order.size(); ++i) {
         const Placed& placed = order[i];
         if (i == 0 || placed.key != order[i - 1].key || placed.piece != order[i - 1].piece) {
-            const auto at = static_cast<std::uint32_t>(i);
-            const PieceBox& box = whole[placed.piece].box;
-            scene.pieces.push_back({at, at, part_in_bin(box, raster, quads[placed.quad]), 0});
+            const auto at = static_cast<std::uint32_t>(scene.quads.size());
+            const PieceBox box = part_in_bin(whole[placed.piece].box, raster, placed.key);
+            scene.pieces.push_back({at, at, box, 0});
+            part_keys.push_back(placed.key);
         }
+        if (placed.quad == Placed::None) continue;
         scene.quads.push_back(quads[placed.quad]);
         ++scene.pieces.back().end;
     }
     for (PreparedPiece& piece : scene.pieces)
         walk(raster, piece, scene);
+    return part_keys;
 }
 
 } // namespace ffgpu::work

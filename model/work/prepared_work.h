@@ -7,6 +7,7 @@
 #include "model/packets/quad_values.h"
 #include "model/work/address_map.h"
 #include "model/work/config.h"
+#include "model/work/draw_shape.h"
 #include "model/work/tile_plan.h"
 #include "model/work/whole_command.h"
 
@@ -93,6 +94,7 @@ struct PreparedDraw {
     bool writes_color = false;
     bool has_values = false; // Its quads have.
     QuadValueKinds value_kinds;
+    DrawShape shape;
     std::shared_ptr<const Registers> state;
 };
 
@@ -135,12 +137,25 @@ void append(const WholeCommand& command,
             AddressMap& addresses,
             PreparedScene& scene);
 
-// Brings the quads of a whole scene into the order of their keys, a key each, which differ from
-// screen bin to screen bin; where keys are equal, as they were. A piece has a part for each key of
-// its quads, and the walk of a part stays in the bin; of the pieces before set-up needs the numbers
-// alone.
-void sort_quads(const RasterOrder& raster,
-                const std::vector<std::uint64_t>& keys,
-                PreparedScene& scene);
+// A screen bin of a pass; bins of earlier passes come first.
+using BinKey = std::uint64_t;
+constexpr BinKey bin_key(std::uint32_t pass, std::uint32_t screen_bin) {
+    return std::uint64_t{pass} << 32 | screen_bin;
+}
+
+// What of a piece is walked in a bin.
+struct PiecePart {
+    BinKey key = 0;
+    std::uint32_t piece = 0; // index into PreparedScene::pieces
+};
+
+// Brings the quads of a whole scene into the order of their bins, a key each; where keys are equal,
+// as they were. A piece has a part for each key of its quads, and for those of `walked` that hold
+// none of them; the walk of a part stays in the bin. Returns the key of each part. Of the pieces
+// before set-up needs the numbers alone.
+std::vector<BinKey> sort_quads(const RasterOrder& raster,
+                               const std::vector<BinKey>& keys,
+                               const std::vector<PiecePart>& walked,
+                               PreparedScene& scene);
 
 } // namespace ffgpu::work

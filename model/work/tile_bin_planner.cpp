@@ -34,9 +34,9 @@ void TileBinPlanner::take_quads(const Place& place, TileBin& bin) {
            screen_bin(config_.raster, quads[next_quad_].x, quads[next_quad_].y) == key_)
         ++next_quad_;
     bin.quads_end = next_quad_;
-    const auto& pieces = sorted_.scene.pieces;
+    const std::vector<BinKey>& keys = sorted_.key_of_piece;
     bin.pieces_begin = next_piece_;
-    while (next_piece_ < pieces.size() && pieces[next_piece_].begin < next_quad_)
+    while (next_piece_ < keys.size() && keys[next_piece_] == bin_key(place.pass, key_))
         ++next_piece_;
     bin.pieces_end = next_piece_;
 }

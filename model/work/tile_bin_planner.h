@@ -16,10 +16,11 @@ namespace ffgpu::work {
 
 class TileBinPlanner {
 public:
-    // The scene's quads, sorted, each with its pass.
+    // The scene's quads, sorted, each with its pass, and their pieces, each with its bin.
     struct Sorted {
         PreparedScene& scene;
         const std::vector<std::uint32_t>& pass_of_quad;
+        const std::vector<BinKey>& key_of_piece;
         DeferredStores& deferred;
     };
     struct Place {

@@ -33,7 +33,7 @@ struct TileRecord {
 struct TileBin {
     std::uint16_t x = 0, y = 0; // window pixel of the lower left corner
     std::uint32_t quads_begin = 0, quads_end = 0;
-    std::uint32_t pieces_begin = 0, pieces_end = 0; // of these quads
+    std::uint32_t pieces_begin = 0, pieces_end = 0; // that are walked
     std::uint32_t list_begin = 0, list_end = 0;     // into TilePlan::lists
     std::uint32_t clears = 0;                       // done on chip
     std::uint32_t loads_begin = 0, loads_end = 0, stores_begin = 0, stores_end = 0; // lines

@@ -29,7 +29,7 @@ void TilePlanner::run(DeferredStores& deferred) {
         touch(bins_in({0, 0, surface.width, surface.height}), passes_.back());
     }
     sort_quads();
-    TileBinPlanner bins(config_, gathered_, {scene_, pass_of_quad_, deferred});
+    TileBinPlanner bins(config_, gathered_, {scene_, pass_of_quad_, part_keys_, deferred});
     for (const Pass& pass : passes_)
         add_pass(pass, bins);
     for (PreparedQuad& quad : scene_.quads) // Depth and colours are on chip.
@@ -136,13 +136,23 @@ std::vector<std::uint32_t> TilePlanner::bins_in(const Rectangle& rectangle) cons
     return bins;
 }
 
-// Pass by pass, bin by bin.
+// Pass by pass, bin by bin. In a bin in whose list a piece stands for its box alone, the box is
+// walked.
 void TilePlanner::sort_quads() {
-    std::vector<std::uint64_t> keys(scene_.quads.size());
+    std::vector<BinKey> keys(scene_.quads.size());
     for (std::size_t i = 0; i < keys.size(); ++i)
-        keys[i] = std::uint64_t{pass_of_quad_[i]} << 32 |
-                  screen_bin(config_.raster, scene_.quads[i].x, scene_.quads[i].y);
-    work::sort_quads(config_.raster, keys, scene_);
+        keys[i] = bin_key(pass_of_quad_[i],
+                          screen_bin(config_.raster, scene_.quads[i].x, scene_.quads[i].y));
+    std::vector<PiecePart> walked;
+    for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
+        for (const TileRecord& record : passes_[pass].records) {
+            if (gathered_.commands[record.draw].clear || scene_.pieces[record.piece].box.empty())
+                continue;
+            for (std::uint32_t i = record.bins_begin; i < record.bins_end; ++i)
+                walked.push_back({bin_key(pass, passes_[pass].keys[i]), record.piece});
+        }
+    }
+    part_keys_ = work::sort_quads(config_.raster, keys, walked, scene_);
     std::sort(pass_of_quad_.begin(), pass_of_quad_.end());
 }
 

@@ -47,6 +47,7 @@ private:
     TilePlan& plan_;
     std::vector<Pass> passes_;
     std::vector<std::uint32_t> pass_of_quad_;
+    std::vector<BinKey> part_keys_; // of the scene's pieces, sorted
 };
 
 } // namespace ffgpu::work

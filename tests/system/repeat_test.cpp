@@ -153,7 +153,7 @@ TEST_CASE("The statistics of many frames wait in a file, and are whole") {
         cycles.commands.push_back({timing::CommandKind::Draw, draw, 1});
     const auto add = [&](std::uint64_t number) {
         report.add({.number = number, .api_calls = 1, .functional = {}},
-                   {.counters = {}, .frame = cycles});
+                   {.counters = {}, .histograms = {}, .frame = cycles});
     };
     add(0);
     const std::uint64_t before = resident_bytes();

@@ -70,7 +70,7 @@ Cycle drain(const Link& link, int items) {
             bench.clock, link.queue, link.latency, static_cast<std::size_t>(link.width));
         Producer producer(bench.clock, channel, items, link.width);
         Consumer consumer(bench.clock, channel, link.width);
-        channel.connect(producer, consumer);
+        channel.connect("channel", producer, consumer);
         consumer_first ? consumer.attach() : producer.attach();
         consumer_first ? producer.attach() : consumer.attach();
         bench.run_until([&] { return consumer.received == items; });

@@ -101,7 +101,7 @@ inline BenchResult run_memory(const MemoryConfig& config,
                         : std::make_unique<MemoryController>("memory", clock, config);
         BenchClient client(clock, port, responses, list, outstanding);
         asking = &client;
-        port.channel().connect(client, arbiter);
+        port.channel().connect("client_requests", client, arbiter);
         memory->connect(arbiter);
         arbiter.socket.bind(memory->target());
         client.attach();

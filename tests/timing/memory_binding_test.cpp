@@ -25,6 +25,8 @@ Figures machine_figures(const TimingConfig& config, const MakeMemory& make_memor
     }
     for (const std::string_view activity : ActivityNames)
         figures.erase("memory_" + std::string(activity) + "_cycles");
+    for (const char* const channel : {"0", "1"}) // its queues
+        figures.erase("queue_memory_channel" + std::string(channel) + "_arrivals_item_cycles");
     // It cannot tell what of a wait is its queues' and what its latency.
     figures["bottleneck_memory_cycles"] = figures.at("bottleneck_memory_bandwidth_cycles") +
                                           figures.at("bottleneck_memory_latency_cycles");

@@ -29,6 +29,7 @@ public:
     TimingConfig machine() {
         TimingConfig config;
         config.command_processor.draw_cycles = 1 + below(20);
+        config.command_processor.lines_per_cycle = power(3);
         config.vertex.fetch_queue = power(5);
         config.vertex.reuse_entries = below(20);
         config.vertex.transform_cycles = 1 + below(12);
@@ -67,6 +68,16 @@ public:
         return frame;
     }
 
+    // Any kind; draws as often as all others.
+    std::shared_ptr<const work::WholeCommand> any_command(std::uint32_t number) {
+        const std::uint32_t lot = below(6);
+        return std::make_shared<work::WholeCommand>(
+            lot == 0   ? clear(number)
+            : lot == 1 ? copy(number)
+            : lot == 2 ? image(number)
+                       : draw(number, 1 + below(300), below(1000)));
+    }
+
     // Triangles of `vertices` vertices, and quads in runs along lines of the screen.
     work::WholeCommand draw(std::uint32_t number, std::uint32_t vertices, std::uint32_t quads) {
         work::WholeCommand command = begin(WorkKind::Draw, number);
@@ -98,7 +109,9 @@ public:
             geometry.vertices.push_back(below(3) == 0 ? below(distinct) : i % distinct);
         for (std::uint32_t i = 0; i < (vertices + 2) / 3; ++i)
             geometry.primitives.push_back(
-                {.key = i, .last_vertex = std::min(3 * i + 2, vertices - 1)});
+                {.key = i,
+                 .last_vertex = std::min(3 * i + 2, vertices - 1),
+                 .planes = static_cast<std::uint8_t>(below(4) == 0 ? 1 + below(2) : 0)});
         add_quads(command, quads);
         return command;
     }
@@ -209,6 +222,27 @@ private:
         copy.destination.address = 9 << 26;
         copy.width = static_cast<std::uint16_t>(1 + below(Size));
         copy.height = static_cast<std::uint16_t>(1 + below(Size / 4));
+        return command;
+    }
+
+    // Pixels of the host's, from device memory.
+    work::WholeCommand image(std::uint32_t number) {
+        work::WholeCommand command = begin(WorkKind::Image, number);
+        command.draw.image = {.address = DeviceAddress{10} << 26,
+                              .stride = 4 * Size,
+                              .width = 1 + below(Size),
+                              .height = 1 + below(Size)};
+        for (std::uint16_t y = 0; y < command.draw.image.height; y += 2)
+            for (std::uint16_t x = 0; x < command.draw.image.width; x += 2)
+                command.quads.push_back({.primitive = 0,
+                                         .x = x,
+                                         .y = y,
+                                         .covered = 15,
+                                         .after_early_depth = 15,
+                                         .after_coverage = 15,
+                                         .after_alpha = 15,
+                                         .after_stencil = 15,
+                                         .after_depth = 15});
         return command;
     }
 

@@ -103,6 +103,34 @@ TEST_CASE(
     CHECK(figures.at("memory_color_written_bytes") == 4 * 32 * 32); // where something is new
 }
 
+TEST_CASE("With bounding boxes the empty blocks of every bin are walked, and cost their cycles") {
+    constexpr unsigned Size = 256, Bin = 32, Block = 8; // 64 bins of 16 blocks
+    TileBench bench(Size, Size);
+    bench.draw({{0, 0, 2, 2}});
+    auto command = std::make_shared<work::WholeCommand>(*bench.commands.back());
+    command->draw.geometry.pieces[0] = {0, 0, Size, Size};
+    bench.commands.back() = command;
+    bench.end_frame();
+    const auto run = [&](work::Binning binning, std::uint32_t empty_cycles) {
+        TimingConfig config = tile_based(Bin);
+        config.raster.tile_width = Block;
+        config.raster.empty_tile_cycles = empty_cycles;
+        config.tiles.binning = binning;
+        return bench.run(config);
+    };
+    constexpr std::uint64_t InBin = Bin / Block * Bin / Block, InBox = Size / Block * Size / Block;
+    const Figures exact = run(work::Binning::Exact, 1);
+    CHECK(exact.at("raster_blocks") + exact.at("raster_empty_blocks") == InBin);
+    const Figures boxed = run(work::Binning::BoundingBox, 1);
+    CHECK(boxed.at("raster_blocks") == 1);
+    CHECK(boxed.at("raster_empty_blocks") == InBox - 1);
+    // Far slower than all else, the walk is the frame: a cycle more a block costs one each.
+    const Figures slow = run(work::Binning::BoundingBox, 60);
+    const Figures slower = run(work::Binning::BoundingBox, 61);
+    CHECK(slower.at("total_cycles") - slow.at("total_cycles") == InBox - 1);
+    CHECK(slower.at("raster_busy_cycles") - slow.at("raster_busy_cycles") == InBox - 1);
+}
+
 TEST_CASE("Cleared depth that nobody reads later costs no traffic; colour is stored once a bin") {
     TileBench bench(Width, Height);
     bench.state.depth = {.test_enable = true, .write_enable = true};

@@ -1,6 +1,7 @@
 #include "tools/commands/command_line.h"
 
 #include "model/base/input_error.h"
+#include "model/timing/machine_stuck.h"
 #include "tools/commands/commands.h"
 #include "tools/config/nearest_name.h"
 
@@ -17,9 +18,9 @@ namespace {
 
 constexpr int Done = 0, BadInput = 2;
 
-int fail(const char* message) {
+int fail(const char* message, int status = BadInput) {
     std::fprintf(stderr, "ffgpu: %s\n", message);
-    return BadInput;
+    return status;
 }
 
 // A first word that is no verb: CLI11 would only say that one is missing.
@@ -47,8 +48,10 @@ int run_command_line(int count, const char* const* arguments, const char* versio
     CLI::App application("ffgpu: a deterministic emulator of a fixed-function GPU", "ffgpu");
     application.set_version_flag("--version", std::string("ffgpu ") + version);
     application.require_subcommand(1);
-    application.footer("Each verb has --help with an example: ffgpu replay --help\n"
-                       "Exit status: 0 done, 1 a comparison failed, 2 bad input or usage.");
+    application.footer(
+        "Each verb has --help with an example: ffgpu replay --help\n"
+        "Exit status: 0 done, 1 a comparison failed, 2 bad input or usage, 3 the timed machine "
+        "is stuck.");
     Run run;
     add_replay_command(application, run);
     add_run_command(application, run);
@@ -74,6 +77,8 @@ int run_command_line(int count, const char* const* arguments, const char* versio
         return fail((std::string(error.what()) + " (ffgpu --help lists the verbs)").c_str());
     } catch (const InputError& error) {
         return fail(error.what());
+    } catch (const timing::MachineStuck& stuck) {
+        return fail(stuck.what(), timing::StuckStatus);
     } catch (const std::bad_alloc&) {
         return fail("out of memory: of the host, or of the device for what it is given to draw");
     }

@@ -1,11 +1,11 @@
-// The command line as a whole: parses, runs the verb, and turns what goes wrong into one line and
-// an exit status.
+// The command line as a whole: parses, runs the verb, and turns what goes wrong into text and an
+// exit status.
 
 #pragma once
 
 namespace ffgpu::tools {
 
-// 0: done. 1: a comparison failed. 2: bad input or usage.
+// 0: done. 1: a comparison failed. 2: bad input or usage. 3: the timed machine is stuck.
 int run_command_line(int count, const char* const* arguments, const char* version);
 
 } // namespace ffgpu::tools

@@ -119,7 +119,7 @@ void Recording::finish() {
     try {
         gpu_.finish();
         pipeline_.finish();
-    } catch (const InputError&) {
+    } catch (const std::runtime_error&) {
         write_statistics(); // Of the frames before it.
         throw;
     }
@@ -129,6 +129,7 @@ void Recording::finish() {
 void Recording::write_statistics() {
     if (options_.output.empty()) return;
     write_statistics_file(report_, options_.output);
+    pipeline_.write_series(options_.output);
 }
 
 } // namespace ffgpu::tools

@@ -8,6 +8,7 @@ WorkPipeline::WorkPipeline(const Options& options, StatisticsReport& report)
                                       : std::make_unique<work::WorkFileWriter>(options.save_work))
     , meter_(report, timing_.get())
     , assembler_(readers_) {
+    if (timing_ && options.timing->series.interval_cycles > 0) series_.emplace(*timing_);
     if (timing_) readers_.add(*timing_);
     if (file_) readers_.add(*file_);
     if (timing_ && options.costs)
@@ -30,6 +31,10 @@ void WorkPipeline::add(const work::FrameFigures& figures) {
 
 void WorkPipeline::drain() {
     if (thread_) thread_->drain();
+}
+
+void WorkPipeline::write_series(const std::string& folder) const {
+    if (series_) series_->write(folder);
 }
 
 void WorkPipeline::finish() {

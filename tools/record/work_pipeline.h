@@ -11,6 +11,7 @@
 #include "tools/record/work_fan_out.h"
 #include "tools/report/frame_meter.h"
 #include "tools/report/heat_maps.h"
+#include "tools/report/series_file.h"
 
 #include <memory>
 #include <optional>
@@ -39,11 +40,14 @@ public:
     void drain();
     // The same at the end: completes the file.
     void finish();
+    // After drain(): the machine's series, if its configuration wants one.
+    void write_series(const std::string& folder) const;
 
 private:
     void add(const work::FrameFigures& figures);
 
-    std::unique_ptr<timing::GpuTiming> timing_;
+    std::optional<SeriesFile> series_;
+    std::unique_ptr<timing::GpuTiming> timing_; // uses series_
     std::unique_ptr<work::WorkFileWriter> file_;
     FrameMeter meter_;
     CommandFanOut readers_;

@@ -5,6 +5,7 @@
 
 #include "driver/window_system/build_id.h"
 #include "model/base/input_error.h"
+#include "model/timing/machine_stuck.h"
 #include "tools/record/recording_arguments.h"
 
 #include <chrono>
@@ -90,6 +91,9 @@ private:
     static void guarded(Call&& call) {
         try {
             call();
+        } catch (const timing::MachineStuck& stuck) {
+            std::fprintf(stderr, "ffgpu: %s\n", stuck.what());
+            std::_Exit(timing::StuckStatus);
         } catch (const std::exception& error) {
             std::fprintf(stderr, "ffgpu: %s\n", error.what());
             std::_Exit(BadInput);

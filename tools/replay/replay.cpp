@@ -30,7 +30,7 @@ public:
     std::string run() {
         try {
             play();
-        } catch (const InputError&) {
+        } catch (const std::runtime_error&) {
             recording_.finish(); // What is done stays.
             throw;
         }

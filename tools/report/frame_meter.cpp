@@ -16,6 +16,7 @@ void FrameMeter::add(const work::FrameFigures& frame) {
     if (timing_) {
         timing_->catch_up();
         timed.counters = changes_.take(timing_->statistics());
+        timed.histograms = histogram_changes_.take(timing_->histograms());
         timed.frame = std::exchange(ended_, std::nullopt);
     }
     report_.add(frame, timed);

@@ -23,6 +23,7 @@ private:
     StatisticsReport& report_;
     timing::GpuTiming* const timing_;
     CounterChanges changes_;
+    HistogramChanges histogram_changes_;
     std::optional<timing::FrameTiming> ended_; // since the last add()
 };
 

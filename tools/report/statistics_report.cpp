@@ -2,7 +2,9 @@
 
 #include "tools/report/summary.h"
 
+#include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -21,15 +23,49 @@ Json object_of(const work::Figures& figures) {
     return json;
 }
 
+void add_to_counts(Json& totals, const Json& counts) {
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (i == totals.size()) totals.push_back(0);
+        totals[i] = totals[i].get<std::uint64_t>() + counts[i].get<std::uint64_t>();
+    }
+}
+
 void add_to(Json& totals, const Json& frame) {
     for (const auto& [name, value] : frame.items()) {
         if (value.is_object()) {
             if (!totals.contains(name)) totals[name] = Json::object();
             add_to(totals[name], value);
+        } else if (value.is_array()) {
+            if (!totals.contains(name)) totals[name] = Json::array();
+            add_to_counts(totals[name], value);
         } else if (value.is_number_unsigned()) {
             totals[name] = totals.value(name, std::uint64_t{0}) + value.get<std::uint64_t>();
         }
     }
+}
+
+// Places without a count at the end are left out.
+template <class Counts>
+Json array_of(const Counts& counts) {
+    Json array = Json::array();
+    std::size_t end = counts.size();
+    while (end > 0 && counts[end - 1] == 0)
+        --end;
+    for (std::size_t i = 0; i < end; ++i)
+        array.push_back(counts[i]);
+    return array;
+}
+
+Json describe(const timing::CommandCycles& command) {
+    Json json{{"kind", timing::CommandKindNames[static_cast<std::size_t>(command.kind)]},
+              {"draw", command.number},
+              {"cycles", command.cycles},
+              {"bottleneck", timing::ResourceNames[static_cast<std::size_t>(command.bottleneck())]},
+              {"bottleneck_cycles", command.bottleneck_cycles()}};
+    work::DrawShape::visit(command.shape, [&](auto name, auto, auto, const auto& counts) {
+        if (Json array = array_of(counts); !array.empty()) json[name] = std::move(array);
+    });
+    return json;
 }
 
 template <class Field>
@@ -58,9 +94,37 @@ Json describe(const Configuration& configuration, bool with_timing) {
     return json;
 }
 
+// A member a line; lists of numbers on one.
+void print(const Json& json, const std::string& margin, std::string& text) {
+    const bool is_list =
+        json.is_array() && std::all_of(json.begin(), json.end(), [](const Json& element) {
+            return element.is_primitive();
+        });
+    if (!json.is_structured() || json.empty() || is_list) {
+        text += json.dump();
+        return;
+    }
+    const std::string inner = margin + ' ';
+    text += json.is_array() ? '[' : '{';
+    bool first = true;
+    for (const auto& [name, value] : json.items()) {
+        text += std::exchange(first, false) ? "\n" : ",\n";
+        text += inner;
+        if (json.is_object()) text += Json(name).dump() + ": ";
+        print(value, inner, text);
+    }
+    text += '\n' + margin + (json.is_array() ? ']' : '}');
+}
+
+std::string printed(const Json& json) {
+    std::string text;
+    print(json, {}, text);
+    return text;
+}
+
 // As an element of a member of the whole.
 std::string indented(const Json& json) {
-    std::istringstream lines(json.dump(1));
+    std::istringstream lines(printed(json));
     std::string text;
     for (std::string line; std::getline(lines, line);)
         text.append(text.empty() ? "  " : "\n  ").append(line);
@@ -104,6 +168,9 @@ void StatisticsReport::add(const work::FrameFigures& frame, const TimedFigures& 
         counted["timing"] = Json::object();
         counted["timing"]["total_cycles"] = timed.frame ? timed.frame->cycles : 0;
         counted["timing"].update(object_of(timed.counters));
+        counted["histograms"] = Json::object();
+        for (const auto& [name, counts] : timed.histograms)
+            counted["histograms"][name] = array_of(counts);
     }
     add_to(content_->totals, counted);
     json.update(counted);
@@ -112,13 +179,7 @@ void StatisticsReport::add(const work::FrameFigures& frame, const TimedFigures& 
     if (content_->with_timing && timed.frame) {
         Json commands = Json::array();
         for (const timing::CommandCycles& command : timed.frame->commands)
-            commands.push_back(
-                {{"kind", timing::CommandKindNames[static_cast<std::size_t>(command.kind)]},
-                 {"draw", command.number},
-                 {"cycles", command.cycles},
-                 {"bottleneck",
-                  timing::ResourceNames[static_cast<std::size_t>(command.bottleneck())]},
-                 {"bottleneck_cycles", command.bottleneck_cycles()}});
+            commands.push_back(describe(command));
         json["milliseconds"] = content_->clock.milliseconds(timed.frame->cycles);
         json["commands"] = std::move(commands);
     }
@@ -131,7 +192,7 @@ void StatisticsReport::write(const TextSink& out) const {
     json["configuration"] = content_->configuration;
     json["frame_count"] = content_->frame_count;
     json["totals"] = content_->totals;
-    const std::string head = json.dump(1);
+    const std::string head = printed(json);
     out(std::string_view(head).substr(0, head.size() - 2));
     out(",\n \"frames\": [");
     content_->frames.copy_to(out);

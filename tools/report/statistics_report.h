@@ -7,6 +7,7 @@
 #include "model/timing/gpu_timing.h"
 #include "model/work/frame_figures.h"
 #include "tools/config/configuration.h"
+#include "tools/report/counter_changes.h"
 #include "tools/report/text_spool.h"
 
 #include <memory>
@@ -18,6 +19,7 @@ namespace ffgpu::tools {
 // What the machine in time took for a frame.
 struct TimedFigures {
     work::Figures counters;
+    HistogramCounts histograms;
     std::optional<timing::FrameTiming> frame; // Nothing: no frame ended in it.
 };
 

@@ -1,33 +1,40 @@
 #include "tools/time/time_work.h"
 
-#include "model/base/input_error.h"
 #include "model/timing/gpu_timing.h"
 #include "model/work/work_file_reader.h"
 #include "tools/frames/progress.h"
 #include "tools/report/frame_meter.h"
+#include "tools/report/series_file.h"
 #include "tools/report/statistics_file.h"
 
 #include <optional>
+#include <stdexcept>
 
 namespace ffgpu::tools {
 
 std::string time_work(const TimeOptions& options) {
     work::WorkFileReader file(options.input);
     make_folder(options.output);
+    std::optional<SeriesFile> series; // The machine uses it.
     timing::GpuTiming timing(options.configuration.timing);
     StatisticsReport report(options.configuration, true);
     FrameMeter meter(report, &timing);
+    if (options.configuration.timing.series.interval_cycles > 0) series.emplace(timing);
+    const auto write = [&] {
+        write_statistics_file(report, options.output);
+        if (series) series->write(options.output);
+    };
     try {
         Progress progress(std::nullopt);
         file.play(timing, [&](const work::FrameFigures& frame) {
             meter.add(frame);
             progress.show(frame.number);
         });
-    } catch (const InputError&) {
-        write_statistics_file(report, options.output); // What is done stays.
+    } catch (const std::runtime_error&) {
+        write(); // What is done stays.
         throw;
     }
-    write_statistics_file(report, options.output);
+    write();
     return report.summary();
 }
 

@@ -12,6 +12,7 @@ namespace ffgpu::timing {
 struct CommandProcessorConfig {
     static constexpr std::string_view Name = "command_processor";
     std::uint32_t draw_cycles = 16;
+    std::uint32_t lines_per_cycle = 1;
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
@@ -21,6 +22,12 @@ struct CommandProcessorConfig {
                .minimum = 1,
                .maximum = 65536,
                .meaning = "to decode a draw and its state"});
+        field("lines_per_cycle",
+              self.lines_per_cycle,
+              {.unit = "lines a cycle",
+               .minimum = 1,
+               .maximum = 64,
+               .meaning = "of clears, copies, images and write-backs that it asks the memory for"});
     }
 };
 

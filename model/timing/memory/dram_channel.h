@@ -35,6 +35,7 @@ public:
     // Nothing happens before that cycle unless something is pushed.
     MemoryCycle next_work() const { return next_work_; }
     bool has_waiting() const { return !waiting_.empty(); }
+    std::size_t waiting() const { return waiting_.size(); }
     // Charges the bus's cycles before `end` that nothing was charged with yet.
     void settle(MemoryCycle end);
 
