@@ -76,6 +76,12 @@ void GpuTiming::set_series_sink(SeriesSink* sink) {
     if (machine_->series) machine_->series->set_sink(sink);
 }
 
+void GpuTiming::set_activity_observer(ActivityObserver* observer) {
+    const std::vector<Unit*> units = machine_->units();
+    for (std::size_t i = 0; i < units.size(); ++i)
+        units[i]->set_observer(observer, i);
+}
+
 std::uint64_t GpuTiming::cycles() const {
     return machine_->clock.now();
 }

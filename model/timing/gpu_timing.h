@@ -37,7 +37,8 @@ struct FrameTiming {
     std::vector<CommandCycles> commands; // all of them; the sum of theirs is `cycles`
 };
 
-class Histogram; // histogram.h
+class ActivityObserver; // activity_observer.h
+class Histogram;        // histogram.h
 class Machine;
 class MachineThread;
 class MemoryObserver; // memory_observer.h
@@ -68,7 +69,8 @@ public:
     void set_on_retire(std::function<void(const QuadRetired&)> on_retire);
     // Told on the thread that runs the machine; null: nobody.
     void set_quad_observer(QuadObserver* observer);
-    void set_memory_observer(MemoryObserver* observer); // the same
+    void set_memory_observer(MemoryObserver* observer);     // the same
+    void set_activity_observer(ActivityObserver* observer); // of units in the order of their names
 
     // What every account counts, over time (series.h), where series.interval_cycles says so; null:
     // nobody. Before the first command.

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "model/timing/account.h"
+#include "model/timing/activity_observer.h"
 #include "model/timing/clock.h"
 #include "model/timing/link.h"
 
@@ -66,10 +67,17 @@ public:
         if (activity != last_) {
             account_until(clock_.now() - 1);
             last_ = activity;
+            if (observer_) observer_->changed(number_, activity, clock_.now());
         }
         Cycle due = next_work(activity);
         if (due > clock_.now() + 1) due = std::min(due, next_arrival());
         clock_.wake(place_, due);
+    }
+
+    // The observer, or null, is told under this number.
+    void set_observer(ActivityObserver* observer, std::size_t number) {
+        observer_ = observer;
+        number_ = number;
     }
 
     // By a channel of which the unit is the consumer, or the producer.
@@ -119,6 +127,8 @@ private:
     Cycle accounted_ = 0;
     std::size_t place_ = 0; // in the clock's walk
     bool attached_ = false;
+    ActivityObserver* observer_ = nullptr;
+    std::size_t number_ = 0; // for it
 };
 
 } // namespace ffgpu::timing

@@ -159,6 +159,7 @@ struct WorkConfig {
     CacheShape color_cache;
     TileOrder tiles;
     DepthTest depth_test = DepthTest::AsGlAllows;
+    bool target_lines = true;       // Those of depth and colour are wanted.
     bool merges_texel_reads = true; // of a line, by a quad; fragments merge none
 };
 

@@ -200,7 +200,7 @@ void MachineOrder::clear(const WorkDraw& draw) {
     for (TargetClear& of : target_clears(draw)) {
         if (of.depth ? !(draw.clear.depth || draw.clear.stencil) : !draw.clear.color) continue;
         of.fill.place = addresses_.surface(of.target, shape(of.depth));
-        clear_lines(of.fill, of.depth, of.bytes, transfer);
+        if (config_.target_lines) clear_lines(of.fill, of.depth, of.bytes, transfer);
         transfer.fills.push_back(of.fill);
     }
     out_.transfer(std::move(transfer));

@@ -8,6 +8,7 @@ void PositionTree::reset(std::uint32_t times) {
     times_ = times;
     next_ = bits_ = 0;
     words_.assign(times / 64, 0);
+    word_bits_.assign(times / 64, 0);
     sums_.clear();
     std::uint32_t nodes = times / 64;
     do {
@@ -21,7 +22,7 @@ std::uint32_t PositionTree::after(std::uint32_t time) const {
     auto count =
         static_cast<std::uint32_t>(std::popcount(words_[at] & (~std::uint64_t{1} << time % 64)));
     for (std::uint32_t end = std::min(at | 63, last); at < end;)
-        count += static_cast<std::uint32_t>(std::popcount(words_[++at]));
+        count += word_bits_[++at];
     for (const std::vector<std::uint32_t>& sums : sums_) {
         at /= 64;
         last /= 64;

@@ -24,6 +24,7 @@ public:
     std::uint32_t add() {
         const std::uint32_t time = next_++;
         words_[time / 64] |= std::uint64_t{1} << time % 64;
+        ++word_bits_[time / 64];
         for (std::vector<std::uint32_t>& sums : sums_)
             ++sums[time >> shift_of(sums)];
         ++bits_;
@@ -32,6 +33,7 @@ public:
 
     void clear(std::uint32_t time) {
         words_[time / 64] &= ~(std::uint64_t{1} << time % 64);
+        --word_bits_[time / 64];
         for (std::vector<std::uint32_t>& sums : sums_)
             --sums[time >> shift_of(sums)];
         --bits_;
@@ -84,6 +86,7 @@ private:
 
     std::uint32_t times_ = 0, next_ = 0, bits_ = 0;
     std::vector<std::uint64_t> words_;
+    std::vector<std::uint8_t> word_bits_;          // how many
     std::vector<std::vector<std::uint32_t>> sums_; // of 64 words, of 64 such sums ...
 };
 

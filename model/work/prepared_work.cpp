@@ -275,6 +275,7 @@ private:
     // Depth is read for the fragments that come to its test, colour for those that pass it.
     void add_target_lines(const WorkQuad& from, PreparedQuad& quad) {
         quad.target_lines_begin = static_cast<std::uint32_t>(out_.target_lines.size());
+        if (!config_.target_lines) return;
         if (places_.depth)
             quad.depth_line_count = add_surface_lines(
                 *places_.depth, config_.depth_cache.line_bytes, quad, test_.tested(from));

@@ -24,8 +24,8 @@ public:
     SetStacks(std::uint32_t sets, std::uint32_t depth)
         : mask_(sets - 1)
         , depth_(depth)
-        , lines_(std::size_t{sets} * depth, Empty)
-        , dirty_(lines_.size(), WriteBacks::Clean) {}
+        , stride_((depth + Block - 1) / Block * Block)
+        , lines_(std::size_t{sets} * stride_, Empty) {}
 
     // A line, its set's part of its number, and whether it is written.
     struct Use {
@@ -46,24 +46,26 @@ public:
 
 private:
     static constexpr std::uint32_t Empty = ~std::uint32_t{0}, Hole = Empty - 1;
+    static constexpr std::uint32_t Block = 8; // lines that are compared at once
 
-    std::uint32_t find(std::size_t set, std::uint32_t id) const {
-        for (std::uint32_t at = 0; at < depth_; ++at)
-            if (lines_[set + at] == id) return at;
-        return NotThere;
-    }
+    std::uint32_t find(std::size_t set, std::uint32_t id) const;
     std::size_t set_of(std::uint64_t line) const {
-        return static_cast<std::size_t>(line & mask_) * depth_;
+        return static_cast<std::size_t>(line & mask_) * stride_;
+    }
+    std::uint32_t level(std::size_t at) const {
+        return dirty_.empty() ? WriteBacks::Clean : dirty_[at];
+    }
+    void set_level(std::size_t at, std::uint32_t level) {
+        if (!dirty_.empty()) dirty_[at] = level;
     }
     void push_down(std::size_t set, std::uint32_t to);
 
     std::uint64_t mask_;
-    std::uint32_t depth_;
+    std::uint32_t depth_, stride_;
     std::vector<std::uint32_t> lines_; // of a set the newest first
-    std::vector<std::uint32_t> dirty_; // levels
+    std::vector<std::uint32_t> dirty_; // their levels; empty: nothing was ever written
     std::uint32_t holes_ = 0;          // in all sets
     bool used_ = false;                // since the last flush
-    bool written_ = false;
     WriteBacks write_backs_;
 };
 

@@ -4,6 +4,17 @@
 #include <array>
 
 namespace ffgpu::work {
+namespace {
+
+// 2x2 texels of one layer, none of them the border colour's, as they lie in memory.
+bool is_plain_square(const PlacedLevel& level, const TexelAccess& access) {
+    constexpr std::uint16_t Border = TexelAccess::BorderTexel;
+    return access.linear == 3 && level.expansion_log2 == 0 && access.x0 != Border &&
+           access.x1 != Border && access.y0 != Border && access.y1 != Border &&
+           access.layer0 != Border;
+}
+
+} // namespace
 
 TexelLookups::TexelLookups(const WholeCommand& command,
                            const WorkConfig& config,
@@ -37,12 +48,28 @@ void TexelLookups::add(std::uint32_t number, std::uint8_t lanes, PreparedQuad& q
         static_cast<std::uint16_t>(out_.texel_lines.size() - quad.texel_lines_begin);
 }
 
+void TexelLookups::add_line(std::uint64_t line, const PreparedQuad& quad) {
+    auto begin = out_.texel_lines.begin() + quad.texel_lines_begin;
+    if (begin != out_.texel_lines.end() && out_.texel_lines.back() == line) return;
+    if (!merges_ && begin != out_.texel_lines.end()) begin = out_.texel_lines.end() - 1;
+    if (std::find(begin, out_.texel_lines.end(), line) == out_.texel_lines.end())
+        out_.texel_lines.push_back(line);
+}
+
 void TexelLookups::add_access(const PlacedLevel& level,
                               const TexelAccess& access,
                               PreparedQuad& quad) {
     quad.expands_blocks |= level.compressed && level.expansion_log2 == 0;
     const std::array columns{level.column_offset(access.x0), level.column_offset(access.x1)};
     const std::array rows{level.row_offset(access.y0), level.row_offset(access.y1)};
+    if (is_plain_square(level, access)) { // Most are.
+        const std::uint64_t layer = level.layer_address(access.layer0);
+        quad.texel_reads = static_cast<std::uint16_t>(quad.texel_reads + 4);
+        for (const std::uint64_t row : rows)
+            for (const std::uint64_t column : columns)
+                add_line(quotient(layer + column + row, line_bytes_), quad);
+        return;
+    }
     for (unsigned corner = 0; corner < 8; ++corner) {
         if (corner & ~unsigned{access.linear}) continue; // Texels that this filter does not read.
         const std::uint16_t x = corner & 1 ? access.x1 : access.x0;
@@ -59,14 +86,6 @@ void TexelLookups::add_access(const PlacedLevel& level,
                                            : level.line(x, y, layer, line_bytes_),
                  quad);
     }
-}
-
-void TexelLookups::add_line(std::uint64_t line, const PreparedQuad& quad) {
-    auto begin = out_.texel_lines.begin() + quad.texel_lines_begin;
-    if (begin != out_.texel_lines.end() && out_.texel_lines.back() == line) return;
-    if (!merges_ && begin != out_.texel_lines.end()) begin = out_.texel_lines.end() - 1;
-    if (std::find(begin, out_.texel_lines.end(), line) == out_.texel_lines.end())
-        out_.texel_lines.push_back(line);
 }
 
 } // namespace ffgpu::work

@@ -91,10 +91,10 @@ void check_equal(const CacheCounts& ours, const test::PlainCounts& plain) {
 TEST_CASE("curves of one pass equal a plain cache of each shape", "[curves]") {
     for (const unsigned disturb : {0u, 30u, 3u}) {
         const std::vector<Event> all = events(disturb + 1, 6000, 150, disturb);
-        MissCurves curves({.most_sets = 16, .most_ways = 7});
+        MissCurves curves({.most_sets = 8, .most_ways = 20});
         play(all, curves);
-        for (std::uint32_t sets = 1; sets <= 16; sets *= 2)
-            for (const std::uint32_t ways : {1u, 2u, 3u, 5u, 7u}) {
+        for (std::uint32_t sets = 1; sets <= 8; sets *= 2)
+            for (const std::uint32_t ways : {1u, 2u, 3u, 7u, 8u, 9u, 17u, 20u}) {
                 INFO("disturbed " << disturb << ": " << sets << " sets, " << ways << " ways");
                 PlainCache plain(sets, ways);
                 play(all, plain);

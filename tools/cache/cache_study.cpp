@@ -104,6 +104,11 @@ private:
     work::LookupSink& out_;
 };
 
+bool follows(const CacheStudyOptions& options, LookupClient client) {
+    return std::find(options.clients.begin(), options.clients.end(), client) !=
+           options.clients.end();
+}
+
 work::WorkConfig work_config(const CacheStudyOptions& options, const CacheVariant& variant) {
     work::WorkConfig config = options.configuration.timing.work();
     const std::uint32_t finest =
@@ -118,6 +123,8 @@ work::WorkConfig work_config(const CacheStudyOptions& options, const CacheVarian
     config.raster.traversal = variant.order.traversal;
     config.raster.tile_width = variant.order.tile_width;
     config.merges_texel_reads = variant.merges;
+    config.target_lines =
+        follows(options, LookupClient::Depth) || follows(options, LookupClient::Color);
     return config;
 }
 

@@ -7,7 +7,9 @@
 #include "tools/files/whole_file.h"
 #include "tools/report/statistics_file.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 
@@ -26,7 +28,9 @@ void write_file(const std::string& folder, const std::string& name, const std::s
 void write_results(const CacheArguments& arguments,
                    const CacheStudyOptions& options,
                    const CacheStudyResult& result) {
-    std::fputs(cache_tables(options, result).c_str(), stdout);
+    if (std::fputs(cache_tables(options, result).c_str(), stdout) < 0 || std::fflush(stdout) != 0)
+        throw InputError(std::string("standard output: cannot be written: ") +
+                         std::strerror(errno));
     if (arguments.output.empty()) return;
     write_file(arguments.output, "curves.csv", curves_csv(options, result));
     write_file(arguments.output, "working_sets.csv", working_sets_csv(result));

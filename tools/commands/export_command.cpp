@@ -42,7 +42,7 @@ void add_export_command(CLI::App& application, Run& run) {
     const auto arguments = std::make_shared<Arguments>();
     ExportOptions& options = arguments->options;
     CLI::App* const verb = application.add_subcommand(
-        "export", "Memory traces of a trace or its work, for other tools");
+        "export", "Memory traces and timelines of a trace or its work, for other tools");
     verb->add_option("input", options.input, "A trace, a .ffc capture or a work file (.ffw)")
         ->required();
     verb->add_option("--format", arguments->format, "din, dramsim3, csv ...: docs/export.md")

@@ -6,6 +6,7 @@
 #include "tools/config/nearest_name.h"
 #include "tools/export/din_writer.h"
 #include "tools/export/memory_trace.h"
+#include "tools/export/timeline_trace.h"
 #include "tools/work/work_player.h"
 
 #include <algorithm>
@@ -192,6 +193,42 @@ std::string export_memory(const ExportOptions& options) {
     return traffic_text(trace.traffic());
 }
 
+// --- Time ----------------------------------------------------------------------------------------
+
+std::unique_ptr<TimelineFormat> make_timeline(const ExportOptions& options, TextWriter& text) {
+    if (options.format == ExportFormat::Perfetto) return make_perfetto(text);
+    if (options.format == ExportFormat::Vcd) return make_vcd(text);
+    if (options.compresses) throw InputError("--zstd: fst is compressed as it is");
+    return make_fst(options.output);
+}
+
+std::string export_time(const ExportOptions& options) {
+    // FST has a writer of its own.
+    const bool fst = options.format == ExportFormat::Fst;
+    ExportOutput output(fst ? "/dev/null" : options.output, options.compresses);
+    TextWriter text(output);
+    const std::unique_ptr<TimelineFormat> format = make_timeline(options, text);
+    TracedMachine machine(options.configuration.timing, false);
+    timing::GpuTiming& timing = machine.timing();
+    TimelineTrace trace(*format, timing.unit_names());
+    timing.set_activity_observer(&trace);
+    timing.set_memory_observer(&trace);
+    timing.set_on_frame([&](const timing::FrameTiming& frame) { trace.frame(frame); });
+    play_and_finish(
+        options,
+        machine,
+        [&](const work::FrameFigures&) {
+            timing.catch_up();
+            trace.check_failure();
+        },
+        [&] {
+            trace.finish(timing.cycles());
+            text.flush();
+            output.commit();
+        });
+    return fmt::format("{} units over {} cycles\n", timing.unit_names().size(), timing.cycles());
+}
+
 } // namespace
 
 ExportFormat parse_export_format(const std::string& name) {
@@ -210,6 +247,10 @@ std::string export_trace(const ExportOptions& options) {
     case ExportFormat::Din:
     case ExportFormat::Xdin:
         return export_lookups(options);
+    case ExportFormat::Perfetto:
+    case ExportFormat::Vcd:
+    case ExportFormat::Fst:
+        return export_time(options);
     default:
         return export_memory(options);
     }

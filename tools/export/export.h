@@ -1,5 +1,5 @@
-// Exports of an application's memory traffic, for other tools: docs/export.md has a section for
-// each format.
+// Exports of an application's memory traffic and of the machine's time, for other tools:
+// docs/export.md has a section for each format.
 
 #pragma once
 
@@ -22,10 +22,21 @@ enum class ExportFormat : std::uint8_t {
     Ramulator2Vectors,
     Dramsim3,
     Dramsys,
-    Csv
+    Csv,
+    Perfetto,
+    Vcd,
+    Fst
 };
-inline constexpr std::array<std::string_view, 7> ExportFormatNames{
-    "din", "xdin", "ramulator2", "ramulator2_vectors", "dramsim3", "dramsys", "csv"};
+inline constexpr std::array<std::string_view, 10> ExportFormatNames{"din",
+                                                                    "xdin",
+                                                                    "ramulator2",
+                                                                    "ramulator2_vectors",
+                                                                    "dramsim3",
+                                                                    "dramsys",
+                                                                    "csv",
+                                                                    "perfetto",
+                                                                    "vcd",
+                                                                    "fst"};
 
 struct ExportOptions {
     std::string input{};

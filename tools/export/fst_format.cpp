@@ -1,0 +1,115 @@
+// FST, GTKWave's compressed waveforms, by GTKWave's own writer, as Verilator brings it.
+
+#include "model/base/input_error.h"
+#include "tools/export/timeline_format.h"
+
+#ifdef FFGPU_WITH_FST
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+#include <fstapi.h>
+#include <unistd.h>
+#endif
+
+namespace ffgpu::tools {
+
+#ifdef FFGPU_WITH_FST
+
+namespace {
+
+class Fst final : public TimelineFormat {
+public:
+    explicit Fst(std::string path)
+        : path_(std::move(path))
+        , temporary_(path_ + ".part" + std::to_string(::getpid()))
+        , writer_(fstWriterCreate(temporary_.c_str(), 1)) {
+        if (!writer_) throw InputError(path_ + ": cannot be written");
+    }
+    ~Fst() override {
+        if (!writer_) return;
+        fstWriterClose(writer_);
+        std::remove(temporary_.c_str());
+    }
+    Fst(const Fst&) = delete;
+    Fst& operator=(const Fst&) = delete;
+
+    void begin(const std::vector<std::string>& units) override {
+        fstWriterSetPackType(writer_, FST_WR_PT_LZ4);
+        fstWriterSetDate(writer_, ""); // Equal work gives equal files.
+        fstWriterSetVersion(writer_, "ffgpu");
+        fstWriterSetTimescale(writer_, -9);
+        fstWriterSetComment(writer_, legend().c_str());
+        fstWriterSetScope(writer_, FST_ST_VCD_MODULE, "ffgpu", nullptr);
+        for (const std::string& unit : units) {
+            fstWriterSetScope(writer_, FST_ST_VCD_MODULE, unit.c_str(), nullptr);
+            variables_.push_back(
+                fstWriterCreateVar(writer_, FST_VT_VCD_WIRE, FST_VD_IMPLICIT, Bits, "activity", 0));
+            fstWriterSetUpscope(writer_);
+        }
+        fstWriterSetUpscope(writer_);
+        fstWriterEmitTimeChange(writer_, 0);
+        for (std::size_t unit = 0; unit < units.size(); ++unit)
+            value(unit, timing::Activity::Idle);
+    }
+
+    void change(std::size_t unit, timing::Activity activity, std::uint64_t time) override {
+        if (time > time_) fstWriterEmitTimeChange(writer_, time);
+        time_ = time;
+        value(unit, activity);
+    }
+
+    // The writer does not say where a disk was full: what was written is looked at.
+    void end(std::uint64_t time) override {
+        if (time > time_) fstWriterEmitTimeChange(writer_, time);
+        fstWriterClose(std::exchange(writer_, nullptr));
+        void* const reader = fstReaderOpen(temporary_.c_str());
+        const bool whole = reader && fstReaderGetEndTime(reader) == time &&
+                           fstReaderGetVarCount(reader) == variables_.size();
+        if (reader) fstReaderClose(reader);
+        std::error_code error;
+        if (whole) std::filesystem::rename(temporary_, path_, error);
+        if (whole && !error) return;
+        std::remove(temporary_.c_str());
+        throw InputError(path_ + ": cannot be written whole: is the disk full?");
+    }
+
+private:
+    static constexpr std::uint32_t Bits = 3;
+
+    static std::string legend() {
+        std::string text = "a unit of time is a cycle; activity:";
+        for (std::size_t i = 0; i < timing::ActivityNames.size(); ++i)
+            text += fmt::format(" {} {}", i, timing::ActivityNames[i]);
+        return text;
+    }
+
+    void value(std::size_t unit, timing::Activity activity) {
+        fstWriterEmitValueChange32(
+            writer_, variables_[unit], Bits, static_cast<std::uint32_t>(activity));
+    }
+
+    std::string path_, temporary_;
+    void* writer_;
+    std::vector<fstHandle> variables_;
+    std::uint64_t time_ = 0;
+};
+
+} // namespace
+
+std::unique_ptr<TimelineFormat> make_fst(const std::string& path) {
+    if (path == "-") throw InputError("--format fst: expected -o FILE: it is not written in order");
+    return std::make_unique<Fst>(path);
+}
+
+#else
+
+std::unique_ptr<TimelineFormat> make_fst(const std::string&) {
+    throw InputError("--format fst: this build has no writer of FST: it is Verilator's "
+                     "(Debian: verilator); vcd holds the same");
+}
+
+#endif
+
+} // namespace ffgpu::tools
