@@ -33,7 +33,7 @@ def cost(unit):
     files = " ".join(str(Rtl / f) for f in packages + modules)
     with tempfile.TemporaryDirectory() as scratch:
         script = (f"read_verilog -sv {files}; synth_ecp5 -top {unit}; "
-                  f"tee -q -o {scratch}/stat.json stat -json; tee -q -o {scratch}/path ltp -noff")
+                  f"tee -q -o {scratch}/stat.json stat -json; delete t:TRELLIS_FF t:DP16KD; tee -q -o {scratch}/path ltp")
         subprocess.run(["yosys", "-q", "-p", script], check=True, stdout=subprocess.DEVNULL)
         design = json.loads(Path(scratch, "stat.json").read_text())["design"]
         path = Path(scratch, "path").read_text()

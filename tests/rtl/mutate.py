@@ -135,12 +135,12 @@ def is_equivalent(unit, number, module):
     def design(name, place):
         files = " ".join(str((folder if place and m == module else Rtl) / f"{m}.sv")
                          for m in inside(top))
-        return (f"read_verilog -sv {packages} {files}; hierarchy -top {top}; proc; flatten; opt;"
-                f"rename -top {name}; design -stash {name};")
+        return (f"read_verilog -sv {packages} {files}; hierarchy -top {top}; proc; flatten; opt; "
+                f"rename -top {name}; design -stash {name}; ")
 
     script = (design("gold", False) + design("gate", True) +
-              "design -copy-from gold -as gold gold; design -copy-from gate -as gate gate;"
-              "equiv_make gold gate equiv; hierarchy -top equiv; opt -full; equiv_simple -undef;"
+              "design -copy-from gold -as gold gold; design -copy-from gate -as gate gate; "
+              "equiv_make gold gate equiv; hierarchy -top equiv; opt -full; equiv_simple -undef; "
               "equiv_induct; equiv_status -assert")
     try:
         return subprocess.run(["yosys", "-q", "-p", script], timeout=120,
