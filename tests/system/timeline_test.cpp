@@ -100,6 +100,10 @@ TEST_CASE("the vectors of a VCD, summed up, are the accounts", "[export]") {
     Durations durations;
     std::uint64_t time = 0;
     for (std::string word; text >> word;) {
+        if (word == "$comment") {
+            while (word != "$end")
+                text >> word;
+        }
         if (word == "$scope") text >> word >> module;
         if (word == "$var") {
             std::string type, code;
