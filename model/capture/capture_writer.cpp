@@ -31,7 +31,7 @@ void write_beginning(ChunkWriter& file, const Header& header, const Description&
 CaptureWriter::CaptureWriter(Device& device)
     : device_(device) {}
 
-CaptureWriter::~CaptureWriter() = default; // Without end() the file shows that it is not whole.
+CaptureWriter::~CaptureWriter() = default;
 
 void CaptureWriter::begin(const std::string& path, std::uint32_t first_frame) {
     file_.emplace(path);

@@ -17,16 +17,11 @@ static_assert(std::endian::native == std::endian::little);
 
 } // namespace
 
-ChunkWriter::ChunkWriter(std::string path)
-    : path_(std::move(path))
-    , file_(std::fopen(path_.c_str(), "wb")) {
-    if (!file_) throw InputError(path_ + ": cannot be written: " + std::strerror(errno));
-    // Whole chunks are written, and a child that the process forks must have nothing to flush.
-    std::setvbuf(file_.get(), nullptr, _IONBF, 0);
-}
+ChunkWriter::ChunkWriter(const std::string& path)
+    : file_(path) {}
 
 void ChunkWriter::write_plain(std::span<const std::byte> bytes) {
-    write_file(bytes.data(), bytes.size());
+    file_.write(bytes);
 }
 
 void ChunkWriter::put_u32(std::uint32_t value) {
@@ -51,25 +46,19 @@ void ChunkWriter::write_chunk() {
                                             compressed_.size() - Sizes,
                                             chunk_.data(),
                                             chunk_.size());
-    if (ZSTD_isError(size)) throw InputError(path_ + ": " + ZSTD_getErrorName(size));
+    if (ZSTD_isError(size)) throw InputError(file_.path() + ": " + ZSTD_getErrorName(size));
     const std::array<std::uint32_t, 2> sizes{static_cast<std::uint32_t>(chunk_.size()),
                                              static_cast<std::uint32_t>(size)};
     std::memcpy(compressed_.data(), sizes.data(), Sizes);
-    write_file(compressed_.data(), Sizes + size);
+    file_.write(std::span(compressed_).first(Sizes + size));
     chunk_.clear();
 }
 
 void ChunkWriter::end() {
     write_chunk();
-    const std::uint64_t end_mark = 0;
-    write_file(&end_mark, sizeof end_mark);
-    if (std::fclose(file_.release()) != 0)
-        throw InputError(path_ + ": cannot be written: " + std::strerror(errno));
-}
-
-void ChunkWriter::write_file(const void* bytes, std::size_t count) {
-    if (std::fwrite(bytes, 1, count, file_.get()) != count)
-        throw InputError(path_ + ": cannot be written: " + std::strerror(errno));
+    const std::array<std::uint64_t, 1> end_mark{};
+    file_.write(std::as_bytes(std::span(end_mark)));
+    file_.commit();
 }
 
 ChunkReader::ChunkReader(std::string path)

@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include "model/base/whole_file.h"
+
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -21,10 +23,10 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-// Throws InputError if the file cannot be written.
+// Throws InputError if the file cannot be written. Without end() there is none.
 class ChunkWriter {
 public:
-    explicit ChunkWriter(std::string path);
+    explicit ChunkWriter(const std::string& path);
 
     // What stands before the chunks; put before the first of them.
     void write_plain(std::span<const std::byte> bytes);
@@ -37,10 +39,7 @@ public:
     void end();
 
 private:
-    void write_file(const void* bytes, std::size_t count);
-
-    std::string path_;
-    File file_;
+    WholeFile file_;
     std::vector<std::byte> chunk_;
     std::vector<std::byte> compressed_;
 };

@@ -1,11 +1,9 @@
 #include "model/work/work_file_writer.h"
 
 #include "model/base/check.h"
-#include "model/base/input_error.h"
 #include "model/work/quad_fate.h"
 
-#include <cerrno>
-#include <cstring>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,13 +21,9 @@ std::int16_t step(std::uint16_t value, std::uint16_t expected) {
 } // namespace
 
 WorkFileWriter::WorkFileWriter(const std::string& path)
-    : path_(path)
-    , file_(std::fopen(path.c_str(), "wb")) {
-    if (!file_) throw InputError(path + ": cannot be written: " + std::strerror(errno));
-    // Nothing waits in the process, that a forked child could write a second time.
-    std::setvbuf(file_.get(), nullptr, _IONBF, 0);
-    write_bytes(WorkFileMagic.data(), WorkFileMagic.size());
-    write_bytes(&WorkFileVersion, sizeof WorkFileVersion);
+    : file_(path) {
+    file_.write(std::as_bytes(std::span(WorkFileMagic)));
+    file_.write(std::as_bytes(std::span(&WorkFileVersion, 1)));
     field_values(Registers{}, state_values_);
     write_names();
 }
@@ -287,21 +281,15 @@ void WorkFileWriter::write_block(BlockKind kind) {
                              .items = std::exchange(items_, 0),
                              .raw_bytes = static_cast<std::uint32_t>(raw.size()),
                              .packed_bytes = static_cast<std::uint32_t>(count)};
-    write_bytes(&header, sizeof header);
-    write_bytes(packed.data(), count);
-}
-
-void WorkFileWriter::write_bytes(const void* bytes, std::size_t count) {
-    if (std::fwrite(bytes, 1, count, file_.get()) != count)
-        throw InputError(path_ + ": cannot be written: " + std::strerror(errno));
+    file_.write(std::as_bytes(std::span(&header, 1)));
+    file_.write(std::as_bytes(std::span(packed)).first(count));
 }
 
 void WorkFileWriter::finish() {
-    if (!file_) return;
+    if (std::exchange(finished_, true)) return;
     if (items_ > 0) write_block(BlockKind::Items);
     write_block(BlockKind::End);
-    if (std::fclose(file_.release()) != 0)
-        throw InputError(path_ + ": cannot be written: " + std::strerror(errno));
+    file_.commit();
 }
 
 } // namespace ffgpu::work

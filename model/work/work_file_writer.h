@@ -2,13 +2,13 @@
 
 #pragma once
 
+#include "model/base/whole_file.h"
 #include "model/work/column_bytes.h"
 #include "model/work/frame_figures.h"
 #include "model/work/value_columns.h"
 #include "model/work/whole_command.h"
 #include "model/work/work_fields.h"
 
-#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -27,14 +27,10 @@ public:
     // The frame's work is all written.
     void frame(const FrameFigures& figures);
 
-    // Without it the file shows that it is not whole.
+    // Without it there is no file.
     void finish();
 
 private:
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-
     void begin_item(Item item);
     void write_names();
     void write_state(const std::shared_ptr<const Registers>& state);
@@ -47,12 +43,11 @@ private:
     void write_accesses(const WholeCommand& command, std::size_t number);
     void write_access(const TexelAccess& access);
     void write_block(BlockKind kind);
-    void write_bytes(const void* bytes, std::size_t count);
     template <class Command>
     void write_fields(const Command& command);
 
-    std::string path_;
-    std::unique_ptr<std::FILE, Close> file_;
+    WholeFile file_;
+    bool finished_ = false;
     ColumnWriter columns_;
     std::uint32_t items_ = 0;
     std::shared_ptr<const Registers> state_; // the last written

@@ -7,6 +7,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/tool.h"
 #include "tools/config/config_file.h"
+#include "tools/config/settings_option.h"
 #include "tools/frames/frame_range.h"
 #include "tools/image/compare_images.h"
 #include "tools/replay/replay.h"
@@ -158,11 +159,60 @@ TEST_CASE("Frames that are not there are told of, and refused where none is") {
     CHECK_THAT(warning, Contains("ends before frame 3, 9 was asked for"));
 }
 
-TEST_CASE("--set takes one assignment, and leaves the input its place") {
+TEST_CASE("--set takes assignments, and leaves the input its place") {
     const TemporaryFolder folder;
     const TemporaryFile file(trace::in_snappy(clears(1)));
-    CHECK(run({"replay", "-o", folder / "x", "--set", "gpu.tile_size=32", file.path()}) == 0);
-    CHECK(run({"replay", file.path(), "-o", folder / "x", "--set", "gpu.threads=1", "foo"}) == 2);
+    const auto replay = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"replay", "-o", folder / "x"});
+        return run(words);
+    };
+    CHECK(replay({"--set", "gpu.tile_size=32", file.path()}) == 0);
+    CHECK(replay({"--set", "gpu.tile_size=32", "gpu.threads=1", file.path()}) == 0);
+    CHECK(replay({file.path(), "--set", "gpu.threads=1", "texel_cache.ways=2", "--timing"}) == 0);
+    CHECK(content(folder / "x/stats.json").find("\"ways\": 2") != std::string::npos);
+    CHECK(replay({file.path(), "--set", "gpu.threads=1", "foo"}) == 2);
+    CHECK(replay({file.path(), "--set", "gpu.threads=1", "gpu.wrong=1"}) == 2);
+    CHECK(run({"config", "--set", "texel_cache.ways=2", "texel_cache.sets=8"}) == 0);
+}
+
+TEST_CASE("What goes with --set is what has its form, up to two dashes") {
+    using Words = std::vector<std::string>;
+    CHECK(spread_settings({"run", "--set", "a.b=1", "c.d = 2", "in", "e.f=3"}) ==
+          Words{"run", "--set", "a.b=1", "--set", "c.d = 2", "in", "e.f=3"});
+    CHECK(spread_settings({"--set", "x", "a.b=1"}) == Words{"--set", "x", "--set", "a.b=1"});
+    CHECK(spread_settings({"--set", "a.b=1", "--", "c.d=2"}) ==
+          Words{"--set", "a.b=1", "--", "c.d=2"});
+    CHECK(spread_settings({"--set", "a.b=1", "./c.d=2"}) == Words{"--set", "a.b=1", "./c.d=2"});
+    CHECK(spread_settings({"--set", "a.b=1", "--set", "c.d=2"}) ==
+          Words{"--set", "a.b=1", "--set", "c.d=2"});
+}
+
+TEST_CASE("An option that is unknown is named, even where something else is missing") {
+    const std::string line = printed(stderr, [] { CHECK(run({"run", "--bogus"}) == 2); });
+    CHECK_THAT(line, Contains("not expected: --bogus"));
+}
+
+TEST_CASE("A cache that cannot be held is named by its parameters") {
+    const TemporaryFolder folder;
+    const TemporaryFile file(trace::in_snappy(clears(1)));
+    for (const char* const cache : {"texel_cache", "depth_cache", "color_cache"}) {
+        const auto error = [&](const char* ways) {
+            return printed(stderr, [&] {
+                run({"replay",
+                     file.path(),
+                     "-o",
+                     folder / "x",
+                     "--timing",
+                     "--set",
+                     cache + std::string(".sets=1048576"),
+                     cache + std::string(".ways=") + ways});
+            });
+        };
+        CHECK_THAT(error("5"),
+                   Contains(cache + std::string(".sets x ways: expected at most 4194304 lines, "
+                                                "found 5242880")));
+        CHECK_THAT(error("4"), !Contains("ways"));
+    }
 }
 
 TEST_CASE("An empty file is a configuration without changes") {

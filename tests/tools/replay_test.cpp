@@ -5,6 +5,7 @@
 #include "tests/tools/tool.h"
 
 #include <catch2/catch.hpp>
+#include <fcntl.h>
 
 namespace ffgpu::tools {
 namespace {
@@ -101,6 +102,35 @@ TEST_CASE("A trace that draws, but in no context, is told of with the way to rec
     CHECK_THAT(warnings(asking), !Contains("warning"));
     const TemporaryFile good(trace::in_snappy(clears(1, true)));
     CHECK_THAT(warnings_of({"replay", good.path(), "-o", folder / "out"}), !Contains("warning"));
+}
+
+TEST_CASE("Pictures of an older run are told of") {
+    const TemporaryFolder folder;
+    const TemporaryFile trace(trace::in_snappy(clears(4)));
+    const auto replay = [&](const std::string& frames) {
+        return warnings_of({"replay", trace.path(), "-o", folder / "out", "--frames", frames});
+    };
+    CHECK_THAT(replay("0-3"), !Contains("warning"));
+    CHECK_THAT(replay("0-3"), !Contains("warning"));
+    CHECK_THAT(replay("1-2"),
+               Contains("out: holds 2 pictures of an older run, too, frame_0000.png to "
+                        "frame_0003.png"));
+    const TemporaryFile damaged("Some text.\n");
+    CHECK(run({"replay", damaged.path(), "-o", folder / "out"}) == 2);
+    CHECK(!content(folder / "out/stats.json").empty()); // Nothing was written over it.
+}
+
+TEST_CASE("What is printed where no room is ends with status 2") {
+    std::fflush(stdout);
+    const int kept = ::dup(::fileno(stdout));
+    const int full = ::open("/dev/full", O_WRONLY);
+    ::dup2(full, ::fileno(stdout));
+    const std::string line = printed(stderr, [] { CHECK(run({"config"}) == 2); });
+    std::clearerr(stdout);
+    ::dup2(kept, ::fileno(stdout));
+    ::close(kept);
+    ::close(full);
+    CHECK_THAT(line, Contains("standard output: cannot be written"));
 }
 
 } // namespace

@@ -1,16 +1,23 @@
 // Files are there whole or not at all, whatever happens to the disk.
 
 #include "model/base/input_error.h"
-#include "tools/files/whole_file.h"
+#include "model/base/whole_file.h"
 #include "tools/image/image.h"
+#include "tools/image/image_writer.h"
 #include "tools/image/png_file.h"
 
+#include <array>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include <catch2/catch.hpp>
+#include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace ffgpu::tools {
@@ -39,7 +46,7 @@ public:
         ::getrlimit(RLIMIT_FSIZE, &before_);
         const rlimit limit{bytes, before_.rlim_max};
         ::setrlimit(RLIMIT_FSIZE, &limit);
-        handler_ = std::signal(SIGXFSZ, SIG_IGN);
+        handler_ = std::signal(SIGXFSZ, SIG_DFL); // which ends the process
     }
     ~FileSizeLimit() {
         ::setrlimit(RLIMIT_FSIZE, &before_);
@@ -90,6 +97,66 @@ TEST_CASE("a file that is not committed was never there") {
     CHECK_FALSE(fs::exists(path));
     file.commit();
     CHECK(fs::file_size(path) == 4);
+}
+
+TEST_CASE("what is no plain file is written as it is") {
+    const Folder folder;
+    const std::string path = (folder.path / "pipe").string();
+    REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+    const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK);
+    {
+        WholeFile file(path);
+        file.write("text");
+        file.commit();
+    }
+    std::array<char, 8> text{};
+    CHECK(::read(reader, text.data(), text.size()) == 4);
+    ::close(reader);
+    CHECK(fs::is_fifo(path));
+    CHECK(folder.files() == 1);
+}
+
+TEST_CASE("a link stays one: what it leads to is written") {
+    const Folder folder;
+    const fs::path link = folder.path / "link", target = folder.path / "target";
+    { std::ofstream(target) << "before"; }
+    fs::create_symlink(target, link);
+    WholeFile file(link.string());
+    file.write("text");
+    file.commit();
+    CHECK(fs::is_symlink(link));
+    CHECK(fs::file_size(target) == 4);
+}
+
+TEST_CASE("a forked child leaves its parent's file alone") {
+    const Folder folder;
+    const fs::path path = folder.path / "text";
+    std::optional<WholeFile> file(path.string());
+    file->write("parent");
+    const pid_t child = ::fork();
+    if (child == 0) {
+        file->write("child");
+        file.reset();
+        std::_Exit(EXIT_SUCCESS);
+    }
+    ::waitpid(child, nullptr, 0);
+    file->commit();
+    CHECK(fs::file_size(path) == 6);
+}
+
+TEST_CASE("behind a picture that cannot be written none is") {
+    const Folder folder;
+    ImageWriter writer;
+    for (const char* const name : {"a.png", "none/b.png", "c.png", "d.png"}) {
+        try {
+            writer.add((folder.path / name).string(), noise(8));
+        } catch (const InputError&) {
+        }
+    }
+    CHECK_THROWS_WITH(writer.finish(), Contains("none/b.png: cannot be written"));
+    CHECK_THROWS_AS(writer.add((folder.path / "e.png").string(), noise(8)), InputError);
+    CHECK(fs::exists(folder.path / "a.png"));
+    CHECK(folder.files() == 1);
 }
 
 TEST_CASE("a file in a folder that is not there is an error with its name") {

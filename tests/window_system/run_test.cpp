@@ -1,83 +1,18 @@
 // `ffgpu run` around programs that do what programs do: fork, never draw, end by signals.
 
+#include "tests/window_system/run_program.h"
 #include "tests/window_system/x_server.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <vector>
 
 namespace ffgpu {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-    int status = 0;
-    std::string text; // of both streams
-};
-
-Outcome shell(const std::string& command) {
-    Outcome outcome;
-    std::FILE* const pipe = ::popen((command + " 2>&1").c_str(), "r");
-    REQUIRE(pipe != nullptr);
-    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe))
-        outcome.text += static_cast<char>(c);
-    const int status = ::pclose(pipe);
-    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return outcome;
-}
-
-Outcome ffgpu_run(const std::string& arguments) {
-    return shell("timeout 60 " FFGPU_BINARY " run " + arguments);
-}
-
-struct OutputFolder {
-    fs::path path = fs::temp_directory_path() / ("ffgpu_run_test_" + std::to_string(::getpid()));
-    ~OutputFolder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-};
-
-std::size_t count_of(const std::string& text, const std::string& word) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
-        ++count;
-    return count;
-}
-
-// A process of ffgpu that takes signals as one started by a terminal does.
-pid_t start(std::vector<std::string> arguments) {
-    const pid_t process = ::fork();
-    if (process != 0) return process;
-    std::signal(SIGINT, SIG_DFL);
-    ::setpgid(0, 0);
-    std::vector<char*> words;
-    for (std::string& argument : arguments)
-        words.push_back(argument.data());
-    words.push_back(nullptr);
-    ::execv(FFGPU_BINARY, words.data());
-    std::_Exit(127);
-}
-
-int wait_status(pid_t process) {
-    int status = 0;
-    ::waitpid(process, &status, 0);
-    return status;
-}
-
-// Whether it came true within a minute: a loaded machine starts programs slowly.
-template <class Condition>
-bool comes_true(const Condition& condition) {
-    for (int tries = 0; tries < 6000; ++tries) {
-        if (condition()) return true;
-        ::usleep(10'000);
-    }
-    return false;
-}
+using namespace tests;
 
 TEST_CASE("children that a recorded program forks leave its files alone") {
     Display* const display = tests::XServer::display();
@@ -103,13 +38,6 @@ TEST_CASE("children that a recorded program forks leave its files alone") {
         shell(FFGPU_BINARY " replay " + capture + " --no-images -o " + again.string());
     INFO(replay.text);
     CHECK(replay.status == 0);
-}
-
-std::string statistics_in(const OutputFolder& folder) {
-    std::ifstream file(folder.path / "stats.json");
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
 }
 
 TEST_CASE("of two programs that draw at the same time one is recorded, the other named") {

@@ -4,6 +4,7 @@
 #include "model/timing/machine_stuck.h"
 #include "tools/commands/commands.h"
 #include "tools/config/nearest_name.h"
+#include "tools/config/settings_option.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -42,6 +43,26 @@ std::string unexpected(const CLI::ExtrasError& error) {
     return text;
 }
 
+// CLI11 names what is missing first; what it did not understand is why.
+std::string missing(const CLI::App& application, const CLI::RequiredError& error) {
+    for (const CLI::App* const verb : application.get_subcommands())
+        for (const std::string& word : verb->remaining())
+            if (word.size() > 1 && word[0] == '-' && word != "--")
+                return "The following argument was not expected: " + word;
+    return error.what();
+}
+
+void parse(CLI::App& application, int count, const char* const* arguments) {
+    const auto words = spread_settings({arguments + 1, arguments + count});
+    application.parse(std::vector(words.rbegin(), words.rend())); // It takes them from the end.
+}
+
+// All that was printed has to have arrived.
+int checked_output(int status) {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+    return fail("standard output: cannot be written");
+}
+
 } // namespace
 
 int run_command_line(int count, const char* const* arguments, const char* version) {
@@ -68,12 +89,15 @@ int run_command_line(int count, const char* const* arguments, const char* versio
     add_presets_command(application, run);
     try {
         if (count > 1) check_verb(application, arguments[1]);
-        application.parse(count, arguments);
-        return run();
+        parse(application, count, arguments);
+        return checked_output(run());
     } catch (const CLI::ExtrasError& error) {
         return fail((unexpected(error) + " (ffgpu --help lists the verbs)").c_str());
+    } catch (const CLI::RequiredError& error) {
+        return fail((missing(application, error) + " (ffgpu --help lists the verbs)").c_str());
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == Done) return application.exit(error); // --help, --version
+        if (error.get_exit_code() == Done) // --help, --version
+            return checked_output(application.exit(error));
         return fail((std::string(error.what()) + " (ffgpu --help lists the verbs)").c_str());
     } catch (const InputError& error) {
         return fail(error.what());

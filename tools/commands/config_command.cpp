@@ -1,5 +1,6 @@
 #include "tools/commands/commands.h"
 #include "tools/config/config_file.h"
+#include "tools/config/settings_option.h"
 
 #include <cstdio>
 #include <memory>
@@ -18,8 +19,7 @@ void add_config_command(CLI::App& application, Run& run) {
         "config", "Prints the configuration as TOML, each parameter with unit, range and meaning");
     verb->add_option("--config", options->file, "Start from this file instead of the defaults")
         ->type_name("F.toml|preset:NAME");
-    verb->add_option("--set", options->settings, "Change a parameter: texel_cache.ways=8")
-        ->type_name("NAME=VALUE");
+    add_settings_option(*verb, options->settings);
     verb->footer("Example: ffgpu config > my.toml");
     verb->callback([options, &run] {
         run = [options] {

@@ -1,13 +1,14 @@
 #include "model/base/input_error.h"
+#include "model/base/whole_file.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/warn.h"
 #include "tools/config/config_file.h"
+#include "tools/config/settings_option.h"
 #include "tools/explain/explain.h"
 #include "tools/explain/footprint_picture.h"
 #include "tools/explain/history_json.h"
 #include "tools/explain/history_text.h"
 #include "tools/explain/region_page.h"
-#include "tools/files/whole_file.h"
 #include "tools/record/recording_arguments.h"
 
 #include <charconv>
@@ -150,9 +151,7 @@ void add_explain_command(CLI::App& application, Run& run) {
     verb->add_flag("--timing", options.timing, "With hits, misses and cycles of the timing model");
     verb->add_option("--config", arguments->config, "Parameters; ffgpu config prints them")
         ->type_name("F.toml");
-    verb->add_option("--set", arguments->settings, "Change a parameter: texel_cache.ways=8")
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false);
+    add_settings_option(*verb, arguments->settings);
     add_samples_option(*verb, options.samples);
     add_swap_option(*verb, options.swap);
     verb->footer("Example: ffgpu explain traces/corridor.trace --frame 3 --pixel 160,200 --timing");

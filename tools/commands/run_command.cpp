@@ -16,6 +16,8 @@
 #include <optional>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -65,26 +67,31 @@ void watch_signals() {
     std::_Exit(CannotRun);
 }
 
-// A file that lives as long as the program runs.
+// A file that lives as long as the program runs. Its lock is held until this process ends, however
+// it does: the recorder sees by it that it is alone (tools/recorder/run_watch.h).
 class PassingFile {
 public:
     explicit PassingFile(const std::string& text) {
         std::string pattern = (fs::temp_directory_path() / "ffgpu_run_XXXXXX").string();
-        const int file = ::mkstemp(pattern.data());
+        file_ = ::mkostemp(pattern.data(), O_CLOEXEC);
         path_ = pattern;
-        const bool written = file >= 0 && ::write(file, text.data(), text.size()) ==
-                                              static_cast<ssize_t>(text.size());
-        if (file >= 0) ::close(file);
+        const bool written = file_ >= 0 && ::write(file_, text.data(), text.size()) ==
+                                               static_cast<ssize_t>(text.size());
         if (!written) throw InputError(path_ + ": cannot be written");
     }
-    ~PassingFile() { ::unlink(path_.c_str()); }
+    ~PassingFile() {
+        ::unlink(path_.c_str());
+        ::close(file_);
+    }
     PassingFile(const PassingFile&) = delete;
     PassingFile& operator=(const PassingFile&) = delete;
 
     const std::string& path() const { return path_; }
+    void lock() const { ::flock(file_, LOCK_EX); }
 
 private:
     std::string path_;
+    int file_ = -1;
 };
 
 struct Arguments {
@@ -114,6 +121,7 @@ int run_run(const Arguments& arguments) {
         resolve(arguments.recording, checked); // What is wrong is said before the program starts.
         warn_of_settings(settings_without_effect(arguments.recording));
         settings.emplace(to_json(arguments.recording));
+        settings->lock();
         const fs::path recorder = folder / "ffgpu_recorder.so";
         environment.push_back({"FFGPU_RECORD", recorder.string() + ":" + settings->path()});
     }

@@ -1,5 +1,6 @@
 #include "tools/commands/commands.h"
 #include "tools/config/config_file.h"
+#include "tools/config/settings_option.h"
 #include "tools/time/time_work.h"
 
 #include <cstdio>
@@ -25,8 +26,7 @@ void add_time_command(CLI::App& application, Run& run) {
         ->required();
     verb->add_option("--config", arguments->config, "Parameters; ffgpu config prints them")
         ->type_name("F.toml|preset:NAME");
-    verb->add_option("--set", arguments->settings, "Change a parameter: texel_cache.ways=8")
-        ->type_name("NAME=VALUE");
+    add_settings_option(*verb, arguments->settings);
     verb->footer("Example: ffgpu time corridor.ffw -o out/two_ways --set texel_cache.ways=2");
     verb->callback([arguments, &run] {
         run = [arguments] {

@@ -19,4 +19,9 @@ struct FrameRange {
 // Throws InputError.
 FrameRange parse_frame_range(const std::string& text);
 
+// One line about frames that were asked for, of a source that ended behind `count` of them; empty:
+// all are there.
+std::string
+missing_frames(const FrameRange& wanted, const std::string& source, std::uint64_t count);
+
 } // namespace ffgpu::tools

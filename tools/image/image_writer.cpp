@@ -31,7 +31,7 @@ void ImageWriter::finish() {
 }
 
 void ImageWriter::throw_failure() {
-    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+    if (failure_) std::rethrow_exception(failure_);
 }
 
 void ImageWriter::run() {
@@ -48,8 +48,11 @@ void ImageWriter::run() {
             failure = std::current_exception();
         }
         lock.lock();
-        if (failure) failure_ = failure;
         jobs_.pop_front();
+        if (failure) {
+            failure_ = failure;
+            jobs_.clear();
+        }
         changed_.notify_all();
     }
 }

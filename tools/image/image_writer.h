@@ -21,7 +21,7 @@ public:
     ImageWriter(const ImageWriter&) = delete;
     ImageWriter& operator=(const ImageWriter&) = delete;
 
-    // Throws what an earlier write has thrown.
+    // Throws what an earlier write has thrown; nothing is written behind that.
     void add(std::string path, Image image);
 
     // Returns when everything is written; throws if something could not be.

@@ -1,7 +1,7 @@
 #include "tools/image/png_file.h"
 
 #include "model/base/input_error.h"
-#include "tools/files/whole_file.h"
+#include "model/base/whole_file.h"
 
 #include <array>
 #include <fstream>
@@ -55,14 +55,17 @@ Image read_png(const std::string& path) {
 }
 
 void write_png(const std::string& path, const Image& image) {
-    WholeFile file(path);
     Control control;
     control.width = image.width;
     control.height = image.height;
     control.format = PNG_FORMAT_RGB;
     control.flags = PNG_IMAGE_FLAG_FAST; // Writing must not take longer than drawing.
-    if (!png_image_write_to_stdio(&control, file.stream(), 0, image.rgb.data(), 0, nullptr))
+    std::vector<std::byte> bytes(PNG_IMAGE_PNG_SIZE_MAX(control));
+    png_alloc_size_t size = bytes.size();
+    if (!png_image_write_to_memory(&control, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr))
         throw InputError(path + ": cannot be written: " + std::string(control.message));
+    WholeFile file(path);
+    file.write(std::span(bytes).first(size));
     file.commit();
 }
 

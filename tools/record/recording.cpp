@@ -2,10 +2,9 @@
 
 #include "model/base/input_error.h"
 #include "tools/report/frame_image.h"
-#include "tools/report/statistics_file.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <exception>
 #include <thread>
 
 #include <fmt/format.h>
@@ -25,11 +24,12 @@ FunctionalGpu::Config gpu_config(const RecordingOptions& options) {
 
 Recording::Recording(const RecordingOptions& options)
     : options_(options)
+    , folder_(options.output)
     , gpu_(gpu_config(options))
     , capture_(gpu_)
     , report_(options.configuration, options.timing)
+    , statistics_(report_, options.output)
     , pipeline_(pipeline_options(), report_) {
-    make_output_folder();
     if (pipeline_.sink()) sinks_.add(*pipeline_.sink());
     if (!options_.heat_maps.empty()) sinks_.add(heat_);
 }
@@ -44,16 +44,13 @@ WorkPipeline::Options Recording::pipeline_options() {
     }
     return {.timing = options_.timing ? &options_.configuration.timing : nullptr,
             .save_work = options_.save_work,
-            .costs = needs_costs ? &heat_ : nullptr};
+            .costs = needs_costs ? &heat_ : nullptr,
+            .on_frame = [this] { statistics_.frame_ended(); }};
 }
 
 // A capture in between costs its bookkeeping, so that it is there only if wanted.
 Device& Recording::device() {
     return options_.capture.empty() ? static_cast<Device&>(gpu_) : capture_;
-}
-
-void Recording::make_output_folder() {
-    if (!options_.output.empty()) make_folder(options_.output);
 }
 
 bool Recording::records_values() const {
@@ -68,6 +65,7 @@ void Recording::listen() {
 
 void Recording::start(std::uint64_t first_frame) {
     measuring_ = true;
+    statistics_.begin();
     if (!options_.capture.empty())
         capture_.begin(options_.capture, static_cast<std::uint32_t>(first_frame));
     counted_.take(gpu_.statistics());
@@ -104,32 +102,34 @@ bool Recording::after_frame(const Frame& frame) {
 
 void Recording::write_pictures(const Frame& frame) {
     if (options_.output.empty() || frame.picture.format == Format::None) return;
-    const auto path = [&](std::string_view prefix) {
-        const std::string name = fmt::format("{}_{:04}.png", prefix, frame.number);
-        return (std::filesystem::path(options_.output) / name).string();
-    };
-    if (options_.images) images_.add(path("frame"), read_surface(gpu_, frame.picture));
+    if (options_.images)
+        images_.add(folder_.picture("frame", frame.number), read_surface(gpu_, frame.picture));
     for (const HeatMap map : options_.heat_maps)
-        images_.add(path(fmt::format("heat_{}", info(map).name)), heat_.image(map, frame.picture));
+        images_.add(folder_.picture(fmt::format("heat_{}", info(map).name), frame.number),
+                    heat_.image(map, frame.picture));
 }
 
 void Recording::finish() {
-    images_.finish();
-    capture_.end();
-    try {
+    std::exception_ptr first_failure;
+    const auto step = [&](const auto& call) {
+        try {
+            call();
+        } catch (const std::runtime_error&) {
+            if (!first_failure) first_failure = std::current_exception();
+        }
+    };
+    step([&] { images_.finish(); });
+    step([&] { capture_.end(); });
+    step([&] {
         gpu_.finish();
         pipeline_.finish();
-    } catch (const std::runtime_error&) {
-        write_statistics(); // Of the frames before it.
-        throw;
-    }
-    write_statistics();
-}
-
-void Recording::write_statistics() {
-    if (options_.output.empty()) return;
-    write_statistics_file(report_, options_.output);
-    pipeline_.write_series(options_.output);
+    });
+    step([&] { statistics_.write(); });
+    step([&] {
+        if (!options_.output.empty()) pipeline_.write_series(options_.output);
+    });
+    if (first_failure) std::rethrow_exception(first_failure);
+    if (const std::string older = folder_.older_pictures(); !older.empty()) options_.warn(older);
 }
 
 } // namespace ffgpu::tools

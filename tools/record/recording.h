@@ -10,12 +10,15 @@
 #include "tools/frames/frame.h"
 #include "tools/frames/frame_range.h"
 #include "tools/image/image_writer.h"
+#include "tools/record/output_folder.h"
 #include "tools/record/work_fan_out.h"
 #include "tools/record/work_pipeline.h"
 #include "tools/report/counter_changes.h"
+#include "tools/report/current_statistics.h"
 #include "tools/report/heat_maps.h"
 #include "tools/report/statistics_report.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -34,6 +37,7 @@ struct RecordingOptions {
     bool work_values = false; // Work tells values, too.
     bool images = true;
     bool reference = false; // draw with the scalar specifications
+    std::function<void(const std::string& line)> warn = [](const std::string&) {};
 };
 
 class Recording {
@@ -53,26 +57,26 @@ public:
     // The frame is done. True: it was measured.
     bool after_frame(const Frame& frame);
 
-    // Completes the files.
+    // Completes the files, as far as it can where something goes wrong.
     void finish();
 
     // A few lines for people.
     std::string summary() const { return report_.summary(); }
 
 private:
-    void make_output_folder();
     void listen();
     bool records_values() const;
     WorkPipeline::Options pipeline_options();
     void start(std::uint64_t first_frame);
     void write_pictures(const Frame& frame);
-    void write_statistics();
 
     const RecordingOptions& options_;
+    OutputFolder folder_;
     FunctionalGpu gpu_;
     capture::CaptureWriter capture_;
     HeatMapRecorder heat_;
     StatisticsReport report_;
+    CurrentStatistics statistics_;
     WorkPipeline pipeline_;
     WorkFanOut sinks_;
     CounterChanges counted_; // of the functional GPU

@@ -4,6 +4,7 @@
 #include "model/device/limits.h"
 #include "tools/config/config_file.h"
 #include "tools/config/preset.h"
+#include "tools/config/settings_option.h"
 
 #include <filesystem>
 #include <fstream>
@@ -51,9 +52,7 @@ void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {
         ->type_name("A-B");
     verb.add_option("--config", arguments.config, "Parameters; ffgpu config prints them")
         ->type_name("F.toml|preset:NAME");
-    verb.add_option("--set", arguments.settings, "Change a parameter: texel_cache.ways=8")
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false); // What follows the first is no other setting.
+    add_settings_option(verb, arguments.settings);
     verb.add_option("--threads", arguments.threads, "Threads that draw (gpu.threads)")
         ->type_name("N");
     verb.add_flag("--timing", arguments.timing, "Run the timing model: cycles, caches, memory");

@@ -7,6 +7,7 @@ WorkPipeline::WorkPipeline(const Options& options, StatisticsReport& report)
     , file_(options.save_work.empty() ? nullptr
                                       : std::make_unique<work::WorkFileWriter>(options.save_work))
     , meter_(report, timing_.get())
+    , on_frame_(options.on_frame)
     , assembler_(readers_) {
     if (timing_ && options.timing->series.interval_cycles > 0) series_.emplace(*timing_);
     if (timing_) readers_.add(*timing_);
@@ -27,6 +28,7 @@ void WorkPipeline::frame(const work::FrameFigures& figures) {
 void WorkPipeline::add(const work::FrameFigures& figures) {
     if (file_) file_->frame(figures);
     meter_.add(figures);
+    on_frame_();
 }
 
 void WorkPipeline::drain() {

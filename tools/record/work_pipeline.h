@@ -13,6 +13,7 @@
 #include "tools/report/heat_maps.h"
 #include "tools/report/series_file.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +26,7 @@ public:
         const timing::TimingConfig* timing = nullptr; // null: no machine in time
         std::string save_work;                        // empty: no file
         HeatMapRecorder* costs = nullptr;             // of quads; needs timing; read after drain()
+        std::function<void()> on_frame = [] {};       // Its figures are in the report.
     };
 
     // Throws InputError where the file cannot be made.
@@ -50,6 +52,7 @@ private:
     std::unique_ptr<timing::GpuTiming> timing_; // uses series_
     std::unique_ptr<work::WorkFileWriter> file_;
     FrameMeter meter_;
+    std::function<void()> on_frame_;
     CommandFanOut readers_;
     work::CommandAssembler assembler_;
     std::optional<work::SinkThread> thread_; // The last: it uses the others.

@@ -6,13 +6,18 @@
 #include "driver/window_system/build_id.h"
 #include "model/base/input_error.h"
 #include "model/timing/machine_stuck.h"
+#include "tools/commands/warn.h"
 #include "tools/record/recording_arguments.h"
+#include "tools/recorder/guarded_device.h"
+#include "tools/recorder/run_watch.h"
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <semaphore>
 #include <thread>
 
@@ -49,8 +54,9 @@ class LiveRecorder final : public gl::Recorder {
 public:
     LiveRecorder(const std::string& settings_path, gl::InTurn in_turn)
         : options_(resolved(settings_path))
-        , recording_(options_) {
-        recording_.before_frame(0);
+        , recording_(std::in_place, options_)
+        , device_(recording_->device(), [this](const InputError& error) { fail(error); }) {
+        recording_->before_frame(0);
         catch_signal(SIGINT);
         catch_signal(SIGTERM);
         std::thread([this, in_turn] {
@@ -58,46 +64,66 @@ public:
             std::this_thread::sleep_for(Patience);
             in_turn([this] { end_by_signal(interrupted); });
         }).detach(); // It and the recorder live as long as the process.
+        on_lost_run(settings_path, [] {
+            std::this_thread::sleep_for(Patience); // A signal may come as well: it goes first.
+            if (interrupted) return;
+            interrupted = SIGTERM;
+            signal_came.release();
+        });
     }
 
-    Device& device() override { return recording_.device(); }
+    Device& device() override { return device_; }
 
     void frame_shown(const Surface& picture) override {
         if (finished_ || !is_own_process()) return;
         guarded([&] {
-            recording_.after_frame({.number = number_, .picture = picture, .api_calls = 0});
+            recording_->after_frame({.number = frames_, .picture = picture, .api_calls = 0});
+            const bool is_last = frames_++ == options_.frames.last;
             if (interrupted) end_by_signal(interrupted);
-            if (number_ == options_.frames.last) end();
-            recording_.before_frame(++number_);
+            if (is_last) end();
+            recording_->before_frame(frames_);
         });
     }
 
     void finish() override {
         if (finished_ || !is_own_process()) return;
         finished_ = true;
-        guarded([&] { recording_.finish(); });
-        std::fputs(recording_.summary().c_str(), stderr);
+        guarded([&] { recording_->finish(); });
+        std::fputs(recording_->summary().c_str(), stderr);
+        const std::string missing =
+            missing_frames(options_.frames, ::program_invocation_short_name, frames_);
+        if (!interrupted && !missing.empty()) warn(missing);
     }
 
 private:
     static RecordingOptions resolved(const std::string& path) {
         RecordingOptions options;
         resolve(read_recording_arguments(path), options);
+        options.warn = warn;
         return options;
     }
 
     // No exception may pass through the program's frames.
     template <class Call>
-    static void guarded(Call&& call) {
+    void guarded(Call&& call) {
         try {
             call();
         } catch (const timing::MachineStuck& stuck) {
-            std::fprintf(stderr, "ffgpu: %s\n", stuck.what());
-            std::_Exit(timing::StuckStatus);
+            fail(stuck, timing::StuckStatus);
         } catch (const std::exception& error) {
-            std::fprintf(stderr, "ffgpu: %s\n", error.what());
-            std::_Exit(BadInput);
+            fail(error);
         }
+    }
+
+    // Ends the process; what is done stays as far as it can, and nothing half written does.
+    [[noreturn]] void fail(const std::exception& error, int status = BadInput) {
+        std::fprintf(stderr, "ffgpu: %s\n", error.what());
+        try {
+            if (!finished_) recording_->finish();
+        } catch (const std::exception&) { // The first is what is told.
+        }
+        recording_.reset();
+        std::_Exit(status);
     }
 
     // The last frame of the range is done: nothing more is wanted of the program.
@@ -118,8 +144,9 @@ private:
 
     const pid_t process_ = ::getpid();
     const RecordingOptions options_;
-    Recording recording_;
-    std::uint64_t number_ = 0;
+    std::optional<Recording> recording_;
+    GuardedDevice device_;
+    std::uint64_t frames_ = 0; // so far
     bool finished_ = false;
 };
 

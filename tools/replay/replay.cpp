@@ -31,7 +31,7 @@ public:
         try {
             play();
         } catch (const std::runtime_error&) {
-            recording_.finish(); // What is done stays.
+            keep_what_is_done();
             throw;
         }
         recording_.finish();
@@ -39,6 +39,14 @@ public:
     }
 
 private:
+    // What went wrong first is what is told.
+    void keep_what_is_done() {
+        try {
+            recording_.finish();
+        } catch (const std::runtime_error&) {
+        }
+    }
+
     void play() {
         Progress progress(options_.frames.last < ~std::uint64_t{0}
                               ? std::optional(options_.frames.last)
@@ -62,12 +70,9 @@ private:
 
     // The input ended, of which `frames` were played: were others asked for?
     void check_range(std::uint64_t frames) const {
-        const FrameRange& wanted = options_.frames;
-        const std::string has = fmt::format("{} ends before frame {}", options_.input, frames);
-        if (measured_ == 0 && wanted.first > 0)
-            throw InputError(fmt::format("--frames: {}: none of those asked for is there", has));
-        if (wanted.last != FrameRange{}.last)
-            options_.warn(fmt::format("--frames: {}, {} was asked for", has, wanted.last));
+        const std::string line = missing_frames(options_.frames, options_.input, frames);
+        if (measured_ == 0 && options_.frames.first > 0) throw InputError(line);
+        if (!line.empty()) options_.warn(line);
     }
 
     // Frames a second from the first measured frame on, then of the last frame alone.

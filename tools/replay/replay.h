@@ -5,7 +5,6 @@
 #include "driver/framebuffer/drawable.h"
 #include "tools/record/recording.h"
 
-#include <functional>
 #include <string>
 
 namespace ffgpu::tools {
@@ -16,7 +15,6 @@ struct ReplayOptions : RecordingOptions {
     unsigned benchmark = 0; // times that the last frame is repeated; 0: no benchmark
     unsigned samples = 1;   // of a pixel of a trace's windows
     gl::SwapMode swap = gl::SwapMode::Copy;
-    std::function<void(const std::string& line)> warn = [](const std::string&) {};
 };
 
 // Returns a summary for people. Throws InputError; what was finished before is written.

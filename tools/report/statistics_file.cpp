@@ -1,11 +1,18 @@
 #include "tools/report/statistics_file.h"
 
 #include "model/base/input_error.h"
-#include "tools/files/whole_file.h"
+#include "model/base/whole_file.h"
 
 #include <filesystem>
 
 namespace ffgpu::tools {
+namespace {
+
+std::string path_in(const std::string& folder) {
+    return (std::filesystem::path(folder) / "stats.json").string();
+}
+
+} // namespace
 
 void make_folder(const std::string& path) {
     std::error_code error;
@@ -14,10 +21,14 @@ void make_folder(const std::string& path) {
 }
 
 void write_statistics_file(const StatisticsReport& report, const std::string& folder) {
-    const auto path = (std::filesystem::path(folder) / "stats.json").string();
-    WholeFile file(path);
+    WholeFile file(path_in(folder));
     report.write([&file](std::string_view text) { file.write(text); });
     file.commit();
+}
+
+void remove_statistics_file(const std::string& folder) {
+    std::error_code ignored;
+    std::filesystem::remove(path_in(folder), ignored);
 }
 
 } // namespace ffgpu::tools

@@ -8,8 +8,10 @@
 
 namespace ffgpu::tools {
 
-// Both throw InputError.
+// The first two throw InputError.
 void make_folder(const std::string& path);
 void write_statistics_file(const StatisticsReport& report, const std::string& folder);
+// Of an older run, if there is one.
+void remove_statistics_file(const std::string& folder);
 
 } // namespace ffgpu::tools

@@ -1,6 +1,7 @@
 #include "tools/report/text_spool.h"
 
 #include "model/base/input_error.h"
+#include "model/base/no_file_size_signal.h"
 
 #include <array>
 
@@ -21,6 +22,7 @@ TextSpool::TextSpool()
 }
 
 void TextSpool::append(std::string_view text) {
+    const NoFileSizeSignal no_signal;
     while (!text.empty()) {
         const ssize_t written =
             ::pwrite(::fileno(file_.get()), text.data(), text.size(), static_cast<off_t>(size_));

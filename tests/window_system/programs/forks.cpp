@@ -2,59 +2,20 @@
 // frame, that lives on while frames are drawn, and one between two frames. With "exec" it also
 // starts a program that draws while it does.
 
+#include "tests/window_system/programs/drawing.h"
+
 #include <cstdlib>
 #include <string>
 
-#include <GL/gl.h>
-#include <GL/glx.h>
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace {
 
+using ffgpu::tests::Drawing;
+
 constexpr int Frames = 10, ForkAfter = 4;
-
-Window make_window(Display* display, const XVisualInfo& visual) {
-    XSetWindowAttributes attributes{};
-    const Window root = RootWindow(display, visual.screen);
-    attributes.colormap = XCreateColormap(display, root, visual.visual, AllocNone);
-    const Window window = XCreateWindow(display,
-                                        root,
-                                        0,
-                                        0,
-                                        64,
-                                        64,
-                                        0,
-                                        visual.depth,
-                                        InputOutput,
-                                        visual.visual,
-                                        CWColormap,
-                                        &attributes);
-    XMapWindow(display, window);
-    return window;
-}
-
-// A window with a context that is current; pictures on it.
-class Drawing {
-public:
-    Drawing() {
-        int attributes[] = {GLX_RGBA, GLX_DOUBLEBUFFER, GLX_DEPTH_SIZE, 16, None};
-        XVisualInfo* const visual = glXChooseVisual(display, DefaultScreen(display), attributes);
-        window_ = make_window(display, *visual);
-        glXMakeCurrent(display, window_, glXCreateContext(display, visual, nullptr, True));
-    }
-    void frame(int number) const {
-        glClearColor(static_cast<float>(number) / Frames, 0, 0, 1);
-        glClear(GL_COLOR_BUFFER_BIT);
-        glXSwapBuffers(display, window_);
-    }
-
-    Display* const display = XOpenDisplay(nullptr);
-
-private:
-    Window window_;
-};
 
 // Another program, started before the first call of OpenGL: it draws a frame when its standard
 // input ends.

@@ -1,0 +1,106 @@
+// The files of `ffgpu run`, whatever becomes of the program, of ffgpu, or of the disk.
+
+#include "tests/window_system/run_program.h"
+#include "tests/window_system/x_server.h"
+
+#include <filesystem>
+#include <string>
+
+namespace ffgpu {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace tests;
+
+bool has_display() {
+    Display* const display = XServer::display();
+    if (display) ::setenv("DISPLAY", DisplayString(display), 1);
+    return display != nullptr;
+}
+
+std::size_t files_in(const fs::path& folder) {
+    std::error_code missing;
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder, missing), fs::directory_iterator()));
+}
+
+TEST_CASE("children that end while a picture is written leave it whole") {
+    if (!has_display()) return;
+    const OutputFolder out;
+    const std::string folder = out.path.string();
+    const Outcome run = ffgpu_run("-o " + folder + " -- " FFGPU_FRAMES " noise");
+    INFO(run.text);
+    CHECK(run.status == 0);
+    CHECK(files_in(out.path) == 41); // with stats.json
+    const Outcome compare = shell(FFGPU_BINARY " compare " + folder + " " + folder);
+    INFO(compare.text);
+    CHECK(compare.status == 0); // Each can be read.
+}
+
+TEST_CASE("a program that is killed leaves statistics that are a second old at most") {
+    if (!has_display()) return;
+    const OutputFolder out;
+    const Outcome run = ffgpu_run("-o " + out.path.string() + " -- " FFGPU_FRAMES " killed");
+    INFO(run.text);
+    CHECK(run.status == 128 + SIGKILL);
+    CHECK(count_of(statistics_in(out), "\"frame_count\": 11,") == 1);
+}
+
+TEST_CASE("a program that a script has started ends where ffgpu was killed") {
+    if (!has_display()) return;
+    const OutputFolder out;
+    const pid_t process = start({"ffgpu",
+                                 "run",
+                                 "-o",
+                                 out.path.string(),
+                                 "--",
+                                 "sh",
+                                 "-c",
+                                 FFGPU_FRAMES " endless; exit 3"});
+    CHECK(comes_true([&] { return fs::exists(out.path / "frame_0009.png"); }));
+    const std::string program = "pgrep -f '^" FFGPU_FRAMES " endless'";
+    CHECK_FALSE(shell(program).text.empty());
+    ::kill(process, SIGKILL);
+    wait_status(process);
+    CHECK(comes_true([&] { return shell(program).text.empty(); }));
+    CHECK(count_of(statistics_in(out), "\"frame_count\"") == 1);
+}
+
+TEST_CASE("a file that finds no room ends the run with its name and status 2") {
+    if (!has_display()) return;
+    const OutputFolder out;
+    fs::create_directories(out.path);
+    const auto limited = [&](const std::string& arguments) { // 8 blocks of 512 bytes
+        return shell("ulimit -f 8; timeout 60 " FFGPU_BINARY " run " + arguments +
+                     " -- " FFGPU_FRAMES " noise");
+    };
+    const Outcome pictures = limited("-o " + out.path.string());
+    INFO(pictures.text);
+    CHECK(pictures.status == 2);
+    CHECK(count_of(pictures.text, "frame_0000.png: cannot be written: File too large") == 1);
+    CHECK(files_in(out.path) <= 1); // at most stats.json
+    const Outcome capture = limited("--capture " + (out.path / "c.ffc").string());
+    INFO(capture.text);
+    CHECK(capture.status == 2);
+    CHECK(count_of(capture.text, "c.ffc: cannot be written: File too large") == 1);
+    CHECK(files_in(out.path) <= 1);
+}
+
+TEST_CASE("frames that a program never draws are told of, and pictures of an older run") {
+    if (!has_display()) return;
+    const OutputFolder out;
+    const auto run = [&](const std::string& frames) {
+        const Outcome outcome =
+            ffgpu_run("-o " + out.path.string() + " --frames " + frames + " -- " FFGPU_FORKS);
+        CHECK(outcome.status == 0);
+        return outcome.text;
+    };
+    CHECK(count_of(run("0-9"), "warning") == 0);
+    const std::string short_of = run("4-200");
+    CHECK(count_of(short_of, "ends before frame 10, 200 was asked for") == 1);
+    CHECK(count_of(short_of, "holds 4 pictures of an older run") == 1);
+    CHECK(count_of(run("100-"), "ends before frame 10: none of those asked for is there") == 1);
+}
+
+} // namespace
+} // namespace ffgpu

@@ -1,0 +1,55 @@
+#include "tools/record/output_folder.h"
+
+#include "tools/report/statistics_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace ffgpu::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 3> Prefixes{"frame_", "heat_", "view_"};
+
+// frame_0000.png, heat_cycles_0000.npy ...
+bool is_ours(const fs::path& name) {
+    const std::string stem = name.stem().string();
+    const bool has_prefix = std::ranges::any_of(
+        Prefixes, [&](std::string_view prefix) { return stem.starts_with(prefix); });
+    const bool is_picture = name.extension() == ".png" || name.extension() == ".npy";
+    return has_prefix && is_picture && std::isdigit(static_cast<unsigned char>(stem.back())) != 0;
+}
+
+} // namespace
+
+OutputFolder::OutputFolder(const std::string& path)
+    : path_(path) {
+    if (path_.empty()) return;
+    make_folder(path_);
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(path_, error))
+        if (is_ours(entry.path().filename())) older_.insert(entry.path().filename().string());
+}
+
+std::string
+OutputFolder::picture(std::string_view prefix, std::uint64_t frame, std::string_view extension) {
+    const std::string name = fmt::format("{}_{:04}.{}", prefix, frame, extension);
+    older_.erase(name);
+    return (fs::path(path_) / name).string();
+}
+
+std::string OutputFolder::older_pictures() const {
+    if (older_.empty()) return {};
+    return fmt::format("{}: holds {} of an older run, too, {} to {}: its statistics are not those",
+                       path_,
+                       older_.size() == 1 ? "a picture" : fmt::format("{} pictures", older_.size()),
+                       *older_.begin(),
+                       *older_.rbegin());
+}
+
+} // namespace ffgpu::tools
