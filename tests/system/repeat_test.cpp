@@ -6,8 +6,8 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/system/trace_run.h"
 #include "tools/frames/frame_source.h"
+#include "tools/heatmap/heat_recorder.h"
 #include "tools/record/work_fan_out.h"
-#include "tools/report/heat_maps.h"
 #include "tools/report/statistics_report.h"
 
 #include <cstdlib>
@@ -122,7 +122,7 @@ private:
     FunctionalGpu gpu_{{.threads = 2}};
     timing::GpuTiming timing_{timing::TimingConfig{}};
     work::CommandAssembler assembler_{timing_};
-    HeatMapRecorder heat_;
+    HeatRecorder heat_;
     WorkFanOut sinks_;
     std::unique_ptr<FrameSource> source_;
 };

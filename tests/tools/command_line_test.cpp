@@ -294,16 +294,5 @@ TEST_CASE("Frame ranges are A-B, A or A-") {
         CHECK_THROWS_AS(parse_frame_range(wrong), InputError);
 }
 
-TEST_CASE("The heat ramp runs from black over blue, green and red to white") {
-    using Color = std::array<std::uint8_t, 3>;
-    CHECK(heat_color(0) == Color{0, 0, 0});
-    CHECK(heat_color(1.0 / 6) == Color{0, 0, 255});
-    CHECK(heat_color(0.5) == Color{0, 255, 0});
-    CHECK(heat_color(5.0 / 6) == Color{255, 0, 0});
-    CHECK(heat_color(7) == Color{255, 255, 255});
-    CHECK_THROWS_WITH(parse_heat_maps("overdrow"), Contains("did you mean overdraw?"));
-    CHECK(parse_heat_maps("level,overdraw").size() == 2);
-}
-
 } // namespace
 } // namespace ffgpu::tools

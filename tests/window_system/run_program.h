@@ -41,7 +41,8 @@ inline Outcome ffgpu_run(const std::string& arguments) {
 }
 
 struct OutputFolder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / ("ffgpu_run_test_" + std::to_string(::getpid()));
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("ffgpu_run_test_" + std::to_string(::getpid()));
     ~OutputFolder() {
         std::error_code ignored;
         std::filesystem::remove_all(path, ignored);

@@ -1,7 +1,7 @@
 #include "tools/manual/program_text.h"
 
 #include "tools/config/configuration.h"
-#include "tools/report/heat_maps.h"
+#include "tools/heatmap/heat_map.h"
 
 #include <sstream>
 #include <string_view>

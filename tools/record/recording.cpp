@@ -1,11 +1,13 @@
 #include "tools/record/recording.h"
 
 #include "model/base/input_error.h"
+#include "tools/files/npy_file.h"
 #include "tools/report/frame_image.h"
 
 #include <algorithm>
 #include <exception>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -31,12 +33,12 @@ Recording::Recording(const RecordingOptions& options)
     , statistics_(report_, options.output)
     , pipeline_(pipeline_options(), report_) {
     if (pipeline_.sink()) sinks_.add(*pipeline_.sink());
-    if (!options_.heat_maps.empty()) sinks_.add(heat_);
+    if (!options_.heat.maps.empty()) sinks_.add(heat_);
 }
 
 WorkPipeline::Options Recording::pipeline_options() {
     bool needs_costs = false;
-    for (const HeatMap map : options_.heat_maps) {
+    for (const HeatMap map : options_.heat.maps) {
         if (!info(map).needs_timing) continue;
         if (!options_.timing)
             throw InputError("--heatmap " + std::string(info(map).name) + " needs --timing");
@@ -92,7 +94,7 @@ bool Recording::after_frame(const Frame& frame) {
                      .height = frame.picture.height,
                      .api_calls = frame.api_calls,
                      .functional = counted_.take(gpu_.statistics())});
-    if (!options_.heat_maps.empty()) pipeline_.drain();
+    if (!options_.heat.maps.empty()) pipeline_.drain();
     // Looking at the picture is no work of the machine's.
     gpu_.hide_from_work(true);
     write_pictures(frame);
@@ -102,11 +104,21 @@ bool Recording::after_frame(const Frame& frame) {
 
 void Recording::write_pictures(const Frame& frame) {
     if (options_.output.empty() || frame.picture.format == Format::None) return;
-    if (options_.images)
-        images_.add(folder_.picture("frame", frame.number), read_surface(gpu_, frame.picture));
-    for (const HeatMap map : options_.heat_maps)
-        images_.add(folder_.picture(fmt::format("heat_{}", info(map).name), frame.number),
-                    heat_.image(map, frame.picture));
+    if (!options_.images && options_.heat.maps.empty()) return;
+    Image picture = read_surface(gpu_, frame.picture);
+    for (const HeatMap map : options_.heat.maps)
+        write_heat_map(map, frame, picture);
+    if (options_.images) images_.add(folder_.picture("frame", frame.number), std::move(picture));
+}
+
+void Recording::write_heat_map(HeatMap map, const Frame& frame, const Image& picture) {
+    const HeatMapOptions& heat = options_.heat;
+    HeatPlane plane = heat_.plane(map, frame.picture);
+    if (heat.tile > 1) plane = averaged(plane, heat.tile);
+    const std::string prefix = fmt::format("heat_{}", info(map).name);
+    images_.add(folder_.picture(prefix, frame.number), heat_picture(map, plane, heat, picture));
+    if (heat.raw)
+        write_npy(folder_.picture(prefix, frame.number, "npy"), plane.width, plane.values);
 }
 
 void Recording::finish() {

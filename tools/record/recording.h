@@ -9,19 +9,18 @@
 #include "tools/config/configuration.h"
 #include "tools/frames/frame.h"
 #include "tools/frames/frame_range.h"
+#include "tools/heatmap/heat_picture.h"
 #include "tools/image/image_writer.h"
 #include "tools/record/output_folder.h"
 #include "tools/record/work_fan_out.h"
 #include "tools/record/work_pipeline.h"
 #include "tools/report/counter_changes.h"
 #include "tools/report/current_statistics.h"
-#include "tools/report/heat_maps.h"
 #include "tools/report/statistics_report.h"
 
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 
 namespace ffgpu::tools {
@@ -32,7 +31,7 @@ struct RecordingOptions {
     std::string save_work;
     FrameRange frames;
     Configuration configuration;
-    std::set<HeatMap> heat_maps;
+    HeatMapOptions heat;
     bool timing = false;
     bool work_values = false; // Work tells values, too.
     bool images = true;
@@ -69,12 +68,13 @@ private:
     WorkPipeline::Options pipeline_options();
     void start(std::uint64_t first_frame);
     void write_pictures(const Frame& frame);
+    void write_heat_map(HeatMap map, const Frame& frame, const Image& picture);
 
     const RecordingOptions& options_;
     OutputFolder folder_;
     FunctionalGpu gpu_;
     capture::CaptureWriter capture_;
-    HeatMapRecorder heat_;
+    HeatRecorder heat_;
     StatisticsReport report_;
     CurrentStatistics statistics_;
     WorkPipeline pipeline_;

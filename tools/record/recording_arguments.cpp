@@ -17,12 +17,18 @@
 namespace ffgpu::tools {
 namespace {
 
+constexpr unsigned MaxHeatTile = 4096;
+
 // The names of the file's members, each with the argument.
 template <class Arguments, class Visitor>
 void visit_members(Arguments& arguments, Visitor&& member) {
     member("output", arguments.output);
     member("frames", arguments.frames);
     member("heat_maps", arguments.heat_maps);
+    member("heat_scale", arguments.heat_scale);
+    member("heat_tile", arguments.heat_tile);
+    member("heat_blend", arguments.heat_blend);
+    member("heat_raw", arguments.heat_raw);
     member("capture", arguments.capture);
     member("save_work", arguments.save_work);
     member("work_values", arguments.work_values);
@@ -35,6 +41,26 @@ void visit_members(Arguments& arguments, Visitor&& member) {
 
 void make_absolute(std::string& path) {
     if (!path.empty()) path = std::filesystem::absolute(path).string();
+}
+
+void add_heat_map_options(CLI::App& verb, RecordingArguments& arguments) {
+    verb.add_option("--heatmap", arguments.heat_maps, heat_map_names())->type_name("MAP[,MAP]");
+    verb.add_option(
+            "--heatmap-scale", arguments.heat_scale, "White: N, or all but the largest in 200")
+        ->type_name("auto|N");
+    verb.add_option("--heatmap-tile", arguments.heat_tile, "Means over squares of N pixels")
+        ->type_name("N")
+        ->check(CLI::Range(1u, MaxHeatTile));
+    verb.add_flag("--heatmap-blend", arguments.heat_blend, "Heat maps over the frame");
+    verb.add_flag("--heatmap-npy", arguments.heat_raw, "Their numbers, too: heat_MAP_0000.npy ...");
+}
+
+void resolve_heat_maps(const RecordingArguments& arguments, HeatMapOptions& heat) {
+    if (!arguments.heat_maps.empty()) heat.maps = parse_heat_maps(arguments.heat_maps);
+    if (!arguments.heat_scale.empty()) heat.full_scale = parse_heat_scale(arguments.heat_scale);
+    heat.tile = arguments.heat_tile;
+    heat.blend = arguments.heat_blend;
+    heat.raw = arguments.heat_raw;
 }
 
 } // namespace
@@ -56,8 +82,7 @@ void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {
     verb.add_option("--threads", arguments.threads, "Threads that draw (gpu.threads)")
         ->type_name("N");
     verb.add_flag("--timing", arguments.timing, "Run the timing model: cycles, caches, memory");
-    verb.add_option("--heatmap", arguments.heat_maps, "overdraw,level,texture_misses,cycles")
-        ->type_name("MAP[,MAP]");
+    add_heat_map_options(verb, arguments);
     verb.add_option("--capture", arguments.capture, "Write the frames as a device capture")
         ->type_name("FILE.ffc");
     verb.add_option("--save-work", arguments.save_work, "Keep the work of the frames: ffgpu time")
@@ -92,7 +117,7 @@ void resolve(const RecordingArguments& arguments, RecordingOptions& options) {
     if (arguments.threads)
         apply_setting("gpu.threads=" + std::to_string(*arguments.threads), options.configuration);
     if (!arguments.frames.empty()) options.frames = parse_frame_range(arguments.frames);
-    if (!arguments.heat_maps.empty()) options.heat_maps = parse_heat_maps(arguments.heat_maps);
+    resolve_heat_maps(arguments, options.heat);
     options.output = arguments.output;
     options.capture = arguments.capture;
     options.save_work = arguments.save_work;

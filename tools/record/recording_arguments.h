@@ -18,7 +18,9 @@ class App;
 namespace ffgpu::tools {
 
 struct RecordingArguments {
-    std::string output, frames, heat_maps, capture, save_work, config;
+    std::string output, frames, heat_maps, heat_scale, capture, save_work, config;
+    unsigned heat_tile = 1;
+    bool heat_blend = false, heat_raw = false;
     bool work_values = false;
     std::vector<std::string> settings;
     std::optional<std::uint32_t> threads;

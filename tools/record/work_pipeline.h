@@ -8,9 +8,9 @@
 #include "model/work/command_assembler.h"
 #include "model/work/sink_thread.h"
 #include "model/work/work_file_writer.h"
+#include "tools/heatmap/heat_recorder.h"
 #include "tools/record/work_fan_out.h"
 #include "tools/report/frame_meter.h"
-#include "tools/report/heat_maps.h"
 #include "tools/report/series_file.h"
 
 #include <functional>
@@ -25,7 +25,7 @@ public:
     struct Options {
         const timing::TimingConfig* timing = nullptr; // null: no machine in time
         std::string save_work;                        // empty: no file
-        HeatMapRecorder* costs = nullptr;             // of quads; needs timing; read after drain()
+        HeatRecorder* costs = nullptr;                // of quads; needs timing; read after drain()
         std::function<void()> on_frame = [] {};       // Its figures are in the report.
     };
 

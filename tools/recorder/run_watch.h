@@ -1,6 +1,6 @@
-// Whether the `ffgpu run` that started this process, or one before it, is still there. The signal of
-// a parent's death reaches its children alone: a program that a script has started would draw and
-// write on.
+// Whether the `ffgpu run` that started this process, or one before it, is still there. The signal
+// of a parent's death reaches its children alone: a program that a script has started would draw
+// and write on.
 
 #pragma once
 
