@@ -1,10 +1,10 @@
 #include "model/base/input_error.h"
+#include "model/base/whole_file.h"
 #include "tools/cache/cache_arguments.h"
 #include "tools/cache/cache_report.h"
 #include "tools/cache/curve_plots.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/warn.h"
-#include "tools/files/whole_file.h"
 #include "tools/report/statistics_file.h"
 
 #include <cerrno>

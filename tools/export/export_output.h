@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "tools/files/whole_file.h"
+#include "model/base/whole_file.h"
 
 #include <cstdint>
 #include <cstdio>
