@@ -30,7 +30,7 @@ std::set<HeatMap> parse_heat_maps(const std::string& names) {
 std::string heat_map_names() {
     std::string names;
     for (const HeatMapInfo& map : HeatMapTable)
-        names.append(names.empty() ? "" : ",").append(map.name);
+        names.append(names.empty() ? "" : ", ").append(map.name);
     return names;
 }
 

@@ -21,8 +21,7 @@ double full_scale(HeatMap map, const HeatPlane& plane, const HeatMapOptions& opt
     if (wanted > 0 || plane.values.empty()) return wanted > 0 ? wanted : 1;
     // A few pixels that stand out, as the frame's first, would leave all the others dark.
     std::vector<float> values = plane.values;
-    const auto nearly_most =
-        values.begin() + static_cast<std::ptrdiff_t>(values.size() * 199 / 200);
+    const auto nearly_most = values.end() - 1 - static_cast<std::ptrdiff_t>(values.size() / 200);
     std::ranges::nth_element(values, nearly_most);
     if (*nearly_most > 0) return *nearly_most;
     const double most = *std::max_element(nearly_most, values.end());
