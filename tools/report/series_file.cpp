@@ -1,6 +1,6 @@
 #include "tools/report/series_file.h"
 
-#include "tools/files/whole_file.h"
+#include "model/base/whole_file.h"
 
 #include <filesystem>
 
