@@ -88,7 +88,7 @@ private:
         }
     }
 
-    void take_served(std::deque<timing::ServedRequest>& served) {
+    void take_served(Ring<timing::ServedRequest>& served) {
         const timing::Cycle back = config_.latency - config_.latency / 2;
         for (; !served.empty() && served.front().data.end <= memory_time(); served.pop_front())
             answers_.emplace(clock_.now() + back,

@@ -19,8 +19,12 @@ Bottlenecks::Bottlenecks(const Clock& clock, CommandLedger& ledger, Parts parts)
     , parts_(std::move(parts)) {}
 
 void Bottlenecks::end_cycle() {
-    count_until(clock_.now() - 1);
-    last_ = find();
+    const Resource found = find();
+    if (found != last_) {
+        count_until(clock_.now() - 1);
+        last_ = found;
+    }
+    if (!ledger_.charges_at(clock_.now())) return;
     count_until(clock_.now());
     ledger_.explain_charge(clock_.now());
 }
@@ -34,8 +38,12 @@ void Bottlenecks::count_until(Cycle end) {
 
 Resource Bottlenecks::find() const {
     const std::vector<Stage>& stages = parts_.stages;
-    for (std::size_t i = stages.size(); i-- > 0;)
+    const bool looks_at_idle = clock_.pace() == Pace::EveryCycle;
+    for (std::size_t i = stages.size(); i-- > 0;) {
+        // A unit is idle where nothing is at its input; the plainest pace looks all the same.
+        if (stages[i].unit->activity() == Activity::Idle && !looks_at_idle) continue;
         if (has_backlog(stages[i])) return resource_of(i);
+    }
     return draining(0);
 }
 

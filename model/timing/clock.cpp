@@ -3,7 +3,6 @@
 #include "model/base/check.h"
 #include "model/timing/unit.h"
 
-#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -23,9 +22,8 @@ Clock::Clock(sc_core::sc_module_name name, std::function<bool()> must_wait, Pace
 }
 
 std::size_t Clock::attach(Unit& unit) const {
-    check(units_.size() < 63, "a bit for each unit");
+    check(units_.size() < Calendar::MostUnits, "a bit for each unit");
     units_.push_back(&unit);
-    due_.push_back(Never);
     wake(units_.size() - 1, now_ + 1);
     return units_.size() - 1;
 }
@@ -61,7 +59,7 @@ bool Clock::run_ahead() {
     const Cycle end = now_ + Quantum;
     while (now_ < end) {
         if (paused()) return false;
-        const Cycle due = next_due();
+        const Cycle due = calendar_.next(now_);
         if (due == Never) {
             is_stuck_ = true;
             pause();
@@ -73,32 +71,12 @@ bool Clock::run_ahead() {
     return true;
 }
 
-Cycle Clock::next_due() {
-    if (due_next_ != 0) return now_ + 1;
-    soonest_ = *std::min_element(due_.begin(), due_.end());
-    return soonest_;
-}
-
-// Of this cycle, a bit each. They are due no more.
-std::uint64_t Clock::take_due() {
-    std::uint64_t due = std::exchange(due_next_, 0);
-    if (pace_ == Pace::EveryCycle) due = (std::uint64_t{1} << units_.size()) - 1;
-    if (soonest_ > now_) return due;
-    soonest_ = Never;
-    for (std::size_t i = 0; i < due_.size(); ++i) {
-        if (due_[i] <= now_) {
-            due |= std::uint64_t{1} << i;
-            due_[i] = Never;
-        }
-        soonest_ = std::min(soonest_, due_[i]);
-    }
-    return due;
-}
-
 // Who is due is settled before the first unit runs: what wakes a unit in this cycle wakes it for
 // the next.
 void Clock::walk() {
-    for (std::uint64_t due = take_due(); due != 0; due &= due - 1)
+    std::uint64_t due = calendar_.take(now_);
+    if (pace_ == Pace::EveryCycle) due = (std::uint64_t{1} << units_.size()) - 1;
+    for (; due != 0; due &= due - 1)
         units_[static_cast<std::size_t>(std::countr_zero(due))]->run_cycle();
     if (on_walked_) on_walked_();
 }

@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include "model/timing/calendar.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -15,9 +17,6 @@
 #include <vector>
 
 namespace ffgpu::timing {
-
-using Cycle = std::uint64_t;
-inline constexpr Cycle Never = ~Cycle{0};
 
 class Unit;
 
@@ -49,6 +48,7 @@ public:
 
     // Decoupled only where every process that takes part is a unit of this clock.
     void set_pace(Pace pace) { pace_ = pace; }
+    Pace pace() const { return pace_; }
 
     Cycle now() const { return now_; }
     // No unit will ever be due again, and the host is not waited for: the simulation paused.
@@ -60,12 +60,7 @@ public:
     // the clock as one that they cannot change: when they are due is not its time.
     std::size_t attach(Unit& unit) const;
     void wake(std::size_t place, Cycle at) const {
-        if (at <= now_ + 1) {
-            due_next_ |= std::uint64_t{1} << place;
-        } else if (at < due_[place]) {
-            due_[place] = at;
-            soonest_ = std::min(soonest_, at);
-        }
+        calendar_.add(place, std::max(at, now_ + 1), now_);
     }
 
 private:
@@ -76,9 +71,6 @@ private:
     bool paused();
     void pause();
     void walk();
-    std::uint64_t take_due();
-    // The cycle in which a unit is due next.
-    Cycle next_due();
 
     std::function<bool()> must_wait_;
     std::function<void()> on_walked_;
@@ -88,11 +80,7 @@ private:
     Cycle now_ = 0;
     Cycle systemc_now_ = 0; // the cycle that SystemC's time stands at
     mutable std::vector<Unit*> units_;
-    // When each unit is due: in the next cycle (a bit each), or later; soonest_ is not after the
-    // first of those.
-    mutable std::uint64_t due_next_ = 0;
-    mutable std::vector<Cycle> due_;
-    mutable Cycle soonest_ = Never;
+    mutable Calendar calendar_;
     bool is_stuck_ = false;
 };
 

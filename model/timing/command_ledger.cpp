@@ -54,7 +54,7 @@ void CommandLedger::end_part(std::size_t entry, std::uint64_t now) {
 }
 
 void CommandLedger::explain_charge(std::uint64_t now) {
-    if (cycle_ != now || charged_ == None) return;
+    if (!charges_at(now)) return;
     WaitedCycles& waited = entries_[charged_].listed.waited;
     for (std::size_t i = 0; i < Resources; ++i)
         waited[i] += std::exchange(waited_[i], 0);

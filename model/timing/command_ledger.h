@@ -82,6 +82,7 @@ public:
     void waited(Resource resource, std::uint64_t cycles) {
         waited_[static_cast<std::size_t>(resource)] += cycles;
     }
+    bool charges_at(std::uint64_t now) const { return cycle_ == now && charged_ != None; }
     void explain_charge(std::uint64_t now);
 
     // All commands have ended: their cycles, whose sum is that of the cycles since the last call.

@@ -56,25 +56,23 @@ tlm::tlm_sync_enum MemoryController::on_forward(tlm::tlm_generic_payload& payloa
 }
 
 bool MemoryController::serves(Client client, bool write) const {
-    if (in_service_[write][static_cast<std::size_t>(client)] > 0) return true;
+    const auto number = static_cast<std::size_t>(client);
+    if (in_service_[write][number] > 0) return true;
     // Whatever is behind one that found no room waits, too.
     return std::any_of(lanes_.begin(), lanes_.end(), [&](const Lane& lane) {
-        return lane.arrivals->can_pop() &&
-               std::any_of(lane.arriving.begin(), lane.arriving.end(), [&](const Arrival& arrival) {
-                   return arrival.client == client && arrival.write == write;
-               });
+        return lane.arriving[write][number] > 0 && lane.arrivals->can_pop();
     });
 }
 
 void MemoryController::send(Lane& lane, tlm::tlm_generic_payload& payload) {
     const MemoryRequest& request = payload.get_extension<RequestTag>()->request;
-    lane.arriving.push_back({request.client, request.write});
+    ++lane.arriving[request.write][static_cast<std::size_t>(request.client)];
     lane.arrivals->push(&payload);
 }
 
 void MemoryController::start(Lane& lane, MemoryCycle at) {
     const DramRequest request = to_dram(config_, *lane.arrivals->pop());
-    lane.arriving.pop_front();
+    --lane.arriving[request.write][request.client];
     ++in_service_[request.write][request.client];
     lane.dram->push(request, at);
 }
@@ -117,7 +115,7 @@ void MemoryController::step(Lane& lane) {
     lane.dram->advance(begin); // What went by while asleep: refreshes.
     accept_arrivals(lane, begin);
     lane.dram->advance(end);
-    std::deque<ServedRequest>& served = lane.dram->served();
+    Ring<ServedRequest>& served = lane.dram->served();
     lane.moves = !served.empty() && served.front().data.begin < end;
     while (!served.empty() && served.front().data.end <= end)
         finish(lane);

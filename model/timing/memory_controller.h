@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "model/base/ring.h"
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
 #include "model/timing/memory/dram_channel.h"
@@ -12,7 +13,6 @@
 #include "model/timing/memory_statistics.h"
 
 #include <array>
-#include <deque>
 #include <memory>
 #include <vector>
 
@@ -41,17 +41,14 @@ private:
         Cycle at = 0;
         tlm::tlm_generic_payload* payload = nullptr;
     };
-    // A request on its way to the DRAM.
-    struct Arrival {
-        Client client = Client::Command;
-        bool write = false;
-    };
+    // How many requests of each client: reads, and writes.
+    using Requests = std::array<std::array<std::uint32_t, Clients>, 2>;
     struct Lane {
         std::unique_ptr<Channel<tlm::tlm_generic_payload*>> arrivals;
-        std::deque<Arrival> arriving;                // what is in the channel
+        Requests arriving{};                         // what is in the channel
         tlm::tlm_generic_payload* refused = nullptr; // BEGIN_REQ that found no place
         std::unique_ptr<DramChannel> dram;
-        std::deque<Response> responses; // in the order of their data
+        Ring<Response> responses; // in the order of their data
         // What the last look at the lane said, and when it has to be looked at again.
         bool moves = false, waits = false;
         Cycle due = 0;
@@ -87,8 +84,7 @@ private:
     tlm_utils::simple_target_socket<MemoryController> socket_{"socket"};
     DramStatistics statistics_;
     std::vector<Lane> lanes_;
-    // Requests of each client that the DRAM has: reads, and writes.
-    std::array<std::array<std::uint32_t, Clients>, 2> in_service_{};
+    Requests in_service_{}; // at the DRAM
 };
 
 } // namespace ffgpu::timing

@@ -13,18 +13,14 @@ DramChannel::DramChannel(const MemoryConfig& config, std::uint32_t number, DramO
     , device_(config)
     , scheduler_(config)
     , policy_(config)
+    , waiting_(config.banks)
     , refresh_due_(config.refresh_interval_cycles == 0 ? RowPolicy::Never
                                                        : config.refresh_interval_cycles) {}
 
 void DramChannel::push(const DramRequest& request, MemoryCycle now) {
     check(has_room(), "a request for a full DRAM channel");
-    waiting_.push_back({.request = request});
+    waiting_.push(request, device_.open_row(request.bank));
     next_work_ = std::min(next_work_, now);
-}
-
-void DramChannel::advance(MemoryCycle end) {
-    while (next_work_ < end)
-        work(next_work_);
 }
 
 // One cycle's command, or how long there will be none.
@@ -52,6 +48,8 @@ void DramChannel::work_on_refresh(MemoryCycle now) {
     }
     if (must_close) {
         device_.precharge_all(now);
+        for (std::uint32_t bank = 0; bank < config_.banks; ++bank)
+            waiting_.set_open_row(bank, DramDevice::NoRow);
     } else {
         device_.refresh(now);
         observer_.on_refresh();
@@ -69,11 +67,12 @@ void DramChannel::issue(const DramCommand& command, MemoryCycle now) {
     case DramCommand::Kind::Activate:
         causes_.note(now, command.cause);
         device_.activate(request.bank, request.row, now);
+        waiting_.set_open_row(request.bank, request.row);
         waiting.result = std::max(waiting.result, RowResult::Miss);
         return;
     case DramCommand::Kind::Precharge:
         causes_.note(now, command.cause);
-        device_.precharge(request.bank, now);
+        precharge(request.bank, now);
         waiting.result = RowResult::Conflict;
         return;
     case DramCommand::Kind::None:
@@ -81,10 +80,15 @@ void DramChannel::issue(const DramCommand& command, MemoryCycle now) {
     }
 }
 
+void DramChannel::precharge(std::uint32_t bank, MemoryCycle now) {
+    device_.precharge(bank, now);
+    waiting_.set_open_row(bank, DramDevice::NoRow);
+}
+
 void DramChannel::serve(std::size_t index, MemoryCycle now) {
     const WaitingRequest waiting = waiting_[index];
     const DramRequest& request = waiting.request;
-    DramScheduler::remove(waiting_, index);
+    waiting_.remove(index);
 
     const bool turns = request.write != device_.last_was_write();
     if (turns && device_.has_carried_data()) observer_.on_turnaround();
@@ -94,7 +98,10 @@ void DramChannel::serve(std::size_t index, MemoryCycle now) {
 
     policy_.learn(request.bank, request.row, waiting.result);
     const auto wanted = [&] { return is_wanted(request.bank); };
-    if (policy_.closes_behind(request.bank, wanted)) device_.auto_precharge(request.bank);
+    if (policy_.closes_behind(request.bank, wanted)) {
+        device_.auto_precharge(request.bank);
+        waiting_.set_open_row(request.bank, DramDevice::NoRow);
+    }
     observer_.on_access(number_, request, waiting.result);
     served_.push_back({request, data});
 }
@@ -137,7 +144,7 @@ bool DramChannel::close_idle_row(MemoryCycle now) {
         if (device_.open_row(bank) == DramDevice::NoRow || is_wanted(bank)) continue;
         if (policy_.closes_at(device_.last_column(bank)) > now) continue;
         if (device_.precharge_ready(bank).at > now) continue;
-        device_.precharge(bank, now);
+        precharge(bank, now);
         next_work_ = now + 1;
         return true;
     }

@@ -4,12 +4,11 @@
 
 #pragma once
 
+#include "model/base/ring.h"
 #include "model/timing/memory/dram_device.h"
 #include "model/timing/memory/dram_scheduler.h"
 #include "model/timing/memory/row_policy.h"
 
-#include <deque>
-#include <vector>
 
 namespace ffgpu::timing {
 
@@ -27,10 +26,13 @@ public:
     // In the queue from cycle `now` on, which must not have passed yet.
     void push(const DramRequest& request, MemoryCycle now);
     // Works through all cycles before `end`.
-    void advance(MemoryCycle end);
+    void advance(MemoryCycle end) {
+        while (next_work_ < end)
+            work(next_work_);
+    }
     // In the order of their data; the owner takes them out.
-    std::deque<ServedRequest>& served() { return served_; }
-    const std::deque<ServedRequest>& served() const { return served_; }
+    Ring<ServedRequest>& served() { return served_; }
+    const Ring<ServedRequest>& served() const { return served_; }
 
     // Nothing happens before that cycle unless something is pushed.
     MemoryCycle next_work() const { return next_work_; }
@@ -44,6 +46,7 @@ private:
     void work_on_refresh(MemoryCycle now);
     bool close_idle_row(MemoryCycle now);
     void issue(const DramCommand& command, MemoryCycle now);
+    void precharge(std::uint32_t bank, MemoryCycle now);
     void serve(std::size_t index, MemoryCycle now);
     void charge_until(const DataBurst& data, std::uint32_t bytes, LostTo before);
     bool is_wanted(std::uint32_t bank) const;
@@ -55,8 +58,8 @@ private:
     DramDevice device_;
     DramScheduler scheduler_;
     RowPolicy policy_;
-    std::vector<WaitingRequest> waiting_;
-    std::deque<ServedRequest> served_;
+    WaitingRequests waiting_;
+    Ring<ServedRequest> served_;
     SlotCauses causes_;
     MemoryCycle charged_ = 0;   // data cycles up to here have their cause
     MemoryCycle next_work_ = 0; // nothing happens before

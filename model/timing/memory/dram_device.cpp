@@ -70,6 +70,8 @@ DataBurst DramDevice::column(const DramRequest& request, MemoryCycle now) {
     next_column_ = last + spacing;
     bus_free_ = data.end;
     last_was_write_ = request.write;
+    for (const bool write : {false, true})
+        bus_ready_[write] = bus_ready({}, write).at;
     return data;
 }
 

@@ -6,6 +6,7 @@
 #include "model/timing/memory/config.h"
 #include "model/timing/memory/dram_request.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -37,6 +38,16 @@ public:
     Ready activate_ready(std::uint32_t bank) const;
     Ready precharge_ready(std::uint32_t bank) const;
     Ready column_ready(const DramRequest& request) const;
+    // The same without the cause.
+    MemoryCycle activate_ready_at(std::uint32_t bank) const {
+        return std::max({banks_[bank].activate_at,
+                         next_activate_,
+                         activates_[oldest_activate_],
+                         refreshed_at_});
+    }
+    MemoryCycle column_ready_at(std::uint32_t bank, bool write) const {
+        return std::max(banks_[bank].column_at, bus_ready_[write]);
+    }
     // All banks may be precharged, all may be refreshed.
     MemoryCycle all_precharge_ready() const;
     MemoryCycle refresh_ready() const;
@@ -65,6 +76,9 @@ private:
         LostTo opened_after = LostTo::Row; // what the activate waited for, and tRCD with it
     };
 
+    // `ready`, but not before the bus takes the column.
+    Ready bus_ready(Ready ready, bool write) const;
+
     const MemoryConfig& config_;
     std::vector<Bank> banks_;
     MemoryCycle refreshed_at_ = 0;           // end of the last refresh
@@ -74,6 +88,7 @@ private:
     MemoryCycle next_column_ = 0; // tCCD
     MemoryCycle bus_free_ = 0;
     bool last_was_write_ = false;
+    std::array<MemoryCycle, 2> bus_ready_{}; // for the column of a read, of a write: of any bank
 };
 
 // The scheduler asks these of each request in each cycle.
@@ -90,19 +105,22 @@ inline Ready DramDevice::precharge_ready(std::uint32_t bank) const {
     return {banks_[bank].precharge_at, LostTo::Row};
 }
 
-// Data follow the command by the column latency, so the bus is not held while they are on their
-// way.
 inline Ready DramDevice::column_ready(const DramRequest& request) const {
     const Bank& bank = banks_[request.bank];
-    Ready ready{bank.column_at, bank.opened_after};
+    return bus_ready({bank.column_at, bank.opened_after}, request.write);
+}
+
+// Data follow the command by the column latency, so the bus is not held while they are on their
+// way.
+inline Ready DramDevice::bus_ready(Ready ready, bool write) const {
     ready.not_before(next_column_, LostTo::Column);
-    const bool turns = request.write != last_was_write_;
+    const bool turns = write != last_was_write_;
     const LostTo waiting = turns ? LostTo::Turnaround : LostTo::Column;
-    const MemoryCycle latency = column_latency(request.write);
-    const MemoryCycle idle = turns && request.write ? config_.read_to_write_cycles : 0;
+    const MemoryCycle latency = column_latency(write);
+    const MemoryCycle idle = turns && write ? config_.read_to_write_cycles : 0;
     if (bus_free_ > 0 && bus_free_ + idle > latency)
         ready.not_before(bus_free_ + idle - latency, waiting);
-    if (turns && !request.write)
+    if (turns && !write)
         ready.not_before(bus_free_ + (bus_free_ > 0 ? config_.write_to_read_cycles : 0), waiting);
     return ready;
 }

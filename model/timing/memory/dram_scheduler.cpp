@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace ffgpu::timing {
 namespace {
@@ -15,7 +16,7 @@ std::uint64_t bit(std::uint32_t bank) {
 } // namespace
 
 struct DramScheduler::Search {
-    const std::vector<WaitingRequest>& waiting;
+    const WaitingRequests& waiting;
     const DramDevice& device;
     MemoryCycle now;
     std::uint64_t hits = 0;     // banks whose open row somebody waits for
@@ -29,12 +30,21 @@ struct DramScheduler::Search {
         return device.open_row(request.bank) == request.row;
     }
     // A candidate: taken if its time has come. The oldest candidate names the cause of the wait.
-    bool consider(DramCommand::Kind kind, std::size_t index, const Ready& ready) {
-        if (ready.at <= now) {
+    bool consider(DramCommand::Kind kind, std::size_t index, MemoryCycle ready_at) {
+        if (ready_at <= now) {
             command = {.kind = kind, .index = index};
             return true;
         }
-        if (ready.at < command.again_at) command.again_at = ready.at;
+        command.again_at = std::min(command.again_at, ready_at);
+        return false;
+    }
+    // The same of a column, which may go out of turn only where that `may_pass`.
+    bool consider_column(std::size_t index, bool may_pass, MemoryCycle ready_at) {
+        if (index == 0 || may_pass) return consider(DramCommand::Kind::Column, index, ready_at);
+        if (ready_at <= now)
+            order_forbids = true;
+        else
+            command.again_at = std::min(command.again_at, ready_at); // a new cause
         return false;
     }
 };
@@ -50,14 +60,7 @@ void DramScheduler::find_column(Search& search) const {
         std::uint64_t& looked_at = search.looked_at[request.write];
         if ((looked_at & bit(request.bank)) != 0) continue;
         looked_at |= bit(request.bank);
-        const Ready ready = search.device.column_ready(request);
-        if (i == 0 || may_pass) {
-            if (search.consider(DramCommand::Kind::Column, i, ready)) return;
-        } else if (ready.at <= search.now) {
-            search.order_forbids = true;
-        } else {
-            search.command.again_at = std::min(search.command.again_at, ready.at); // a new cause
-        }
+        if (search.consider_column(i, may_pass, search.device.column_ready(request).at)) return;
     }
 }
 
@@ -73,10 +76,42 @@ void DramScheduler::find_row(Search& search) const {
         if (search.is_hit(request)) continue;
         if (search.device.open_row(request.bank) == DramDevice::NoRow) {
             const Ready ready = search.device.activate_ready(request.bank);
-            if (search.consider(DramCommand::Kind::Activate, i, ready)) return;
+            if (search.consider(DramCommand::Kind::Activate, i, ready.at)) return;
         } else if ((search.hits & bank) == 0 || search.waiting[i].passed >= limit_) {
             const Ready ready = search.device.precharge_ready(request.bank);
-            if (search.consider(DramCommand::Kind::Precharge, i, ready)) return;
+            if (search.consider(DramCommand::Kind::Precharge, i, ready.at)) return;
+        }
+    }
+}
+
+// The oldest column of each bank and kind, from the oldest to the youngest.
+void DramScheduler::find_column_by_bits(Search& search) const {
+    const WaitingRequests& waiting = search.waiting;
+    const bool may_pass = waiting.front().passed < limit_;
+    for (WaitingRequests::Bits left = waiting.hits(); left != 0;) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left));
+        const DramRequest& request = waiting[i].request;
+        left &= ~(waiting.of_bank(request.bank) & waiting.of_kind(request.write));
+        const MemoryCycle ready_at = search.device.column_ready_at(request.bank, request.write);
+        if (search.consider_column(i, may_pass, ready_at)) return;
+    }
+}
+
+// The oldest request of each bank, from the oldest to the youngest.
+void DramScheduler::find_row_by_bits(Search& search) const {
+    const WaitingRequests& waiting = search.waiting;
+    for (WaitingRequests::Bits left = waiting.all(); left != 0;) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left));
+        const std::uint32_t bank = waiting[i].request.bank;
+        const WaitingRequests::Bits hits = waiting.hits() & waiting.of_bank(bank);
+        left &= ~waiting.of_bank(bank);
+        if ((hits >> i & 1) != 0) continue;
+        if (search.device.open_row(bank) == DramDevice::NoRow) {
+            const MemoryCycle ready_at = search.device.activate_ready_at(bank);
+            if (search.consider(DramCommand::Kind::Activate, i, ready_at)) return;
+        } else if (hits == 0 || waiting[i].passed >= limit_) {
+            const MemoryCycle ready_at = search.device.precharge_ready(bank).at;
+            if (search.consider(DramCommand::Kind::Precharge, i, ready_at)) return;
         }
     }
 }
@@ -92,25 +127,34 @@ LostTo DramScheduler::why_oldest_waits(const Search& search) {
     return ready.at < search.now ? LostTo::Row : ready.cause;
 }
 
-DramCommand DramScheduler::choose(const std::vector<WaitingRequest>& waiting,
-                                  const DramDevice& device,
-                                  MemoryCycle now) const {
-    if (waiting.empty()) return {.again_at = Never};
-    Search search{waiting, device, now};
-    find_column(search);
-    if (search.command.kind == DramCommand::Kind::None) find_row(search);
+// What goes out, or else why no data do.
+DramCommand DramScheduler::result(Search& search) {
     if (search.command.kind == DramCommand::Kind::Column) return search.command;
-
     search.command.cause = why_oldest_waits(search);
     if (search.order_forbids && search.command.cause != LostTo::Turnaround)
         search.command.cause = LostTo::Order;
     return search.command;
 }
 
-void DramScheduler::remove(std::vector<WaitingRequest>& waiting, std::size_t index) {
-    for (std::size_t i = 0; i < index; ++i)
-        ++waiting[i].passed;
-    waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(index));
+DramCommand DramScheduler::choose_plainly(const WaitingRequests& waiting,
+                                          const DramDevice& device,
+                                          MemoryCycle now) const {
+    if (waiting.empty()) return {.again_at = Never};
+    Search search{waiting, device, now};
+    find_column(search);
+    if (search.command.kind == DramCommand::Kind::None) find_row(search);
+    return result(search);
+}
+
+DramCommand DramScheduler::choose(const WaitingRequests& waiting,
+                                  const DramDevice& device,
+                                  MemoryCycle now) const {
+    if (!has_bits_) return choose_plainly(waiting, device, now);
+    if (waiting.empty()) return {.again_at = Never};
+    Search search{waiting, device, now};
+    find_column_by_bits(search);
+    if (search.command.kind == DramCommand::Kind::None) find_row_by_bits(search);
+    return result(search);
 }
 
 } // namespace ffgpu::timing

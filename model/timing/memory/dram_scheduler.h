@@ -3,20 +3,16 @@
 // the oldest whose bank can be made ready. A request that reorder_limit younger ones have passed is
 // passed no more. In order is the same with a limit of zero: data in the order of the requests,
 // rows opened ahead.
+//
+// Two forms of one rule: choose_plainly() looks at each request, and is the specification; choose()
+// looks at the bits of WaitingRequests, a request for each bank and kind, where the queue has them.
 
 #pragma once
 
 #include "model/timing/memory/dram_device.h"
-
-#include <vector>
+#include "model/timing/memory/waiting_requests.h"
 
 namespace ffgpu::timing {
-
-struct WaitingRequest {
-    DramRequest request;
-    RowResult result = RowResult::Hit; // so far: what had to be done for it
-    std::uint32_t passed = 0;          // younger requests that were served before
-};
 
 struct DramCommand {
     enum class Kind : std::uint8_t { None, Column, Activate, Precharge };
@@ -29,23 +25,25 @@ struct DramCommand {
 class DramScheduler {
 public:
     explicit DramScheduler(const MemoryConfig& config)
-        : limit_(config.scheduler == SchedulerKind::InOrder ? 0 : config.reorder_limit) {}
+        : limit_(config.scheduler == SchedulerKind::InOrder ? 0 : config.reorder_limit)
+        , has_bits_(config.queue <= WaitingRequests::MostWithBits) {}
 
-    // `waiting` is in the order of arrival.
-    DramCommand choose(const std::vector<WaitingRequest>& waiting,
-                       const DramDevice& device,
-                       MemoryCycle now) const;
-
-    // Takes the request out; those before it have been passed.
-    static void remove(std::vector<WaitingRequest>& waiting, std::size_t index);
+    DramCommand
+    choose(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now) const;
+    DramCommand
+    choose_plainly(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now) const;
 
 private:
     struct Search;
     void find_column(Search& search) const;
     void find_row(Search& search) const;
+    void find_column_by_bits(Search& search) const;
+    void find_row_by_bits(Search& search) const;
+    static DramCommand result(Search& search);
     static LostTo why_oldest_waits(const Search& search);
 
     const std::uint32_t limit_;
+    const bool has_bits_;
 };
 
 } // namespace ffgpu::timing

@@ -1,0 +1,75 @@
+// Calendar: which units are due in which cycle. The next 64 cycles have a page each, with a bit a
+// unit; what is further ahead is kept as one cycle a unit, its soonest.
+
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace ffgpu::timing {
+
+using Cycle = std::uint64_t;
+inline constexpr Cycle Never = ~Cycle{0};
+
+class Calendar {
+public:
+    static constexpr std::size_t MostUnits = 63;
+
+    // The unit is due at cycle `at`, which is after `now`; Never: not at all.
+    void add(std::size_t unit, Cycle at, Cycle now) {
+        if (at - now < Pages) {
+            pages_[at % Pages] |= std::uint64_t{1} << unit;
+            used_ |= std::uint64_t{1} << at % Pages;
+        } else if (at != Never) {
+            later_[unit] = std::min(later_[unit], at);
+            soonest_later_ = std::min(soonest_later_, at);
+        }
+    }
+
+    // The first cycle after `now` in which a unit is due; Never: there is none.
+    Cycle next(Cycle now) const {
+        if (used_ == 0) return soonest_later_;
+        const auto first = static_cast<int>((now + 1) % Pages);
+        const auto pages = static_cast<Cycle>(std::countr_zero(std::rotr(used_, first)));
+        return std::min(now + 1 + pages, soonest_later_);
+    }
+
+    // The units that are due at `now`, a bit each; they are due no more. All cycles before have
+    // been taken, or had none.
+    std::uint64_t take(Cycle now) {
+        if (soonest_later_ <= now) take_later(now);
+        used_ &= ~(std::uint64_t{1} << now % Pages);
+        return std::exchange(pages_[now % Pages], 0);
+    }
+
+private:
+    static constexpr Cycle Pages = 64;
+
+    void take_later(Cycle now) {
+        soonest_later_ = Never;
+        for (std::size_t unit = 0; unit < later_.size(); ++unit) {
+            if (later_[unit] <= now) {
+                pages_[now % Pages] |= std::uint64_t{1} << unit;
+                later_[unit] = Never;
+            }
+            soonest_later_ = std::min(soonest_later_, later_[unit]);
+        }
+    }
+
+    std::array<std::uint64_t, Pages> pages_{};
+    std::uint64_t used_ = 0; // pages with a unit, a bit each
+    std::array<Cycle, MostUnits> later_ = filled_with_never();
+    Cycle soonest_later_ = Never;
+
+    static constexpr std::array<Cycle, MostUnits> filled_with_never() {
+        std::array<Cycle, MostUnits> cycles{};
+        cycles.fill(Never);
+        return cycles;
+    }
+};
+
+} // namespace ffgpu::timing
