@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -28,10 +29,14 @@ public:
         items_[place(count_++)] = std::move(item);
     }
     void pop_front() {
+        if constexpr (!std::is_trivially_destructible_v<T>) items_[first_] = T{};
         first_ = place(1);
         --count_;
     }
-    void clear() { first_ = count_ = 0; }
+    void clear() {
+        while (!empty())
+            pop_front();
+    }
 
 private:
     // The size is a power of two, or nothing.

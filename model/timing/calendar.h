@@ -18,6 +18,7 @@ inline constexpr Cycle Never = ~Cycle{0};
 class Calendar {
 public:
     static constexpr std::size_t MostUnits = 63;
+    static constexpr Cycle Pages = 64;
 
     // The unit is due at cycle `at`, which is after `now`; Never: not at all.
     void add(std::size_t unit, Cycle at, Cycle now) {
@@ -47,8 +48,6 @@ public:
     }
 
 private:
-    static constexpr Cycle Pages = 64;
-
     void take_later(Cycle now) {
         soonest_later_ = Never;
         for (std::size_t unit = 0; unit < later_.size(); ++unit) {

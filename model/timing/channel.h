@@ -51,7 +51,7 @@ public:
         producer_ = &producer;
         consumer_ = &consumer;
         producer.add_output(*this);
-        consumer.add_input(*this);
+        consumer.add_input(*this, latency_);
     }
 
     // At least n places. Who is refused is woken when there is one more.

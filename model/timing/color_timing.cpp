@@ -1,7 +1,5 @@
 #include "model/timing/color_timing.h"
 
-#include "model/work/surface_lines.h"
-
 namespace ffgpu::timing {
 
 ColorTiming::ColorTiming(sc_core::sc_module_name name,
@@ -28,9 +26,8 @@ bool ColorTiming::look_up(Activity& reason) {
     const auto lines = token.scene->work.color_lines(token.quad());
     if (draw.writes_color && !lines.empty()) {
         const std::uint64_t line = lines[walk_.next];
-        work::WrittenBytes written;
-        for (const work::PlacedLevel& place : draw.color_places)
-            written |= quad_bytes(place, ports_.cache.grain(), token.quad(), line);
+        const work::WrittenBytes& written =
+            token.scene->work.color_bytes(token.quad(), walk_.next);
         if (!walk_.look_up(ports_.cache,
                            {.number = line,
                             .read = draw.reads_color ? written.touched : 0,

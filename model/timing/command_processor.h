@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "model/base/ring.h"
 #include "model/timing/block_states.h"
 #include "model/timing/bursts.h"
 #include "model/timing/channel.h"
@@ -13,7 +14,6 @@
 #include "model/timing/line_cache.h"
 #include "model/timing/unit.h"
 
-#include <deque>
 #include <vector>
 
 namespace ffgpu::timing {
@@ -77,7 +77,7 @@ private:
     InFlight& in_flight_;
     InFlight& memory_in_flight_;
     bool written_back_ = false;          // for a DrainCommand
-    std::deque<MemoryRequest> requests_; // of clears, copies and write-backs, a line each
+    Ring<MemoryRequest> requests_; // of clears, copies and write-backs, a line each
     bool transferring_ = false;          // They are of the first command, which waits for them.
     Bursts image_;                       // that the draw before reads
     bool decoding_ = false;

@@ -123,30 +123,28 @@ void DepthTiming::complete(const QuadToken& token) {
 
 // --- Look-ups ----------------------------------------------------------------------------------
 
-// The quad with the samples that it writes as those that passed. Where values are followed, stencil
-// operations write each pixel that comes to its test.
-PreparedQuad DepthTiming::written_quad(Path path, const QuadToken& token) const {
+// Of the quad's `line`-th line. Where values are followed, stencil operations write each pixel that
+// comes to its test.
+work::WrittenBytes
+DepthTiming::written_bytes(Path path, const QuadToken& token, std::size_t line) const {
     const PreparedDraw& draw = token.draw();
+    const work::PreparedScene& scene = token.scene->work;
+    if (!draw.writes_depth || (path == Path::Early && draw.tests_twice)) return {};
+    if (!ports_.blocks || !draw.value_kinds.tested_mask)
+        return scene.depth_bytes(token.quad(), line);
     PreparedQuad quad = token.quad();
-    if (!draw.writes_depth || (path == Path::Early && draw.tests_twice)) {
-        quad.after_depth = 0;
-        quad.samples_written = 0;
-    } else if (ports_.blocks && draw.value_kinds.tested_mask) {
-        quad.samples_written = token.scene->work.values_of(token.quad()).depth_words.samples;
-        quad.after_depth = lanes_of(quad.samples_written);
-    }
-    return quad;
+    quad.samples_written = scene.values_of(quad).depth_words.samples;
+    quad.after_depth = lanes_of(quad.samples_written);
+    return quad_bytes(
+        draw.depth_place, ports_.cache.grain(), quad, scene.depth_lines(quad)[line]);
 }
 
-LineAccess DepthTiming::access(Path path, const QuadToken& token, std::uint64_t line) const {
+LineAccess DepthTiming::access(Path path, const QuadToken& token, std::size_t line) const {
     const PreparedDraw& draw = token.draw();
-    const PreparedQuad quad = written_quad(path, token);
-    work::WrittenBytes written;
-    if (quad.after_depth != 0)
-        written = quad_bytes(draw.depth_place, ports_.cache.grain(), quad, line);
+    work::WrittenBytes written = written_bytes(path, token, line);
     const bool accepted = path == Path::Early && coarse_ == Coarse::Accepted;
     if (accepted && has_stencil(draw)) written = depths_alone(written, ports_.cache.grain());
-    return {.number = line,
+    return {.number = token.scene->work.depth_lines(token.quad())[line],
             .read = accepted ? 0 : LineAccess::Whole,
             .written = written.touched,
             .covered = written.covered};
@@ -159,9 +157,9 @@ bool DepthTiming::look_up_lines(Path path,
                                 Activity& reason) {
     const PreparedDraw& draw = token.draw();
     LineWalk& walk = path == Path::Early ? early_walk_ : late_walk_;
-    const auto lines = token.scene->work.depth_lines(token.quad());
-    while (walk.next < lines.size() && budget.lookups > 0) {
-        const LineAccess wanted = access(path, token, lines[walk.next]);
+    const std::size_t lines = token.quad().depth_line_count;
+    while (walk.next < lines && budget.lookups > 0) {
+        const LineAccess wanted = access(path, token, walk.next);
         const bool nothing = wanted.read == 0 && wanted.written == 0;
         if (nothing) {
             ++walk.next;
@@ -176,7 +174,7 @@ bool DepthTiming::look_up_lines(Path path,
                                  wanted.number,
                                  draw.value_kinds.tested_mask);
     }
-    if (walk.next == lines.size()) return true;
+    if (walk.next == lines) return true;
     if (budget.lookups > 0) blame(reason, Activity::StalledRequests);
     return false;
 }

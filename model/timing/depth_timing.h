@@ -52,8 +52,8 @@ private:
     bool may_sleep() const override { return true; }
     bool look_up(Path path, Budget& budget, Activity& reason);
     bool look_up_lines(Path path, const QuadToken& token, Budget& budget, Activity& reason);
-    LineAccess access(Path path, const QuadToken& token, std::uint64_t line) const;
-    work::PreparedQuad written_quad(Path path, const QuadToken& token) const;
+    LineAccess access(Path path, const QuadToken& token, std::size_t line) const;
+    work::WrittenBytes written_bytes(Path path, const QuadToken& token, std::size_t line) const;
     // False: it is culled, or has to wait for a cycle with tests left.
     bool test_coarse(const QuadToken& token, Budget& budget, bool& culled);
     void cull(const QuadToken& token);

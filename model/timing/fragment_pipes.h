@@ -7,11 +7,11 @@
 
 #pragma once
 
+#include "model/base/ring.h"
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
 #include "model/timing/tokens.h"
 
-#include <deque>
 #include <vector>
 
 namespace ffgpu::timing {
@@ -64,7 +64,7 @@ public:
     bool advance() {
         bool any = false;
         for (std::size_t i = 0; i < width_ && !order_.empty(); ++i) {
-            std::deque<QuadToken>& pipe = finished_[order_.front()];
+            Ring<QuadToken>& pipe = finished_[order_.front()];
             if (pipe.empty() || !out_.can_push()) break;
             out_.push(pipe.front());
             pipe.pop_front();
@@ -81,8 +81,8 @@ private:
     std::size_t width_;
     bool in_order_;
     std::size_t places_; // of each pipe, for quads whose turn has not come
-    std::deque<std::uint32_t> order_;
-    std::vector<std::deque<QuadToken>> finished_;
+    Ring<std::uint32_t> order_;
+    std::vector<Ring<QuadToken>> finished_;
 };
 
 } // namespace ffgpu::timing

@@ -4,11 +4,11 @@
 
 #pragma once
 
+#include "model/base/ring.h"
 #include "model/timing/fragment_pipes.h"
 #include "model/timing/unit.h"
 
 #include <algorithm>
-#include <deque>
 #include <vector>
 
 namespace ffgpu::timing {
@@ -34,7 +34,7 @@ public:
 
 private:
     struct Pipe {
-        std::deque<QuadToken> waiting;
+        Ring<QuadToken> waiting;
         std::uint32_t cycles_left = 0; // before it takes a quad again
     };
 

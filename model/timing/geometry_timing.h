@@ -5,12 +5,12 @@
 
 #pragma once
 
+#include "model/base/ring.h"
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
 #include "model/timing/tokens.h"
 #include "model/timing/unit.h"
 
-#include <deque>
 #include <vector>
 
 namespace ffgpu::timing {
@@ -51,7 +51,7 @@ private:
     const TimingConfig& config_;
     const Ports ports_;
     std::vector<Cycle> free_at_; // of each unit
-    std::deque<Shaded> order_;   // vertices in the units, and those that wait for their turn
+    Ring<Shaded> order_;   // vertices in the units, and those that wait for their turn
 
     Cycle next_change_ = 0; // where nothing moved: a unit is done
 

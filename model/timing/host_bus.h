@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include "model/base/ring.h"
 #include "model/timing/bursts.h"
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
@@ -13,7 +14,6 @@
 #include "model/timing/request_port.h"
 #include "model/timing/unit.h"
 
-#include <deque>
 #include <vector>
 
 namespace ffgpu::timing {
@@ -94,7 +94,7 @@ private:
     const HostConfig config_;
     const Ports ports_;
     HostStatistics statistics_;
-    std::deque<Command> commands_;
+    Ring<Command> commands_;
     // Commands that can end in a cycle: handed over, uploads' last bursts, the end of a read.
     const std::size_t most_in_a_cycle_;
     bool ends_frame_ = false; // The last command does; the host tells nothing more before its end.

@@ -26,7 +26,7 @@ LineCache::LineCache(std::string_view name,
 }
 
 void LineCache::begin_cycle(Channel<std::uint64_t>& responses) {
-    std::fill(bank_lookups_.begin(), bank_lookups_.end(), 0);
+    if (config_.ports > 0) std::fill(bank_lookups_.begin(), bank_lookups_.end(), 0);
     while (responses.can_pop())
         complete(responses.pop());
     while (!expanding_.empty() && expanding_.front().done_at <= requests_.now()) {
@@ -36,34 +36,28 @@ void LineCache::begin_cycle(Channel<std::uint64_t>& responses) {
     requests_.advance();
 }
 
-LookupResult LineCache::look_up(const LineAccess& access) {
-    if (!has_port(access.number)) return {};
-    TagArray::Line* const line = optimal_ ? nullptr : tags_.find(access.number);
+LookupResult LineCache::look_up_any(const LineAccess& access) {
+    if (config_.ports > 0 && !has_port(access.number)) return {};
+    TagArray::Line* line = optimal_ ? nullptr : tags_.find(access.number);
     const LookupResult result = optimal_ ? look_up_optimal(access)
                                 : line   ? look_up_present(access, *line)
-                                         : look_up_absent(access);
+                                         : look_up_absent(access, line);
     if (!result.accepted) return {};
+    if (line) {
+        last_number_ = access.number;
+        last_line_ = line;
+    }
     ++statistics_.accesses;
-    ++bank_lookups_[access.number & (config_.banks - 1)];
+    if (config_.ports > 0) ++bank_lookups_[access.number & (config_.banks - 1)];
     const MissKind kind = classifier_.access(access.number);
     result.missed ? count_miss(kind) : count_hit();
     return result;
 }
 
 bool LineCache::has_port(std::uint64_t number) {
-    if (config_.ports == 0 || bank_lookups_[number & (config_.banks - 1)] < config_.ports)
-        return true;
+    if (bank_lookups_[number & (config_.banks - 1)] < config_.ports) return true;
     ++statistics_.bank_conflicts;
     return false;
-}
-
-// Bytes that the line must hold: what is read, what a write covers in part, and with fetch on write
-// the whole line.
-LineMask LineCache::needed(const LineAccess& access) const {
-    const LineMask needed = (access.read | (access.written & ~access.covered)) & grain_.all();
-    const bool fetches = config_.write_miss == WriteMiss::FetchOnWrite && access.written != 0 &&
-                         access.covered != grain_.all();
-    return fetches ? grain_.all() : needed;
 }
 
 LookupResult LineCache::look_up_present(const LineAccess& access, TagArray::Line& line) {
@@ -78,12 +72,14 @@ LookupResult LineCache::look_up_present(const LineAccess& access, TagArray::Line
     return {.accepted = true, .missed = false, .ticket = line.fill};
 }
 
-LookupResult LineCache::look_up_absent(const LineAccess& access) {
+// `placed`: where the line is now.
+LookupResult LineCache::look_up_absent(const LineAccess& access, TagArray::Line*& placed) {
     const bool fetches = needed(access) != 0;
     const bool reads = fetches && is_in_memory(access.number);
     if (reads ? !can_fetch() : !requests_.can_post()) return {};
     TagArray::Evicted evicted;
     TagArray::Line& line = tags_.replace(access.number, evicted);
+    placed = &line;
     if (evicted.line.dirty != 0) post(written_back(evicted.number, evicted.line), !reads);
     if (fetches) {
         fill(access.number, line);
@@ -132,7 +128,9 @@ std::uint64_t LineCache::fetch(std::uint64_t number) {
 
 void LineCache::write(const LineAccess& access, TagArray::Line& line) {
     const LineMask written = access.written & grain_.all();
-    statistics_.dirtied_bytes += grain_.count_bytes(written & ~line.dirty);
+    if (written == 0) return;
+    if ((written & ~line.dirty) != 0)
+        statistics_.dirtied_bytes += grain_.count_bytes(written & ~line.dirty);
     line.valid |= written;
     line.dirty |= written;
 }
@@ -193,6 +191,7 @@ std::vector<LineWrite> LineCache::flush() {
         if (line.dirty != 0) dirty.push_back(written_back(number, line));
         tags_.drop(line);
     });
+    forget_last();
     if (optimal_) optimal_->clear();
     classifier_.flush();
     return dirty;
@@ -200,6 +199,7 @@ std::vector<LineWrite> LineCache::flush() {
 
 LineWrite LineCache::overwrite(std::uint64_t number, LineMask overwritten) {
     check(!optimal_, "a cache with optimal replacement is only read");
+    forget_last();
     classifier_.drop(number);
     TagArray::Line* const line = tags_.find(number);
     if (!line) return {};

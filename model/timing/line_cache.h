@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "model/base/ring.h"
 #include "model/timing/cache_statistics.h"
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
@@ -21,7 +22,6 @@
 #include "model/work/tag_array.h"
 #include "model/work/texel_line.h"
 
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -63,7 +63,9 @@ public:
     // that the access does not write. A hit needs only a port of its bank; what fetches needs a
     // place in the miss queue and fewer than outstanding_lines fills under way, too. The data are
     // usable once is_complete(ticket).
-    LookupResult look_up(const LineAccess& access);
+    LookupResult look_up(const LineAccess& access) {
+        return repeats_last(access) ? look_up_last(access) : look_up_any(access);
+    }
 
     bool is_complete(std::uint64_t ticket) const { return ticket < first_incomplete_; }
 
@@ -98,14 +100,39 @@ public:
     Client client() const { return client_; }
 
 private:
+    // Often a look-up is of the line of the one before, which has all that is wanted. It moves no
+    // line in any order, so that what is left of it are counters and bytes. look_up_any() would do
+    // the same.
+    bool repeats_last(const LineAccess& access) const {
+        return access.number == last_number_ && config_.ports == 0 &&
+               (needed(access) & ~last_line_->valid) == 0;
+    }
+    LookupResult look_up_last(const LineAccess& access) {
+        ++statistics_.accesses;
+        ++statistics_.hits;
+        if (outstanding_ > 0) ++statistics_.under_miss;
+        if (access.written != 0) write(access, *last_line_);
+        return {.accepted = true, .missed = false, .ticket = last_line_->fill};
+    }
+    LookupResult look_up_any(const LineAccess& access);
+    void forget_last() { last_number_ = work::TagArray::Empty; }
+
     void finish(std::uint64_t ticket);
     bool has_port(std::uint64_t number);
     bool can_fetch() const {
         return outstanding_ < config_.outstanding_lines && requests_.can_post();
     }
-    LineMask needed(const LineAccess& access) const;
+    // Bytes that the line must hold: what is read, what a write covers in part, and with fetch on
+    // write the whole line.
+    LineMask needed(const LineAccess& access) const {
+        if (access.written == 0) return access.read & grain_.all();
+        const bool fetches = config_.write_miss == WriteMiss::FetchOnWrite &&
+                             access.covered != grain_.all();
+        const LineMask needed = access.read | (access.written & ~access.covered);
+        return fetches ? grain_.all() : needed & grain_.all();
+    }
     LookupResult look_up_present(const LineAccess& access, work::TagArray::Line& line);
-    LookupResult look_up_absent(const LineAccess& access);
+    LookupResult look_up_absent(const LineAccess& access, work::TagArray::Line*& placed);
     LookupResult look_up_optimal(const LineAccess& access);
     void fill(std::uint64_t number, work::TagArray::Line& line);
     std::uint64_t fetch(std::uint64_t number);
@@ -126,6 +153,10 @@ private:
     work::TagArray tags_;
     std::optional<work::OptimalTags> optimal_; // in the place of tags_
     work::MissClassifier classifier_;
+    // Of the last look-up that was accepted, while the line is there; not with optimal replacement,
+    // which has no such line.
+    std::uint64_t last_number_ = work::TagArray::Empty;
+    work::TagArray::Line* last_line_ = nullptr;
     CacheStatistics statistics_;
     std::vector<std::uint32_t> bank_lookups_; // in this cycle
 
@@ -144,8 +175,8 @@ private:
         std::uint64_t ticket = 0;
         Cycle done_at = 0;
     };
-    std::deque<Fill> fills_; // of tickets first_incomplete_ ...
-    std::deque<Expanding> expanding_;
+    Ring<Fill> fills_; // of tickets first_incomplete_ ...
+    Ring<Expanding> expanding_;
 };
 
 } // namespace ffgpu::timing

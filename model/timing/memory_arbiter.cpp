@@ -21,9 +21,9 @@ MemoryArbiter::MemoryArbiter(sc_core::sc_module_name name,
 Activity MemoryArbiter::step() {
     bool waiting = false;
     bool sent = false;
-    std::vector<bool>::size_type free_channels = 0;
+    std::uint32_t free_channels = 0;
     for (std::uint32_t channel = 0; channel < config_.channels; ++channel)
-        free_channels += !pending_[channel] && taken_at_[channel] < now();
+        free_channels += is_free(channel) ? 1 : 0;
 
     const std::size_t first = next_port_, ports = ports_.requests_in.size();
     for (std::size_t i = 0; i < ports && free_channels > 0; ++i) {
@@ -31,7 +31,7 @@ Activity MemoryArbiter::step() {
         Channel<MemoryRequest>& requests = *ports_.requests_in[port];
         if (!requests.can_pop()) continue;
         const std::uint32_t channel = memory_channel(config_, requests.front().address);
-        if (pending_[channel] || taken_at_[channel] == now()) {
+        if (!is_free(channel)) {
             waiting = true;
             continue;
         }

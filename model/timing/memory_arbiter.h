@@ -49,6 +49,9 @@ public:
 private:
     Activity step() override;
     bool may_sleep() const override { return true; }
+    bool is_free(std::uint32_t channel) const {
+        return !pending_[channel] && taken_at_[channel] < now();
+    }
     tlm::tlm_sync_enum
     on_backward(tlm::tlm_generic_payload& payload, tlm::tlm_phase& phase, sc_core::sc_time& delay);
 

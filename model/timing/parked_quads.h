@@ -3,11 +3,11 @@
 
 #pragma once
 
+#include "model/base/ring.h"
 #include "model/timing/line_cache.h"
 #include "model/timing/tokens.h"
 
 #include <algorithm>
-#include <deque>
 #include <utility>
 
 namespace ffgpu::timing {
@@ -40,7 +40,7 @@ private:
     };
 
     std::size_t capacity_;
-    std::deque<Parked> quads_;
+    Ring<Parked> quads_;
 };
 
 // The way through the lines of one quad, one look-up after the other.

@@ -4,11 +4,11 @@
 
 #pragma once
 
+#include "model/base/ring.h"
 #include "model/timing/channel.h"
 #include "model/timing/in_flight.h"
 #include "model/timing/memory_request.h"
 
-#include <deque>
 
 namespace ffgpu::timing {
 
@@ -38,6 +38,7 @@ public:
     void post(MemoryRequest request, bool last_of_miss) {
         in_flight_.enter();
         request.issued = clock_.now();
+        if (waiting_.empty() && channel_.can_push()) return channel_.push(request);
         waiting_.push_back({request, last_of_miss});
         waiting_misses_ += last_of_miss;
         advance();
@@ -65,7 +66,7 @@ private:
     const Clock& clock_;
     Channel<MemoryRequest> channel_;
     InFlight& in_flight_;
-    std::deque<Waiting> waiting_;
+    Ring<Waiting> waiting_;
     std::size_t misses_;
     std::size_t waiting_misses_ = 0;
 };

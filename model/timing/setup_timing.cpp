@@ -49,8 +49,9 @@ Activity SetupTiming::step() {
     if (moved) return Activity::Busy;
     if (units_.empty()) return Activity::Idle;
     Cycle next_change = Never;
-    for (const InUnit& unit : units_)
-        if (now() < unit.done_at) next_change = std::min(next_change, unit.done_at);
+    for (std::size_t i = 0; i < units_.size(); ++i)
+        if (now() < units_[i].done_at)
+            next_change = std::min(next_change, units_[i].done_at);
     if (next_change == Never) return Activity::StalledOutput;
     next_change_ = next_change;
     return Activity::Busy;

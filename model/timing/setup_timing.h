@@ -5,12 +5,12 @@
 
 #pragma once
 
+#include "model/base/ring.h"
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
 #include "model/timing/tokens.h"
 #include "model/timing/unit.h"
 
-#include <deque>
 
 namespace ffgpu::timing {
 
@@ -47,7 +47,7 @@ private:
 
     const TimingConfig& config_;
     const Ports ports_;
-    std::deque<InUnit> units_;     // those that work, in the order of the primitives
+    Ring<InUnit> units_;     // those that work, in the order of the primitives
     Cycle next_change_ = 0;        // where nothing moved: a unit is done
     std::uint32_t next_piece_ = 0; // of the first primitive that waits
 };

@@ -3,13 +3,13 @@
 
 #pragma once
 
+#include "model/base/ring.h"
 #include "model/base/statistics.h"
 #include "model/timing/fragment_pipes.h"
 #include "model/timing/parked_quads.h"
 #include "model/timing/quad_observer.h"
 #include "model/timing/texture_share.h"
 
-#include <deque>
 
 namespace ffgpu::timing {
 
@@ -64,13 +64,13 @@ private:
 
     const TimingConfig& config_;
     LineCache& cache_;
-    std::deque<QuadToken> waiting_;
+    Ring<QuadToken> waiting_;
     TextureShare share_;
     bool comparing_ = false; // current_ is between its first and its last tag
     QuadToken current_;
     std::uint64_t ticket_ = 0;
     std::uint32_t miss_cycles_left_ = 0;
-    std::deque<Parked> parked_;
+    Ring<Parked> parked_;
     std::size_t read_ = 0; // parked quads whose texels were read
     std::uint32_t filter_cycles_left_ = 0;
     bool filtering_ = false;

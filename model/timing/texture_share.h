@@ -11,9 +11,12 @@
 
 #pragma once
 
+#include "model/base/check.h"
 #include "model/timing/config.h"
 #include "model/timing/tokens.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -26,14 +29,15 @@ public:
         : units_(units.units)
         , lookups_(cache.lookups_per_cycle)
         , width_(cache.bilinear_quads_per_cycle)
-        , by_texture_(units.share == UnitShare::Textures)
-        , used_(units_, 0) {}
+        , by_texture_(units.share == UnitShare::Textures) {
+        check(units_ <= MostUnits, "a counter for each texture unit");
+    }
 
     // The next quad whose lines are looked up.
     void begin(const work::PreparedScene& scene, const PreparedQuad& quad);
     bool is_done() const { return next_ == lines_; }
 
-    void begin_cycle() { used_.assign(used_.size(), 0); }
+    void begin_cycle() { std::fill_n(used_.begin(), units_, 0); }
     // The unit whose line is next has a look-up left in this cycle.
     bool has_turn() const { return used_[unit()] < lookups_; }
     // The quad's line that is looked up next. The order is the same whatever look-ups are refused.
@@ -46,6 +50,8 @@ public:
     std::uint32_t filter_cycles(const work::PreparedScene& scene, const PreparedQuad& quad) const;
 
 private:
+    static constexpr std::size_t MostUnits = 8;
+
     struct Lookup {
         std::size_t line = 0;
         std::size_t unit = 0;
@@ -58,7 +64,7 @@ private:
     std::uint32_t width_; // bilinear samples of a unit and cycle
     bool by_texture_;
     std::size_t lines_ = 0, next_ = 0;
-    std::vector<std::size_t> used_; // look-ups of each unit in this cycle
+    std::array<std::size_t, MostUnits> used_{}; // look-ups of each unit in this cycle
     // Several units: the quad's lines, in turns of as many as a unit looks up in a cycle.
     std::vector<Lookup> order_;
     std::vector<std::vector<std::size_t>> of_unit_;

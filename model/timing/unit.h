@@ -70,7 +70,7 @@ public:
             if (observer_) observer_->changed(number_, activity, clock_.now());
         }
         Cycle due = next_work(activity);
-        if (due > clock_.now() + 1) due = std::min(due, next_arrival());
+        if (has_far_inputs_ && due > clock_.now() + 1) due = std::min(due, next_arrival());
         clock_.wake(place_, due);
     }
 
@@ -81,7 +81,10 @@ public:
     }
 
     // By a channel of which the unit is the consumer, or the producer.
-    void add_input(const Link& input) { inputs_.push_back(&input); }
+    void add_input(const Link& input, Cycle latency) {
+        inputs_.push_back(&input);
+        has_far_inputs_ |= latency >= Calendar::Pages;
+    }
     void add_output(const Link& output) { outputs_.push_back(&output); }
 
 protected:
@@ -107,7 +110,8 @@ protected:
     Cycle now() const { return clock_.now(); }
 
 private:
-    // Of what is on its way to the unit.
+    // Of what is on its way to the unit. Each push wakes it for the arrival, but of what is beyond
+    // its pages the calendar keeps the soonest alone.
     Cycle next_arrival() const {
         Cycle next = Never;
         for (const Link* const input : inputs_)
@@ -123,6 +127,7 @@ private:
     const Clock& clock_;
     Account account_;
     std::vector<const Link*> inputs_, outputs_;
+    bool has_far_inputs_ = false;
     Activity last_ = Activity::Idle; // of all cycles since accounted_
     Cycle accounted_ = 0;
     std::size_t place_ = 0; // in the clock's walk

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "model/base/ring.h"
 #include "model/timing/channel.h"
 #include "model/timing/line_cache.h"
 #include "model/timing/tokens.h"
@@ -72,12 +73,12 @@ private:
     std::uint32_t position_ = 0;
     std::uint64_t index_line_ = 0, index_ticket_ = 0; // of the line that was asked for last
     bool has_index_line_ = false;                     // in this draw
-    std::deque<Waiting> named_;                       // vertices whose index was asked for
+    Ring<Waiting> named_;                       // vertices whose index was asked for
 
     // The vertices.
     std::uint64_t next_line_ = 0, end_line_ = 0; // of named_'s first; equal: not begun
     std::uint64_t ticket_ = 0;
-    std::deque<Waiting> waiting_;
+    Ring<Waiting> waiting_;
     std::deque<std::uint32_t> recent_; // the post-transform reuse, the next to go first
 };
 

@@ -14,6 +14,18 @@ namespace ffgpu::work {
 using LineMask = std::uint64_t;
 inline constexpr std::uint32_t LineMaskBits = 64;
 
+// Of a line: the bits of which a byte is written, and those of which all bytes are.
+struct WrittenBytes {
+    LineMask touched = 0;
+    LineMask covered = 0;
+
+    void operator|=(const WrittenBytes& other) {
+        touched |= other.touched;
+        covered |= other.covered;
+    }
+    bool operator==(const WrittenBytes&) const = default;
+};
+
 class LineGrain {
 public:
     explicit LineGrain(std::uint32_t line_bytes)
@@ -40,6 +52,7 @@ public:
     }
     // Bytes of the aligned pieces of `piece` bytes, a power of two, that hold a bit of the mask.
     std::uint32_t moved_bytes(LineMask mask, std::uint32_t piece) const {
+        if (mask == all_) return line_bytes_;
         const std::uint32_t bits = std::clamp(piece / grain_, 1u, line_bytes_ / grain_);
         const LineMask one = ones(bits);
         std::uint32_t bytes = 0;

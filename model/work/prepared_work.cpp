@@ -4,6 +4,7 @@
 #include "model/device/extents.h"
 #include "model/work/block_walk.h"
 #include "model/work/depth_test_masks.h"
+#include "model/work/surface_lines.h"
 #include "model/work/texel_lookups.h"
 #include "model/work/tile_lines.h"
 #include "model/work/traversal.h"
@@ -83,6 +84,8 @@ public:
         , out_(out)
         , draw_(out.draws.emplace_back())
         , test_(depth_test_place(command.draw, config.depth_test))
+        , depth_grain_(config.depth_cache.line_bytes)
+        , color_grain_(config.color_cache.line_bytes)
         , texels_(command, config, out) {
         draw_.kind = command.draw.kind;
         draw_.number = command.draw.number;
@@ -283,6 +286,21 @@ private:
             quad.color_line_count = static_cast<std::uint8_t>(
                 quad.color_line_count +
                 add_surface_lines(*color, config_.color_cache.line_bytes, quad, quad.after_depth));
+        add_target_bytes(quad);
+    }
+
+    // Of the lines that were added last.
+    void add_target_bytes(const PreparedQuad& quad) {
+        out_.target_bytes.resize(out_.target_lines.size());
+        std::size_t at = quad.target_lines_begin;
+        if (quad.after_depth == 0) return;
+        for (unsigned i = 0; i < quad.depth_line_count; ++i, ++at)
+            out_.target_bytes[at] =
+                quad_bytes(*places_.depth, depth_grain_, quad, out_.target_lines[at]);
+        for (unsigned i = 0; i < quad.color_line_count; ++i, ++at)
+            for (const PlacedLevel* const color : places_.colors)
+                out_.target_bytes[at] |=
+                    quad_bytes(*color, color_grain_, quad, out_.target_lines[at]);
     }
 
     // The lines that hold the samples of `lanes`, each once, in the order of the lanes; returns
@@ -313,6 +331,7 @@ private:
     PreparedScene& out_;
     PreparedDraw& draw_;
     const DepthTestPlace test_;
+    const LineGrain depth_grain_, color_grain_;
     DrawPlaces places_;
     TexelLookups texels_;
     std::vector<Ordered> order_; // of a piece

@@ -8,6 +8,7 @@
 #include "model/work/address_map.h"
 #include "model/work/config.h"
 #include "model/work/draw_shape.h"
+#include "model/work/line_mask.h"
 #include "model/work/tile_plan.h"
 #include "model/work/whole_command.h"
 
@@ -108,6 +109,7 @@ struct PreparedScene {
     std::vector<std::uint64_t> texel_lines; // line numbers
     std::vector<TexturePart> texture_parts;
     std::vector<std::uint64_t> target_lines;
+    std::vector<WrittenBytes> target_bytes; // of each of them: what the quad writes of it
     std::vector<std::uint32_t> values; // words, where the work has values
     TilePlan tiles;                    // of a tile-based machine
 
@@ -127,6 +129,13 @@ struct PreparedScene {
     std::span<const std::uint64_t> color_lines(const PreparedQuad& quad) const {
         return std::span(target_lines)
             .subspan(quad.target_lines_begin + quad.depth_line_count, quad.color_line_count);
+    }
+    // What the quad's samples that passed all tests write of its i-th line.
+    const WrittenBytes& depth_bytes(const PreparedQuad& quad, std::size_t i) const {
+        return target_bytes[quad.target_lines_begin + i];
+    }
+    const WrittenBytes& color_bytes(const PreparedQuad& quad, std::size_t i) const {
+        return target_bytes[quad.target_lines_begin + quad.depth_line_count + i];
     }
 };
 

@@ -14,18 +14,6 @@
 
 namespace ffgpu::work {
 
-// Of a line: the bits of which a byte is written, and those of which all bytes are.
-struct WrittenBytes {
-    LineMask touched = 0;
-    LineMask covered = 0;
-
-    void operator|=(const WrittenBytes& other) {
-        touched |= other.touched;
-        covered |= other.covered;
-    }
-    bool operator==(const WrittenBytes&) const = default;
-};
-
 struct WrittenLine {
     std::uint64_t number = 0; // address / line bytes
     WrittenBytes bytes;

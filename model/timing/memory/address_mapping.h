@@ -8,6 +8,7 @@
 #include "model/base/powers_of_two.h"
 #include "model/timing/memory/config.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace ffgpu::timing {
@@ -52,6 +53,8 @@ inline DramPlace place_of(const MemoryConfig& config, std::uint64_t address) {
 inline bool
 is_in_one_place(const MemoryConfig& config, std::uint64_t address, std::uint32_t bytes) {
     const std::uint64_t last = address + bytes - 1;
+    const std::uint64_t one_place = std::min(config.interleave_bytes, config.row_bytes);
+    if (quotient(address, one_place) == quotient(last, one_place)) return true;
     const DramPlace begin = place_of(config, address), end = place_of(config, last);
     return (config.channels == 1 || quotient(address, config.interleave_bytes) ==
                                         quotient(last, config.interleave_bytes)) &&
