@@ -1,6 +1,9 @@
 #include "model/timing/bottlenecks.h"
 
+#include "model/base/check.h"
+
 #include <algorithm>
+#include <bit>
 #include <string>
 #include <utility>
 
@@ -16,7 +19,15 @@ BottleneckStatistics::BottleneckStatistics() {
 Bottlenecks::Bottlenecks(const Clock& clock, CommandLedger& ledger, Parts parts)
     : clock_(clock)
     , ledger_(ledger)
-    , parts_(std::move(parts)) {}
+    , parts_(std::move(parts)) {
+    check(parts_.stages.size() < 64, "a bit for each stage");
+    for (const Stage& stage : parts_.stages) {
+        std::uint64_t bits = 0; // of all stages of its unit
+        for (std::size_t i = 0; i < parts_.stages.size(); ++i)
+            bits |= std::uint64_t{parts_.stages[i].unit == stage.unit} << i;
+        stage.unit->show_work_in(working_, bits);
+    }
+}
 
 void Bottlenecks::end_cycle() {
     const Resource found = find();
@@ -37,20 +48,25 @@ void Bottlenecks::count_until(Cycle end) {
 }
 
 Resource Bottlenecks::find() const {
-    const std::vector<Stage>& stages = parts_.stages;
-    const bool looks_at_idle = clock_.pace() == Pace::EveryCycle;
-    for (std::size_t i = stages.size(); i-- > 0;) {
-        // A unit is idle where nothing is at its input; the plainest pace looks all the same.
-        if (stages[i].unit->activity() == Activity::Idle && !looks_at_idle) continue;
-        if (has_backlog(stages[i])) return resource_of(i);
+    if (clock_.pace() == Pace::EveryCycle) return find_plainly();
+    for (std::uint64_t left = working_; left != 0;) {
+        const auto stage = static_cast<std::size_t>(std::bit_width(left) - 1);
+        if (has_backlog(parts_.stages[stage])) return resource_of(stage);
+        left ^= std::uint64_t{1} << stage;
     }
     return draining(0);
 }
 
+// Looks at idle units, too.
+Resource Bottlenecks::find_plainly() const {
+    for (std::size_t stage = parts_.stages.size(); stage-- > 0;)
+        if (has_backlog(parts_.stages[stage])) return resource_of(stage);
+    return draining(0);
+}
+
 Resource Bottlenecks::draining(std::size_t stage) const {
-    for (; stage < parts_.stages.size(); ++stage)
-        if (parts_.stages[stage].unit->activity() != Activity::Idle) return resource_of(stage);
-    return Resource::Links;
+    if (stage == parts_.stages.size() || working_ >> stage == 0) return Resource::Links;
+    return resource_of(stage + static_cast<std::size_t>(std::countr_zero(working_ >> stage)));
 }
 
 Resource Bottlenecks::resource_of(std::size_t stage) const {

@@ -9,7 +9,7 @@
 // them.
 //
 // Nothing changes between two cycles in which a unit is due: the cycles between are counted at
-// once.
+// once. A unit is idle where nothing is at its input: the stages of idle units are left out.
 
 #pragma once
 
@@ -27,7 +27,7 @@ namespace ffgpu::timing {
 // A unit's place in the pipe; a unit with two ways through it has two.
 struct Stage {
     Resource resource;
-    const Unit* unit;
+    Unit* unit;
     std::vector<Client> clients; // as whom it asks the memory
     const Link* input = nullptr; // by which work comes; null: Unit::has_backlog() tells
 };
@@ -63,6 +63,7 @@ public:
 private:
     void count_until(Cycle end);
     Resource find() const;
+    Resource find_plainly() const;
     Resource resource_of(std::size_t stage) const;
     // Behind `stage`, the first that is not idle.
     Resource draining(std::size_t stage) const;
@@ -77,6 +78,7 @@ private:
     BottleneckStatistics statistics_;
     Resource last_ = Resource::Host; // of all cycles since counted_
     Cycle counted_ = 0;
+    std::uint64_t working_ = 0; // stages whose units are not idle, a bit each
 };
 
 } // namespace ffgpu::timing

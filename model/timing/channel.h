@@ -91,8 +91,7 @@ public:
         return value;
     }
 
-    // As it is, not as it was when the cycle began: for may_sleep().
-    bool holds_nothing() const { return count_ == 0; }
+    // As it is, not as it was when the cycle began: for next_work().
     bool is_full() const { return count_ == items_.size(); }
 
     std::string front_key() const override {

@@ -37,7 +37,6 @@ public:
 
 private:
     Activity step() override;
-    bool may_sleep() const override { return true; }
     Cycle next_work(Activity last) const override {
         return working_ && now() < clipped_at_ ? clipped_at_ : Unit::next_work(last);
     }

@@ -34,7 +34,6 @@ public:
 
 private:
     Activity step() override;
-    bool may_sleep() const override { return true; }
     bool look_up(Activity& reason);
     void follow_values(const QuadToken& token, std::uint64_t line);
     bool retire(Activity& reason);

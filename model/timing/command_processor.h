@@ -44,7 +44,6 @@ public:
 
 private:
     Activity step() override;
-    bool may_sleep() const override { return true; }
     Cycle next_work(Activity last) const override {
         return now() < decoded_at_ ? decoded_at_ : Unit::next_work(last);
     }

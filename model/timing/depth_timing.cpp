@@ -183,7 +183,6 @@ bool DepthTiming::look_up_lines(Path path,
 bool DepthTiming::look_up(Path path, Budget& budget, Activity& reason) {
     Channel<QuadToken>& in = path == Path::Early ? ports_.early_in : ports_.late_in;
     ParkedQuads& parked = path == Path::Early ? early_ : late_;
-    if (!in.can_pop()) return false;
     if (parked.is_full()) {
         blame(reason, Activity::StalledMemory);
         return false;
@@ -219,7 +218,6 @@ bool DepthTiming::look_up(Path path, Budget& budget, Activity& reason) {
 bool DepthTiming::send(Path path, Activity& reason) {
     ParkedQuads& parked = path == Path::Early ? early_ : late_;
     Channel<QuadToken>& out = path == Path::Early ? ports_.early_out : ports_.late_out;
-    if (parked.empty()) return false;
     if (!parked.front_has_data(ports_.cache)) {
         blame(reason, Activity::StalledMemory);
         return false;
@@ -248,9 +246,11 @@ Activity DepthTiming::step() {
     Budget budget{.lookups = config_.depth_cache.lookups_per_cycle * pipes,
                   .tests = config_.hierarchical_depth.tests_per_cycle * pipes};
     for (const Path path : {Path::Late, Path::Early}) {
-        for (std::uint32_t i = 0; i < pipes && send(path, reason); ++i)
+        const ParkedQuads& parked = path == Path::Early ? early_ : late_;
+        const Channel<QuadToken>& in = path == Path::Early ? ports_.early_in : ports_.late_in;
+        for (std::uint32_t i = 0; i < pipes && !parked.empty() && send(path, reason); ++i)
             worked = true;
-        for (std::uint32_t i = 0; i < pipes && look_up(path, budget, reason); ++i)
+        for (std::uint32_t i = 0; i < pipes && in.can_pop() && look_up(path, budget, reason); ++i)
             worked = true;
     }
     return worked ? Activity::Busy : reason;

@@ -49,8 +49,7 @@ private:
     enum class Coarse { Untested, Undecided, Accepted };
 
     Activity step() override;
-    bool may_sleep() const override { return true; }
-    bool look_up(Path path, Budget& budget, Activity& reason);
+    bool look_up(Path path, Budget& budget, Activity& reason); // of the quad that is there
     bool look_up_lines(Path path, const QuadToken& token, Budget& budget, Activity& reason);
     LineAccess access(Path path, const QuadToken& token, std::size_t line) const;
     work::WrittenBytes written_bytes(Path path, const QuadToken& token, std::size_t line) const;
@@ -62,7 +61,7 @@ private:
     void complete(const QuadToken& token);
     bool tests_here(Path path, const PreparedDraw& draw) const;
     bool writes_late(const PreparedDraw& draw) const;
-    bool send(Path path, Activity& reason);
+    bool send(Path path, Activity& reason); // the oldest of those parked
 
     const TimingConfig& config_;
     const Ports ports_;

@@ -39,7 +39,9 @@ private:
     };
 
     Activity step() override;
-    bool may_sleep() const override { return !can_distribute(); }
+    Cycle next_work(Activity last) const override {
+        return can_distribute() ? now() + 1 : Unit::next_work(last);
+    }
     bool has_backlog() const override {
         return Unit::has_backlog() ||
                std::any_of(pipes_.begin(), pipes_.end(), [](const Pipe& pipe) {

@@ -40,7 +40,6 @@ private:
     };
 
     Activity step() override;
-    bool may_sleep() const override { return true; }
     Cycle next_work(Activity last) const override {
         return now() < next_change_ ? next_change_ : Unit::next_work(last);
     }

@@ -77,7 +77,6 @@ private:
     };
 
     Activity step() override;
-    bool may_sleep() const override { return true; }
     Cycle next_work(Activity last) const override {
         return now() < carried_at_ ? carried_at_ : Unit::next_work(last);
     }

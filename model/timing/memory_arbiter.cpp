@@ -1,5 +1,6 @@
 #include "model/timing/memory_arbiter.h"
 
+#include <bit>
 #include <utility>
 
 namespace ffgpu::timing {
@@ -15,47 +16,52 @@ MemoryArbiter::MemoryArbiter(sc_core::sc_module_name name,
     , in_flight_(in_flight)
     , pending_(config.channels, nullptr)
     , taken_at_(config.channels, 0) {
+    check(ports_.requests_in.size() < 64, "a bit for each port");
     socket.register_nb_transport_bw(this, &MemoryArbiter::on_backward);
 }
 
+// The ports with a request, from the one whose turn it is.
 Activity MemoryArbiter::step() {
-    bool waiting = false;
-    bool sent = false;
+    std::uint64_t wanting = 0;
+    const std::size_t ports = ports_.requests_in.size();
+    for (std::size_t port = 0; port < ports; ++port)
+        wanting |= std::uint64_t{ports_.requests_in[port]->can_pop()} << port;
+    if (wanting == 0) return Activity::Idle;
     std::uint32_t free_channels = 0;
     for (std::uint32_t channel = 0; channel < config_.channels; ++channel)
         free_channels += is_free(channel) ? 1 : 0;
 
-    const std::size_t first = next_port_, ports = ports_.requests_in.size();
-    for (std::size_t i = 0; i < ports && free_channels > 0; ++i) {
-        const std::size_t port = first + i < ports ? first + i : first + i - ports;
-        Channel<MemoryRequest>& requests = *ports_.requests_in[port];
-        if (!requests.can_pop()) continue;
-        const std::uint32_t channel = memory_channel(config_, requests.front().address);
-        if (!is_free(channel)) {
-            waiting = true;
-            continue;
+    bool sent = false;
+    const std::uint64_t before = (std::uint64_t{1} << next_port_) - 1;
+    for (std::uint64_t turn : {wanting & ~before, wanting & before}) {
+        for (; turn != 0 && free_channels > 0; turn &= turn - 1) {
+            const auto port = static_cast<std::size_t>(std::countr_zero(turn));
+            const MemoryRequest& request = ports_.requests_in[port]->front();
+            const std::uint32_t channel = memory_channel(config_, request.address);
+            if (!is_free(channel)) continue;
+            send(port, channel);
+            next_port_ = port + 1 < ports ? port + 1 : 0;
+            --free_channels;
+            sent = true;
         }
-        MemoryRequest request = requests.pop();
-        request.port = port;
-        check(is_in_one_place(config_, request.address, request.bytes),
-              "a request across an interleave or a row");
-        tlm::tlm_generic_payload& payload = pool_.acquire(request);
-        tlm::tlm_phase phase = tlm::BEGIN_REQ;
-        sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
-        pending_[channel] = &payload;
-        if (observer_) observer_->sent(request, now());
-        if (socket->nb_transport_fw(payload, phase, delay) == tlm::TLM_UPDATED) {
-            pending_[channel] = nullptr;
-            taken_at_[channel] = now();
-        }
-        --free_channels;
-        sent = true;
-        next_port_ = port + 1 < ports ? port + 1 : 0;
     }
-    if (sent) return Activity::Busy;
-    for (const Channel<MemoryRequest>* requests : ports_.requests_in)
-        waiting |= requests->can_pop();
-    return waiting ? Activity::StalledOutput : Activity::Idle;
+    return sent ? Activity::Busy : Activity::StalledOutput;
+}
+
+void MemoryArbiter::send(std::size_t port, std::uint32_t channel) {
+    MemoryRequest request = ports_.requests_in[port]->pop();
+    request.port = port;
+    check(is_in_one_place(config_, request.address, request.bytes),
+          "a request across an interleave or a row");
+    tlm::tlm_generic_payload& payload = pool_.acquire(request);
+    tlm::tlm_phase phase = tlm::BEGIN_REQ;
+    sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
+    pending_[channel] = &payload;
+    if (observer_) observer_->sent(request, now());
+    if (socket->nb_transport_fw(payload, phase, delay) == tlm::TLM_UPDATED) {
+        pending_[channel] = nullptr;
+        taken_at_[channel] = now();
+    }
 }
 
 tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,

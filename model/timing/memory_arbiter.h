@@ -48,7 +48,7 @@ public:
 
 private:
     Activity step() override;
-    bool may_sleep() const override { return true; }
+    void send(std::size_t port, std::uint32_t channel);
     bool is_free(std::uint32_t channel) const {
         return !pending_[channel] && taken_at_[channel] < now();
     }

@@ -113,24 +113,27 @@ void MemoryController::deliver(Lane& lane) {
 void MemoryController::step(Lane& lane) {
     const MemoryCycle begin = memory_time(now() - 1), end = memory_time(now());
     lane.dram->advance(begin); // What went by while asleep: refreshes.
-    accept_arrivals(lane, begin);
+    if (lane.refused || (lane.arrivals->can_pop() && lane.dram->has_room()))
+        accept_arrivals(lane, begin);
     lane.dram->advance(end);
     Ring<ServedRequest>& served = lane.dram->served();
     lane.moves = !served.empty() && served.front().data.begin < end;
     while (!served.empty() && served.front().data.end <= end)
         finish(lane);
     lane.waits = lane.dram->has_waiting() || !served.empty() || lane.arrivals->can_pop();
-    deliver(lane);
+    if (!lane.responses.empty() && lane.responses.front().at <= now()) deliver(lane);
     lane.due = next_work(lane);
 }
 
 // Busy while a bus carries data; all else that it does for a request is a stall.
 Activity MemoryController::step() {
     bool moving = false, waiting = false;
+    next_work_ = Never;
     for (Lane& lane : lanes_) {
         if (lane.is_due(now())) step(lane);
         moving |= lane.moves;
         waiting |= lane.waits;
+        next_work_ = std::min(next_work_, lane.due);
     }
     return moving ? Activity::Busy : waiting ? Activity::StalledMemory : Activity::Idle;
 }
@@ -141,13 +144,6 @@ void MemoryController::settle() {
     for (Lane& lane : lanes_)
         lane.dram->settle(end);
     statistics_.set_bus_cycles(end * config_.channels);
-}
-
-Cycle MemoryController::next_work(Activity) const {
-    Cycle next = Never;
-    for (const Lane& lane : lanes_)
-        next = std::min(next, lane.due);
-    return next;
 }
 
 // Refreshes of a channel that nobody waits for are made up for when somebody does.

@@ -59,7 +59,7 @@ private:
     };
 
     Activity step() override;
-    Cycle next_work(Activity last) const override;
+    Cycle next_work(Activity) const override { return next_work_; }
     void step(Lane& lane);
     Cycle next_work(const Lane& lane) const;
     tlm::tlm_sync_enum
@@ -84,6 +84,7 @@ private:
     tlm_utils::simple_target_socket<MemoryController> socket_{"socket"};
     DramStatistics statistics_;
     std::vector<Lane> lanes_;
+    Cycle next_work_ = 0; // of all lanes
     Requests in_service_{}; // at the DRAM
 };
 

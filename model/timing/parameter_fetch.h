@@ -44,7 +44,6 @@ private:
     };
 
     Activity step() override;
-    bool may_sleep() const override { return true; }
     bool open_bin();
     Activity request();
     Activity set_up();

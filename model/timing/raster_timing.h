@@ -43,7 +43,6 @@ public:
 
 private:
     Activity step() override;
-    bool may_sleep() const override { return true; }
     Cycle next_work(Activity last) const override;
     bool take();
     void take(const SetupToken& token);

@@ -39,7 +39,6 @@ private:
     };
 
     Activity step() override;
-    bool may_sleep() const override { return true; }
     bool answer(std::size_t client, Activity& reason);
     bool look_up(std::size_t client, Activity& reason);
 

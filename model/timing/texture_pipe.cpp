@@ -5,7 +5,7 @@
 namespace ffgpu::timing {
 
 bool TexturePipe::begin(TextureStatistics& statistics, Activity& reason) {
-    if (waiting_.empty()) return false;
+    if (waiting_.empty()) return false; // Only a miss took its cycles.
     if (parked_.size() >= config_.texel_cache.fragment_fifo) {
         blame(reason, Activity::StalledMemory);
         return false;
@@ -59,7 +59,6 @@ void TexturePipe::read_texels(Cycle now) {
 }
 
 bool TexturePipe::filter(PipeExit& out, std::size_t pipe, Cycle now, Activity& reason) {
-    if (parked_.empty()) return false;
     read_texels(now);
     if (!filtering_) {
         if (read_ == 0 || parked_.front().ready_at > now) {

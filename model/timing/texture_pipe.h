@@ -46,7 +46,12 @@ public:
 
     std::string state() const;
 
-    // One cycle's work of each part; false, and the reason, where there was none.
+    bool has_parked() const { return !parked_.empty(); }
+    bool has_tags_to_compare() const {
+        return comparing_ || miss_cycles_left_ > 0 || !waiting_.empty();
+    }
+
+    // One cycle's work of each part, which has some; false, and the reason, where it did none.
     bool compare_tags(TextureStatistics& statistics, Cycle now, Activity& reason);
     bool filter(PipeExit& out, std::size_t pipe, Cycle now, Activity& reason);
 

@@ -45,8 +45,10 @@ Activity TextureTiming::step() {
     // has worked.
     for (std::size_t i = 0; i < pipes_.size(); ++i) {
         const std::size_t pipe = turn(first_ + i, pipes_.size());
-        worked |= pipes_[pipe].filter(exit_, pipe, now(), reason);
-        worked |= pipes_[pipe].compare_tags(statistics_, now(), reason);
+        if (pipes_[pipe].has_parked())
+            worked |= pipes_[pipe].filter(exit_, pipe, now(), reason);
+        if (pipes_[pipe].has_tags_to_compare())
+            worked |= pipes_[pipe].compare_tags(statistics_, now(), reason);
     }
     worked |= exit_.advance();
     if (!worked) return reason;
@@ -61,14 +63,17 @@ bool TextureTiming::has_backlog() const {
            });
 }
 
-bool TextureTiming::may_sleep() const {
-    return !can_distribute() &&
-           std::none_of(pipes_.begin(),
-                        pipes_.end(),
-                        [](const TexturePipe& pipe) { return pipe.expands_texels(); }) &&
-           std::none_of(ports_.caches.begin(), ports_.caches.end(), [](const CachePort* port) {
-               return port->cache.expands_lines();
-           });
+Cycle TextureTiming::next_work(Activity last) const {
+    return can_distribute() || expands() ? now() + 1 : Unit::next_work(last);
+}
+
+// Texels that have come take some cycles more.
+bool TextureTiming::expands() const {
+    if (config_.texel_cache.decompress_cycles == 0) return false;
+    const auto expands_texels = [](const TexturePipe& pipe) { return pipe.expands_texels(); };
+    const auto expands_lines = [](const CachePort* port) { return port->cache.expands_lines(); };
+    return std::any_of(pipes_.begin(), pipes_.end(), expands_texels) ||
+           std::any_of(ports_.caches.begin(), ports_.caches.end(), expands_lines);
 }
 
 } // namespace ffgpu::timing

@@ -32,7 +32,8 @@ public:
 
 private:
     Activity step() override;
-    bool may_sleep() const override;
+    Cycle next_work(Activity last) const override;
+    bool expands() const;
     bool has_backlog() const override;
     bool can_distribute() const;
     void distribute();

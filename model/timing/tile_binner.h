@@ -58,7 +58,6 @@ private:
     };
 
     Activity step() override;
-    bool may_sleep() const override { return true; }
     Activity work();
     bool take_primitive();
     bool begin_pass();

@@ -62,7 +62,6 @@ private:
     };
 
     Activity step() override;
-    bool may_sleep() const override { return true; } // A bin that is drawn wakes it.
     bool open_bin();
     Activity move_line();
     Activity load();

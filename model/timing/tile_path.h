@@ -29,7 +29,7 @@ public:
     void connect(Unit& setup, Unit& raster, Unit& arbiter);
     void add_to(MemoryArbiter::Ports& arbiter);
     std::vector<Unit*> units() { return {&binner_, &fetch_, &memory_}; }
-    std::vector<Stage> stages() const {
+    std::vector<Stage> stages() {
         return {{Resource::Binner, &binner_, {Client::Parameter}},
                 {Resource::ParameterFetch, &fetch_, {Client::Parameter}},
                 {Resource::TileMemory, &memory_, {Client::Color, Client::Depth}}};

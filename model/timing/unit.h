@@ -1,8 +1,8 @@
 // Unit: a clocked hardware unit. step() does one cycle's work and says what the cycle was; the base
 // keeps the account, and has step() called only in the cycles in which the unit is due.
 //
-// A unit is due in every cycle unless it says more (may_sleep, next_work). Whatever it says, it is
-// due again
+// A unit is due in the cycle after one in which it was busy, else not, unless it says otherwise
+// (next_work). Whatever it says, it is due again
 //   - when an item of a channel of which it is the consumer arrives,
 //   - one cycle after a place came free in a channel of which it is the producer and in which
 //     can_push() refused it,
@@ -66,12 +66,21 @@ public:
         const Activity activity = step();
         if (activity != last_) {
             account_until(clock_.now() - 1);
+            if (shown_in_ && (activity == Activity::Idle) != (last_ == Activity::Idle))
+                *shown_in_ ^= shown_bits_;
             last_ = activity;
             if (observer_) observer_->changed(number_, activity, clock_.now());
         }
         Cycle due = next_work(activity);
         if (has_far_inputs_ && due > clock_.now() + 1) due = std::min(due, next_arrival());
         clock_.wake(place_, due);
+    }
+
+    // The bits are set in `working` while the unit is not idle, so that one look tells of many
+    // units. Before the first cycle.
+    void show_work_in(std::uint64_t& working, std::uint64_t bits) {
+        shown_in_ = &working;
+        shown_bits_ = bits;
     }
 
     // The observer, or null, is told under this number.
@@ -96,15 +105,11 @@ protected:
     // One cycle. Reads channels as they stood when the cycle began.
     virtual Activity step() = 0;
 
-    // Asked after a cycle that was not Busy: true where nothing changes in the unit before a
-    // channel or wake() calls it.
-    virtual bool may_sleep() const { return false; }
-
     // Asked after each cycle, with what it was: the next one in which step() may do something, or
-    // say something else, without being called by a channel or wake(). For units that count cycles;
-    // the count must be kept as the cycle of its end, since the unit may be called before.
+    // say something else, without being called by a channel or wake(). Units that count cycles say
+    // more; the count must be kept as the cycle of its end, since the unit may be called before.
     virtual Cycle next_work(Activity last) const {
-        return last != Activity::Busy && may_sleep() ? Never : now() + 1;
+        return last == Activity::Busy ? now() + 1 : Never;
     }
 
     Cycle now() const { return clock_.now(); }
@@ -129,6 +134,8 @@ private:
     std::vector<const Link*> inputs_, outputs_;
     bool has_far_inputs_ = false;
     Activity last_ = Activity::Idle; // of all cycles since accounted_
+    std::uint64_t* shown_in_ = nullptr;
+    std::uint64_t shown_bits_ = 0;
     Cycle accounted_ = 0;
     std::size_t place_ = 0; // in the clock's walk
     bool attached_ = false;

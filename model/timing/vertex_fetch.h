@@ -51,7 +51,6 @@ private:
     };
 
     Activity step() override;
-    bool may_sleep() const override { return true; }
     bool has_backlog() const override { return in_draw_ || !named_.empty() || Unit::has_backlog(); }
     bool ask_index(Activity& reason);
     bool begin_draw();

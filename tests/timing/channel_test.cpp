@@ -24,7 +24,6 @@ struct Producer : Unit {
         }
         return activity;
     }
-    bool may_sleep() const override { return left == 0 || out.is_full(); }
 
     Channel<int>& out;
     int left;
@@ -47,7 +46,6 @@ struct Consumer : Unit {
         }
         return activity;
     }
-    bool may_sleep() const override { return in.holds_nothing(); }
 
     Channel<int>& in;
     const int width;

@@ -52,7 +52,7 @@ private:
         requests_.push(list_[next_++]);
         return Activity::Busy;
     }
-    bool may_sleep() const override { return false; }
+    Cycle next_work(Activity) const override { return now() + 1; }
 
     RequestPort& requests_;
     Channel<std::uint64_t>& responses_;
