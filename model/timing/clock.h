@@ -22,7 +22,8 @@ class Unit;
 
 // How the clock goes through time. No figure depends on it.
 enum class Pace {
-    EveryCycle, // each unit in each cycle, whether it is due or not: what the others must equal
+    EveryCycle, // each unit in each cycle, whether it is due or not, and the plain form of all that
+                // has a fast one: what the others must equal
     Lockstep,   // each cycle, the units that are due; SystemC's time goes along, the edge is fired
     Decoupled,  // from one cycle in which a unit is due to the next; SystemC's time follows behind
 };

@@ -19,6 +19,7 @@ LineCache::LineCache(std::string_view name,
     , requests_(requests)
     , tags_(config.sets, config.ways, config)
     , classifier_(config.sets, config.ways)
+    , keeps_last_(config.ports == 0 && requests.pace() != Pace::EveryCycle)
     , statistics_(name)
     , bank_lookups_(config.banks) {
     if (config.replacement == work::Replacement::Optimal)
@@ -43,7 +44,7 @@ LookupResult LineCache::look_up_any(const LineAccess& access) {
                                 : line   ? look_up_present(access, *line)
                                          : look_up_absent(access, line);
     if (!result.accepted) return {};
-    if (line) {
+    if (keeps_last_ && line) {
         last_number_ = access.number;
         last_line_ = line;
     }

@@ -104,8 +104,7 @@ private:
     // line in any order, so that what is left of it are counters and bytes. look_up_any() would do
     // the same.
     bool repeats_last(const LineAccess& access) const {
-        return access.number == last_number_ && config_.ports == 0 &&
-               (needed(access) & ~last_line_->valid) == 0;
+        return access.number == last_number_ && (needed(access) & ~last_line_->valid) == 0;
     }
     LookupResult look_up_last(const LineAccess& access) {
         ++statistics_.accesses;
@@ -153,8 +152,9 @@ private:
     work::TagArray tags_;
     std::optional<work::OptimalTags> optimal_; // in the place of tags_
     work::MissClassifier classifier_;
-    // Of the last look-up that was accepted, while the line is there; not with optimal replacement,
-    // which has no such line.
+    // Of the last look-up that was accepted, while the line is there. Kept where a look-up costs no
+    // port, and the cache has its lines in tags_.
+    const bool keeps_last_;
     std::uint64_t last_number_ = work::TagArray::Empty;
     work::TagArray::Line* last_line_ = nullptr;
     CacheStatistics statistics_;

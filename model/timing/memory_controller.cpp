@@ -28,7 +28,8 @@ MemoryController::MemoryController(sc_core::sc_module_name name,
     for (std::uint32_t number = 0; number < config.channels; ++number) {
         lanes_[number].arrivals = std::make_unique<Channel<tlm::tlm_generic_payload*>>(
             clock, config.queue + there, there);
-        lanes_[number].dram = std::make_unique<DramChannel>(config_, number, statistics_);
+        lanes_[number].dram = std::make_unique<DramChannel>(
+            config_, number, statistics_, clock.pace() == Pace::EveryCycle);
     }
     socket_.register_nb_transport_fw(this, &MemoryController::on_forward);
 }

@@ -25,6 +25,7 @@ public:
         , misses_(misses) {}
 
     Cycle now() const { return clock_.now(); }
+    Pace pace() const { return clock_.pace(); }
 
     bool can_push(std::size_t n = 1) const { return channel_.can_push(n); }
     void push(MemoryRequest request) {

@@ -45,8 +45,10 @@ std::vector<MemoryCycle> data_begin(const MemoryConfig& config, const std::vecto
         channel.push(request, list[i].at);
     }
     channel.advance(100'000);
-    for (const ServedRequest& served : channel.served())
+    for (; !channel.served().empty(); channel.served().pop_front()) {
+        const ServedRequest& served = channel.served().front();
         *static_cast<MemoryCycle*>(served.request.payload) = served.data.begin;
+    }
     return begin;
 }
 

@@ -6,15 +6,18 @@
 
 namespace ffgpu::timing {
 
-DramChannel::DramChannel(const MemoryConfig& config, std::uint32_t number, DramObserver& observer)
+DramChannel::DramChannel(const MemoryConfig& config,
+                         std::uint32_t number,
+                         DramObserver& observer,
+                         bool plainly)
     : config_(config)
     , number_(number)
     , observer_(observer)
     , device_(config)
-    , scheduler_(config)
+    , scheduler_(config, plainly)
     , policy_(config)
     , waiting_(config.banks)
-    , refresh_due_(config.refresh_interval_cycles == 0 ? RowPolicy::Never
+    , refresh_due_(config.refresh_interval_cycles == 0 ? NoCycle
                                                        : config.refresh_interval_cycles) {}
 
 void DramChannel::push(const DramRequest& request, MemoryCycle now) {
@@ -152,7 +155,7 @@ bool DramChannel::close_idle_row(MemoryCycle now) {
 }
 
 MemoryCycle DramChannel::next_row_to_close() const {
-    MemoryCycle next = RowPolicy::Never;
+    MemoryCycle next = NoCycle;
     if (config_.page_policy != PagePolicy::Timeout) return next;
     for (std::uint32_t bank = 0; bank < config_.banks; ++bank) {
         if (device_.open_row(bank) == DramDevice::NoRow || is_wanted(bank)) continue;

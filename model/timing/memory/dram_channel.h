@@ -20,7 +20,11 @@ struct ServedRequest {
 
 class DramChannel {
 public:
-    DramChannel(const MemoryConfig& config, std::uint32_t number, DramObserver& observer);
+    // `plainly`: with the scheduler's plain form.
+    DramChannel(const MemoryConfig& config,
+                std::uint32_t number,
+                DramObserver& observer,
+                bool plainly = false);
 
     bool has_room() const { return waiting_.size() < config_.queue; }
     // In the queue from cycle `now` on, which must not have passed yet.

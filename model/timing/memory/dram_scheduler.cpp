@@ -7,8 +7,6 @@
 namespace ffgpu::timing {
 namespace {
 
-constexpr MemoryCycle Never = ~MemoryCycle{0};
-
 std::uint64_t bit(std::uint32_t bank) {
     return std::uint64_t{1} << bank;
 }
@@ -24,7 +22,7 @@ struct DramScheduler::Search {
     // Banks of which a column was looked at: [to write]. All columns of a kind in an open row are
     // ready at one time.
     std::array<std::uint64_t, 2> looked_at{};
-    DramCommand command{.again_at = Never};
+    DramCommand command{.again_at = NoCycle};
 
     bool is_hit(const DramRequest& request) const {
         return device.open_row(request.bank) == request.row;
@@ -139,7 +137,7 @@ DramCommand DramScheduler::result(Search& search) {
 DramCommand DramScheduler::choose_plainly(const WaitingRequests& waiting,
                                           const DramDevice& device,
                                           MemoryCycle now) const {
-    if (waiting.empty()) return {.again_at = Never};
+    if (waiting.empty()) return {.again_at = NoCycle};
     Search search{waiting, device, now};
     find_column(search);
     if (search.command.kind == DramCommand::Kind::None) find_row(search);
@@ -149,8 +147,8 @@ DramCommand DramScheduler::choose_plainly(const WaitingRequests& waiting,
 DramCommand DramScheduler::choose(const WaitingRequests& waiting,
                                   const DramDevice& device,
                                   MemoryCycle now) const {
-    if (!has_bits_) return choose_plainly(waiting, device, now);
-    if (waiting.empty()) return {.again_at = Never};
+    if (!by_bits_) return choose_plainly(waiting, device, now);
+    if (waiting.empty()) return {.again_at = NoCycle};
     Search search{waiting, device, now};
     find_column_by_bits(search);
     if (search.command.kind == DramCommand::Kind::None) find_row_by_bits(search);

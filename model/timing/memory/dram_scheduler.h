@@ -4,8 +4,9 @@
 // passed no more. In order is the same with a limit of zero: data in the order of the requests,
 // rows opened ahead.
 //
-// Two forms of one rule: choose_plainly() looks at each request, and is the specification; choose()
-// looks at the bits of WaitingRequests, a request for each bank and kind, where the queue has them.
+// Two forms of one rule: the plain one looks at each request, and is the specification; the other
+// looks at the bits of WaitingRequests, at a request for each bank and kind, where the queue has
+// them.
 
 #pragma once
 
@@ -24,16 +25,17 @@ struct DramCommand {
 
 class DramScheduler {
 public:
-    explicit DramScheduler(const MemoryConfig& config)
+    // `plainly`: not by bits even where the queue has them.
+    explicit DramScheduler(const MemoryConfig& config, bool plainly = false)
         : limit_(config.scheduler == SchedulerKind::InOrder ? 0 : config.reorder_limit)
-        , has_bits_(config.queue <= WaitingRequests::MostWithBits) {}
+        , by_bits_(!plainly && config.queue <= WaitingRequests::MostWithBits) {}
 
     DramCommand
     choose(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now) const;
-    DramCommand
-    choose_plainly(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now) const;
 
 private:
+    DramCommand
+    choose_plainly(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now) const;
     struct Search;
     void find_column(Search& search) const;
     void find_row(Search& search) const;
@@ -43,7 +45,7 @@ private:
     static LostTo why_oldest_waits(const Search& search);
 
     const std::uint32_t limit_;
-    const bool has_bits_;
+    const bool by_bits_;
 };
 
 } // namespace ffgpu::timing

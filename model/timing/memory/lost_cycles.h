@@ -15,6 +15,7 @@
 namespace ffgpu::timing {
 
 using MemoryCycle = std::uint64_t;
+inline constexpr MemoryCycle NoCycle = ~MemoryCycle{0};
 
 enum class LostTo : std::uint8_t {
     NoRequest,  // the channel had nothing to do

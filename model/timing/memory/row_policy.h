@@ -11,8 +11,6 @@ namespace ffgpu::timing {
 
 class RowPolicy {
 public:
-    static constexpr MemoryCycle Never = ~MemoryCycle{0};
-
     explicit RowPolicy(const MemoryConfig& config)
         : config_(config)
         , conflicts_(config.banks, 1)
@@ -31,7 +29,7 @@ public:
     MemoryCycle closes_at(MemoryCycle last_column) const {
         return config_.page_policy == PagePolicy::Timeout
                    ? last_column + config_.page_timeout_cycles
-                   : Never;
+                   : NoCycle;
     }
 
     // A saturating counter a bank learns whether rows left open were of use: a conflict says no, a
