@@ -26,8 +26,7 @@ bool ColorTiming::look_up(Activity& reason) {
     const auto lines = token.scene->work.color_lines(token.quad());
     if (draw.writes_color && !lines.empty()) {
         const std::uint64_t line = lines[walk_.next];
-        const work::WrittenBytes& written =
-            token.scene->work.color_bytes(token.quad(), walk_.next);
+        const work::WrittenBytes& written = token.scene->work.color_bytes(token.quad(), walk_.next);
         if (!walk_.look_up(ports_.cache,
                            {.number = line,
                             .read = draw.reads_color ? written.touched : 0,

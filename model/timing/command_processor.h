@@ -75,10 +75,10 @@ private:
     const Ports ports_;
     InFlight& in_flight_;
     InFlight& memory_in_flight_;
-    bool written_back_ = false;          // for a DrainCommand
+    bool written_back_ = false;    // for a DrainCommand
     Ring<MemoryRequest> requests_; // of clears, copies and write-backs, a line each
-    bool transferring_ = false;          // They are of the first command, which waits for them.
-    Bursts image_;                       // that the draw before reads
+    bool transferring_ = false;    // They are of the first command, which waits for them.
+    Bursts image_;                 // that the draw before reads
     bool decoding_ = false;
     Cycle decoded_at_ = 0;                // the last cycle that it takes
     std::uint64_t state_cycles_left_ = 0; // of a fast clear

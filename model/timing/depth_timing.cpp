@@ -135,8 +135,7 @@ DepthTiming::written_bytes(Path path, const QuadToken& token, std::size_t line) 
     PreparedQuad quad = token.quad();
     quad.samples_written = scene.values_of(quad).depth_words.samples;
     quad.after_depth = lanes_of(quad.samples_written);
-    return quad_bytes(
-        draw.depth_place, ports_.cache.grain(), quad, scene.depth_lines(quad)[line]);
+    return quad_bytes(draw.depth_place, ports_.cache.grain(), quad, scene.depth_lines(quad)[line]);
 }
 
 LineAccess DepthTiming::access(Path path, const QuadToken& token, std::size_t line) const {

@@ -50,7 +50,7 @@ private:
     const TimingConfig& config_;
     const Ports ports_;
     std::vector<Cycle> free_at_; // of each unit
-    Ring<Shaded> order_;   // vertices in the units, and those that wait for their turn
+    Ring<Shaded> order_;         // vertices in the units, and those that wait for their turn
 
     Cycle next_change_ = 0; // where nothing moved: a unit is done
 

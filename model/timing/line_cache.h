@@ -125,8 +125,8 @@ private:
     // write the whole line.
     LineMask needed(const LineAccess& access) const {
         if (access.written == 0) return access.read & grain_.all();
-        const bool fetches = config_.write_miss == WriteMiss::FetchOnWrite &&
-                             access.covered != grain_.all();
+        const bool fetches =
+            config_.write_miss == WriteMiss::FetchOnWrite && access.covered != grain_.all();
         const LineMask needed = access.read | (access.written & ~access.covered);
         return fetches ? grain_.all() : needed & grain_.all();
     }

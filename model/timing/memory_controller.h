@@ -84,7 +84,7 @@ private:
     tlm_utils::simple_target_socket<MemoryController> socket_{"socket"};
     DramStatistics statistics_;
     std::vector<Lane> lanes_;
-    Cycle next_work_ = 0; // of all lanes
+    Cycle next_work_ = 0;   // of all lanes
     Requests in_service_{}; // at the DRAM
 };
 

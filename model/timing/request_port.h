@@ -9,7 +9,6 @@
 #include "model/timing/in_flight.h"
 #include "model/timing/memory_request.h"
 
-
 namespace ffgpu::timing {
 
 class RequestPort {

@@ -50,8 +50,7 @@ Activity SetupTiming::step() {
     if (units_.empty()) return Activity::Idle;
     Cycle next_change = Never;
     for (std::size_t i = 0; i < units_.size(); ++i)
-        if (now() < units_[i].done_at)
-            next_change = std::min(next_change, units_[i].done_at);
+        if (now() < units_[i].done_at) next_change = std::min(next_change, units_[i].done_at);
     if (next_change == Never) return Activity::StalledOutput;
     next_change_ = next_change;
     return Activity::Busy;

@@ -11,7 +11,6 @@
 #include "model/timing/tokens.h"
 #include "model/timing/unit.h"
 
-
 namespace ffgpu::timing {
 
 class SetupTiming final : public Unit {
@@ -46,7 +45,7 @@ private:
 
     const TimingConfig& config_;
     const Ports ports_;
-    Ring<InUnit> units_;     // those that work, in the order of the primitives
+    Ring<InUnit> units_;           // those that work, in the order of the primitives
     Cycle next_change_ = 0;        // where nothing moved: a unit is done
     std::uint32_t next_piece_ = 0; // of the first primitive that waits
 };

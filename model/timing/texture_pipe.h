@@ -10,7 +10,6 @@
 #include "model/timing/quad_observer.h"
 #include "model/timing/texture_share.h"
 
-
 namespace ffgpu::timing {
 
 class TextureStatistics : public StatisticsGroup {

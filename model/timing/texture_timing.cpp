@@ -45,8 +45,7 @@ Activity TextureTiming::step() {
     // has worked.
     for (std::size_t i = 0; i < pipes_.size(); ++i) {
         const std::size_t pipe = turn(first_ + i, pipes_.size());
-        if (pipes_[pipe].has_parked())
-            worked |= pipes_[pipe].filter(exit_, pipe, now(), reason);
+        if (pipes_[pipe].has_parked()) worked |= pipes_[pipe].filter(exit_, pipe, now(), reason);
         if (pipes_[pipe].has_tags_to_compare())
             worked |= pipes_[pipe].compare_tags(statistics_, now(), reason);
     }

@@ -72,7 +72,7 @@ private:
     std::uint32_t position_ = 0;
     std::uint64_t index_line_ = 0, index_ticket_ = 0; // of the line that was asked for last
     bool has_index_line_ = false;                     // in this draw
-    Ring<Waiting> named_;                       // vertices whose index was asked for
+    Ring<Waiting> named_;                             // vertices whose index was asked for
 
     // The vertices.
     std::uint64_t next_line_ = 0, end_line_ = 0; // of named_'s first; equal: not begun

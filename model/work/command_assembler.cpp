@@ -105,6 +105,14 @@ void append_values(const WorkBatch& batch, std::uint32_t quad, WholeCommand& who
     whole.value_begin.push_back(static_cast<std::uint32_t>(whole.values.size()));
 }
 
+std::size_t count_accesses(const std::vector<const WorkBatch*>& batches) {
+    std::size_t accesses = 0;
+    for (const WorkBatch* const batch : batches)
+        for (const TexelFootprints& unit : batch->textures)
+            accesses += unit.accesses.size();
+    return accesses;
+}
+
 std::vector<std::uint8_t> units_of(const std::vector<const WorkBatch*>& batches) {
     std::array<bool, TextureUnits> used{};
     for (const WorkBatch* const batch : batches)
@@ -130,6 +138,8 @@ std::shared_ptr<const WholeCommand> CommandAssembler::assemble(const WorkDraw& d
     const std::vector<Source> sources =
         in_canonical_order(parts.batches, draw.kind == WorkKind::Image);
     whole->quads.reserve(sources.size());
+    whole->access_begin.reserve(sources.size() * whole->units.size() + 1);
+    whole->accesses.reserve(count_accesses(parts.batches));
     const bool has_values = !sources.empty() && !parts.batches[0]->value_begin.empty();
     if (has_values) whole->value_begin.push_back(0);
     for (const Source& source : sources) {

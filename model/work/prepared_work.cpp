@@ -76,6 +76,13 @@ WorkQuad fragments_of(WorkQuad quad, std::uint8_t lanes) {
     return quad;
 }
 
+// For so many more, without a step for each few of them.
+template <class T>
+void make_room(std::vector<T>& items, std::size_t more) {
+    const std::size_t wanted = items.size() + more;
+    if (wanted > items.capacity()) items.reserve(std::max(wanted, 2 * items.capacity()));
+}
+
 class Appender {
 public:
     Appender(const WholeCommand& command, const WorkConfig& config, PreparedScene& out)
@@ -100,6 +107,11 @@ public:
         draw_.early_depth = test_.early;
         draw_.tests_twice = test_.twice;
         draw_.first_quad = static_cast<std::uint32_t>(out.quads.size());
+        const std::size_t quads = command.quads.size();
+        make_room(out.quads, quads);
+        make_room(out.texture_parts, quads * command.units.size());
+        make_room(out.target_lines, 2 * quads);
+        make_room(out.target_bytes, 2 * quads);
     }
 
     void run(AddressMap& addresses) {

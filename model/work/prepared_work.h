@@ -110,8 +110,8 @@ struct PreparedScene {
     std::vector<TexturePart> texture_parts;
     std::vector<std::uint64_t> target_lines;
     std::vector<WrittenBytes> target_bytes; // of each of them: what the quad writes of it
-    std::vector<std::uint32_t> values; // words, where the work has values
-    TilePlan tiles;                    // of a tile-based machine
+    std::vector<std::uint32_t> values;      // words, where the work has values
+    TilePlan tiles;                         // of a tile-based machine
 
     std::span<const std::uint64_t> lines_of(const PreparedQuad& quad) const {
         return std::span(texel_lines).subspan(quad.texel_lines_begin, quad.texel_line_count);

@@ -127,6 +127,22 @@ WrittenBytes quad_bytes(const PlacedLevel& place,
     return written;
 }
 
+namespace {
+
+// All of a surface whose pixels lie side by side without gaps: one run of bytes. Where blocks are
+// so small that their rows are parts of a line's bits, what is covered is told row by row.
+bool is_one_run(const PlacedLevel& place, const LineGrain& grain, const Rectangle& cut) {
+    const ImageLayout& layout = place.layout;
+    const bool all = cut.x0 == 0 && cut.y0 == 0 && cut.x1 == static_cast<int>(layout.width) &&
+                     cut.y1 == static_cast<int>(layout.height);
+    const std::uint32_t row = layout.block * layout.element_bytes;
+    return all &&
+           layout.bytes() == std::uint64_t{layout.width} * layout.height * layout.element_bytes &&
+           (layout.kind == Layout::Linear || remainder(row, grain.bytes()) == 0);
+}
+
+} // namespace
+
 std::vector<WrittenLine> rectangle_lines(const PlacedLevel& place,
                                          const LineGrain& grain,
                                          Rectangle rectangle,
@@ -148,6 +164,10 @@ std::vector<WrittenLine> rectangle_lines(const PlacedLevel& place,
         if (whole) return lines.add(begin, end, true);
         lines.add_pixels(begin, end, sample, pixel);
     };
+    if (whole && is_one_run(place, grain, cut)) {
+        add(place.base, place.base + place.layout.bytes());
+        return lines.result();
+    }
     const auto x0 = static_cast<std::uint32_t>(cut.x0), x1 = static_cast<std::uint32_t>(cut.x1);
     for (auto y = static_cast<std::uint32_t>(cut.y0); y < static_cast<std::uint32_t>(cut.y1); ++y) {
         std::uint64_t begin = 0, end = 0; // a run of pixels that lie together

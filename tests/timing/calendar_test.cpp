@@ -15,14 +15,14 @@ namespace {
 
 TEST_CASE("a unit is due in every cycle that was named within the pages, else in its soonest") {
     std::mt19937 random(1);
-    const auto below = [&](std::uint32_t n) { return random() % n; };
+    const auto below = [&](std::uint64_t n) { return random() % n; };
     for (int run = 0; run < 20; ++run) {
         Calendar calendar;
         std::set<std::pair<Cycle, std::size_t>> due;
         std::vector<Cycle> far(Calendar::MostUnits, Never);
         Cycle now = 0;
         for (int step = 0; step < 2000; ++step) {
-            for (std::uint32_t i = below(4); i > 0; --i) {
+            for (std::uint64_t i = below(4); i > 0; --i) {
                 const std::size_t unit = below(Calendar::MostUnits);
                 const Cycle ahead = below(3) == 0 ? 1 + below(300) : 1 + below(66);
                 calendar.add(unit, now + ahead, now);

@@ -17,8 +17,8 @@ DramChannel::DramChannel(const MemoryConfig& config,
     , scheduler_(config, plainly)
     , policy_(config)
     , waiting_(config.banks)
-    , refresh_due_(config.refresh_interval_cycles == 0 ? NoCycle
-                                                       : config.refresh_interval_cycles) {}
+    , refresh_due_(config.refresh_interval_cycles == 0 ? NoCycle : config.refresh_interval_cycles) {
+}
 
 void DramChannel::push(const DramRequest& request, MemoryCycle now) {
     check(has_room(), "a request for a full DRAM channel");

@@ -9,7 +9,6 @@
 #include "model/timing/memory/dram_scheduler.h"
 #include "model/timing/memory/row_policy.h"
 
-
 namespace ffgpu::timing {
 
 // Served: its data are on the bus in [data.begin, data.end).

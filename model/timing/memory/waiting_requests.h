@@ -73,9 +73,7 @@ public:
     }
 
     // All bits are right where the queue never has more than MostWithBits requests.
-    Bits all() const {
-        return size() < MostWithBits ? (Bits{1} << size()) - 1 : ~Bits{0};
-    }
+    Bits all() const { return size() < MostWithBits ? (Bits{1} << size()) - 1 : ~Bits{0}; }
     Bits hits() const { return hits_; } // Their rows are open.
     Bits of_bank(std::uint32_t bank) const { return of_bank_[bank]; }
     Bits of_kind(bool write) const { return of_kind_[write]; }
