@@ -150,6 +150,8 @@ struct Passing : Unit {
         in->pop();
         return Activity::Busy;
     }
+    // The test changes `refuses`, of which no channel tells.
+    Cycle next_work(Activity) const override { return now() + 1; }
     std::string state() const override { return "holds nothing itself"; }
 
     Channel<int>*in, *out;
