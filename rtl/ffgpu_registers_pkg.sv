@@ -94,6 +94,14 @@ package ffgpu_registers_pkg;
     DepthModeAlpha = 2'd2
   } depth_mode_e;
 
+  typedef enum logic [2:0] {
+    TextureFilterStandard = 3'd0,
+    TextureFilterBicubic = 3'd1,
+    TextureFilterRipMap = 3'd2,
+    TextureFilterSummedArea = 3'd3,
+    TextureFilterElliptic = 3'd4
+  } texture_filter_e;
+
   typedef enum logic [3:0] {
     CombineOpReplace = 4'd0,
     CombineOpModulate = 4'd1,
@@ -716,26 +724,29 @@ package ffgpu_registers_pkg;
   // sampler
   localparam int unsigned SamplerAddress = 35;
   localparam int unsigned SamplerCount = 8;
-  localparam int unsigned SamplerWords = 5;
+  localparam int unsigned SamplerWords = 6;
   typedef logic [32*SamplerWords-1:0] sampler_words_t;
   typedef struct packed {
-    wrap_e       wrap_0;
-    wrap_e       wrap_1;
-    wrap_e       wrap_2;
-    logic        magnify_linear;
-    logic        minify_linear;
-    mip_filter_e mip_filter;
-    logic [3:0]  base_level;
-    logic [3:0]  max_level;
-    logic [4:0]  max_anisotropy;
-    logic        compare_enable;
-    compare_e    compare;
-    depth_mode_e depth_mode;
-    logic [15:0] bias;
-    logic [15:0] min_lod;
-    logic [15:0] max_lod;
-    logic [31:0] border_color;
-    logic [23:0] border_depth;
+    wrap_e           wrap_0;
+    wrap_e           wrap_1;
+    wrap_e           wrap_2;
+    logic            magnify_linear;
+    logic            minify_linear;
+    mip_filter_e     mip_filter;
+    logic [3:0]      base_level;
+    logic [3:0]      max_level;
+    logic [4:0]      max_anisotropy;
+    logic            compare_enable;
+    compare_e        compare;
+    depth_mode_e     depth_mode;
+    logic [15:0]     bias;
+    logic [15:0]     min_lod;
+    logic [15:0]     max_lod;
+    logic [31:0]     border_color;
+    logic [23:0]     border_depth;
+    texture_filter_e filter;
+    logic [12:0]     source_width;
+    logic [12:0]     source_height;
   } sampler_t;
   function automatic sampler_t decode_sampler(
     input sampler_words_t words
@@ -757,11 +768,14 @@ package ffgpu_registers_pkg;
       words[63:48],  // min_lod
       words[79:64],  // max_lod
       words[127:96],  // border_color
-      words[151:128]  // border_depth
+      words[151:128],  // border_depth
+      words[154:152],  // filter
+      words[172:160],  // source_width
+      words[185:173]  // source_height
     };
   endfunction
   localparam sampler_words_t SamplerReset = {
-    32'h00000000, 32'h00000000, 32'h00001000, 32'hf0000000, 32'h18381200
+    32'h00000000, 32'h00000000, 32'h00000000, 32'h00001000, 32'hf0000000, 32'h18381200
   };
 
   // combiner

@@ -30,6 +30,7 @@ constexpr std::array Parameters{
     Parameter{GL_DEPTH_TEXTURE_MODE, 1},
     Parameter{GL_TEXTURE_COMPARE_MODE, 1},
     Parameter{GL_TEXTURE_COMPARE_FUNC, 1},
+    Parameter{GL_TEXTURE_FILTER_FFGPU, 1},
 };
 constexpr Parameter Resident{GL_TEXTURE_RESIDENT, 1};
 
@@ -89,6 +90,10 @@ GLenum set_tokens(TextureParameters& gl, TextureTarget target, GLenum name, GLen
     case GL_TEXTURE_COMPARE_MODE:
         return set_token(
             gl.compare_mode, token, token == GL_NONE || token == GL_COMPARE_R_TO_TEXTURE);
+    case GL_TEXTURE_FILTER_FFGPU:
+        return set_token(gl.filter,
+                         token,
+                         token >= GL_STANDARD_FILTER_FFGPU && token <= GL_ELLIPTIC_FILTER_FFGPU);
     default: // GL_TEXTURE_COMPARE_FUNC
         return set_token(gl.compare_func, token, token >= GL_NEVER && token <= GL_ALWAYS);
     }
@@ -185,6 +190,8 @@ Vec4 get_value(const TextureParameters& gl, GLenum name) {
         return number(gl.compare_mode);
     case GL_TEXTURE_COMPARE_FUNC:
         return number(gl.compare_func);
+    case GL_TEXTURE_FILTER_FFGPU:
+        return number(gl.filter);
     default:
         return number(1); // GL_TEXTURE_RESIDENT
     }

@@ -8,7 +8,7 @@
 
 namespace ffgpu::gl {
 
-constexpr std::array<std::string_view, 101> Extensions{
+constexpr std::array<std::string_view, 102> Extensions{
     "GL_3DFX_texture_compression_FXT1",
     "GL_APPLE_packed_pixels",
     "GL_APPLE_vertex_array_object",
@@ -91,6 +91,7 @@ constexpr std::array<std::string_view, 101> Extensions{
     "GL_EXT_texture_sRGB",
     "GL_EXT_vertex_array",
     "GL_EXT_vertex_array_bgra",
+    "GL_FFGPU_texture_filter",
     "GL_GREMEDY_string_marker",
     "GL_IBM_texture_mirrored_repeat",
     "GL_MESA_pack_invert",

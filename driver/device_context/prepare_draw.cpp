@@ -94,6 +94,8 @@ void DeviceContext::lower_state() {
         return;
 
     const auto any = [&](auto... groups) { return (dirty.has(groups) || ...); };
+    // What was a target until now may be a texture whose filter has a table of it.
+    if (dirty.has(Dirty::Targets)) dirty.mark(Dirty::Textures);
     // First: textures that move in device memory make the targets dirty.
     if (any(Dirty::Textures, Dirty::Environments))
         lower_texturing(state.texture, bring_textures(*this), registers);

@@ -1,6 +1,7 @@
 #include "driver/device_context/textures_in_use.h"
 
 #include "driver/device_context/device_context.h"
+#include "driver/texture/filter_table.h"
 #include "driver/texture/residency.h"
 
 namespace ffgpu::gl {
@@ -17,11 +18,15 @@ TextureObject* texture_in_force(const TextureUnit& unit) {
 const TextureObject* bring_texture(DeviceContext& context, const TextureUnit& unit) {
     TextureObject* const texture = texture_in_force(unit);
     if (!texture || !texture->chain().complete) return nullptr;
-    if (texture->resident_is_current()) return texture;
-    context.dirty.mark(Dirty::Targets);
-    if (make_resident(context.device_memory(), *texture)) return texture;
-    context.error(GL_OUT_OF_MEMORY);
-    return nullptr;
+    if (!texture->resident_is_current()) {
+        context.dirty.mark(Dirty::Targets);
+        if (!make_resident(context.device_memory(), *texture)) {
+            context.error(GL_OUT_OF_MEMORY);
+            return nullptr;
+        }
+    }
+    bring_filter_table(context.device_memory(), *texture);
+    return texture;
 }
 
 } // namespace

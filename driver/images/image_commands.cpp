@@ -39,7 +39,7 @@ void finish_image_change(DeviceContext& context,
     const bool generates = texture.parameters.generate_mipmap &&
                            static_cast<GLint>(name.level) == texture.parameters.base_level;
     if (generates) generate_mipmaps(context.device_memory(), texture, name.face);
-    if (defined || generates) mark_textures(context);
+    if (defined || generates || texture.filter_table.block) mark_textures(context);
 }
 
 void define_bound_image(DeviceContext& context,

@@ -2,6 +2,7 @@
 
 #include "driver/math/conversion.h"
 #include "driver/pixel/rgba8.h"
+#include "driver/texture/filter_table.h"
 
 namespace ffgpu::gl {
 
@@ -91,6 +92,19 @@ bool is_depth(BaseFormat format) {
     return format == BaseFormat::Depth || format == BaseFormat::DepthStencil;
 }
 
+void lower_filter(const TextureObject& texture, Sampler& sampler) {
+    sampler.filter = filter_in_force(texture);
+    const bool needs_table =
+        sampler.filter == TextureFilter::RipMap || sampler.filter == TextureFilter::SummedArea;
+    if (!needs_table) return;
+    if (const FilterTable* const table = table_in_force(texture)) {
+        sampler.source_width = table->source_width;
+        sampler.source_height = table->source_height;
+    } else {
+        sampler.filter = TextureFilter::Standard;
+    }
+}
+
 } // namespace
 
 BaseFormat sampled_format(const TextureObject& texture) {
@@ -128,6 +142,7 @@ Sampler lower_sampler(const TextureObject& texture, float unit_lod_bias) {
         sampler.border_depth = unorm(gl.border_color[0], 24);
     }
     sampler.border_color = lower_border_color(chain.base_format, gl.border_color);
+    lower_filter(texture, sampler);
     return sampler;
 }
 

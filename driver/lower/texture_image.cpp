@@ -1,8 +1,12 @@
 #include "driver/lower/texture_image.h"
 
+#include "driver/texture/filter_table.h"
+
 namespace ffgpu::gl {
 
 TextureImage lower_texture_image(const TextureObject& texture) {
+    if (const FilterTable* const table = table_in_force(texture))
+        return {.shape = table->shape, .address = table->block.address()};
     const TextureChain& chain = texture.chain();
     const TextureObject::Resident& resident = texture.resident;
     const unsigned skipped = chain.base - resident.root; // Levels larger than the base level.

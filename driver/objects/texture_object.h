@@ -8,11 +8,13 @@
 
 #pragma once
 
+#include "driver/ffgpu_texture_filter.h"
 #include "driver/gl_types.h"
 #include "driver/objects/device_block.h"
 #include "driver/state/texture_state.h"
 #include "driver/texel/internal_format.h"
 #include "model/device/limits.h"
+#include "model/device/registers/texture.h"
 #include "model/device/texture_layout.h"
 
 #include <array>
@@ -51,6 +53,7 @@ struct TextureParameters {
     GLenum depth_mode = GL_LUMINANCE;
     GLenum compare_mode = GL_NONE;
     GLenum compare_func = GL_LEQUAL;
+    GLenum filter = GL_STANDARD_FILTER_FFGPU;
 
     bool operator==(const TextureParameters&) const = default;
 };
@@ -64,6 +67,15 @@ struct TextureChain {
     bool complete = false; // GL 1.5, 3.8.10: the texture can be used with its filters
     BaseFormat base_format = BaseFormat::None;
     bool srgb = false;
+};
+
+// What a filter reads in place of the texture's images (driver/texture/filter_table.h).
+struct FilterTable {
+    TextureFilter filter = TextureFilter::Standard; // Standard: there is none
+    DeviceBlock block;
+    TextureShape shape;
+    std::uint16_t source_width = 0, source_height = 0;
+    bool current = false; // made from the texels as they are
 };
 
 class TextureObject {
@@ -82,7 +94,7 @@ public:
     const TextureLevel& level(unsigned face, unsigned level) const { return levels_[face][level]; }
 
     // To be called after a change of levels' definitions or of parameters.
-    void changed() { chain_known_ = resident_is_current_ = false; }
+    void changed() { chain_known_ = resident_is_current_ = filter_table.current = false; }
     const TextureChain& chain() const; // computed when something changed
 
     // Where the resident levels are: `shape` has those from `root` on.
@@ -95,9 +107,15 @@ public:
     bool resident_is_current() const { return resident_is_current_; } // all of the chain is there
     void note_resident() { resident_is_current_ = true; }
 
+    FilterTable filter_table;
+    // The device may write to its images at any time: a table is never sure to be current.
+    bool is_drawn_to() const { return drawn_to_; }
+    void note_drawing() { drawn_to_ = true; }
+
 private:
     GLuint name_;
     TextureTarget target_;
+    bool drawn_to_ = false;
     std::vector<std::array<TextureLevel, MaxTextureLevels>> levels_; // by face
     mutable TextureChain chain_;
     mutable bool chain_known_ = false;

@@ -119,6 +119,7 @@ void write_texels(DeviceMemory memory,
                   std::span<const std::byte> texels) {
     TextureLevel& image = texture.level(name.face, name.level);
     const Format format = image.format.format;
+    texture.filter_table.current = false;
     check(texels.size() >= box_bytes(format, box), "too few texels for the part of the image");
     const std::optional<std::uint64_t> address = image_address(texture, name);
     for_each_run(
@@ -209,6 +210,8 @@ Surface image_memory(DeviceMemory memory, TextureObject& texture, ImageName name
     const TextureLevel& image = texture.level(name.face, name.level);
     if (!image.defined()) return {};
     make_resident(memory, texture);
+    texture.filter_table.current = false;
+    texture.note_drawing();
     if (!image.resident && !give_block(memory, texture, name)) return {};
     const ImageStrides strides(image.format.format, whole_box(image));
     return {.address =

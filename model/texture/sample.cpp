@@ -5,30 +5,12 @@
 #include "model/texture/level_of_detail.h"
 #include "model/texture/texel_read.h"
 #include "model/texture/texture_unit.h"
+#include "model/texture/wide_filters.h"
 
 #include <array>
-#include <vector>
 
 namespace ffgpu {
 namespace {
-
-struct Fragment {
-    TexCoord coord; // of cube maps: on the face
-    unsigned face = 0;
-    std::uint32_t reference = 0; // depth to compare with
-};
-
-// Where reads and accesses are told; both may be null.
-struct Witness {
-    TexelObserver* observer = nullptr;
-    std::vector<TexelAccess>* accesses = nullptr;
-    unsigned lane = 0;
-
-    const Rgba& told(unsigned axis, const Rgba& color) const {
-        if (observer) observer->filtered(axis, color);
-        return color;
-    }
-};
 
 struct Neighbourhood {
     std::array<AxisTexels, 3> axes;
@@ -79,15 +61,14 @@ TexelAccess make_access(const TextureUnit& unit,
 // Horizontally, then vertically, then between slices; an axis that the filter does not have, or a
 // nearest filter, reads no second texel.
 Rgba filter_level(const TextureUnit& unit,
-                  const Fragment& fragment,
+                  const SampledFragment& fragment,
                   unsigned level,
                   bool linear,
-                  const Witness& witness) {
+                  const FilterWitness& witness) {
     const Neighbourhood near = neighbourhood(unit, fragment.coord, level, linear);
     const AxisTexels &x = near.axes[0], &y = near.axes[1], &z = near.axes[2];
     const TexelAccess access = make_access(unit, near, level, fragment.face, witness.lane);
-    if (witness.accesses) witness.accesses->push_back(access);
-    if (witness.observer) witness.observer->level(access, near.axes);
+    witness.tell(access, near.axes);
 
     const auto texel = [&](std::int32_t at_x, std::int32_t at_y, std::int32_t at_z) {
         const TexelPlace place{level, fragment.face, at_x, at_y, at_z};
@@ -109,9 +90,9 @@ Rgba filter_level(const TextureUnit& unit,
 }
 
 Rgba filter_levels(const TextureUnit& unit,
-                   const Fragment& fragment,
+                   const SampledFragment& fragment,
                    const QuadSampling& quad,
-                   const Witness& witness) {
+                   const FilterWitness& witness) {
     if (witness.observer) witness.observer->probe(witness.lane, fragment.face, fragment.coord);
     const Rgba fine = filter_level(unit, fragment, quad.level, quad.linear, witness);
     if (quad.weight == 0) return witness.told(3, fine);
@@ -119,9 +100,9 @@ Rgba filter_levels(const TextureUnit& unit,
     return witness.told(3, lerp8w(fine, coarse, quad.weight));
 }
 
-Fragment probe(const Fragment& fragment, const QuadSampling& quad, unsigned i) {
+SampledFragment probe(const SampledFragment& fragment, const QuadSampling& quad, unsigned i) {
     const float at = probe_position(i, quad.probes);
-    Fragment result = fragment;
+    SampledFragment result = fragment;
     result.coord.s = move_to_probe(fragment.coord.s, quad.major_step.s, at);
     result.coord.t = move_to_probe(fragment.coord.t, quad.major_step.t, at);
     result.coord.r = move_to_probe(fragment.coord.r, quad.major_step.r, at);
@@ -129,9 +110,10 @@ Fragment probe(const Fragment& fragment, const QuadSampling& quad, unsigned i) {
 }
 
 Rgba filter_fragment(const TextureUnit& unit,
-                     const Fragment& fragment,
+                     const SampledFragment& fragment,
                      const QuadSampling& quad,
-                     const Witness& witness) {
+                     const FilterWitness& witness) {
+    if (is_wide(unit, quad)) return filter_wide(unit, fragment, quad, witness);
     if (quad.probes == 1) return filter_levels(unit, fragment, quad, witness);
     std::array<unsigned, 4> sum{};
     for (unsigned i = 1; i <= quad.probes; ++i) {
@@ -146,7 +128,7 @@ Rgba filter_fragment(const TextureUnit& unit,
 }
 
 struct Quad {
-    std::array<Fragment, 4> fragments;
+    std::array<SampledFragment, 4> fragments;
     QuadSampling sampling;
 };
 
@@ -160,7 +142,7 @@ Quad make_quad(const TextureUnit& unit,
     const unsigned quad_face = cube_face(coordinates_of(planes, first_lane + face_lane(covered)));
     for (unsigned i = 0; i < 4; ++i) {
         coords[i] = coordinates_of(planes, first_lane + i);
-        Fragment& fragment = quad.fragments[i];
+        SampledFragment& fragment = quad.fragments[i];
         fragment.reference = reference_depth(coords[i].r);
         fragment.coord = coords[i];
         if (unit.kind != TextureKind::Cube) continue;
@@ -196,9 +178,9 @@ void sample_scalar(const TextureUnit& unit,
         for (unsigned i = 0; i < 4; ++i) {
             const unsigned lane = 4 * q + i;
             const bool told = quads.live.test(lane);
-            const Witness witness{told ? observer : nullptr,
-                                  told && footprints ? &footprints->accesses : nullptr,
-                                  lane};
+            const FilterWitness witness{told ? observer : nullptr,
+                                        told && footprints ? &footprints->accesses : nullptr,
+                                        lane};
             store(out, lane, filter_fragment(unit, quad.fragments[i], quad.sampling, witness));
         }
     }

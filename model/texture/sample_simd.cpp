@@ -177,7 +177,9 @@ void sample(const TextureUnit& unit,
             TexelFootprints* footprints) {
     if (!unit.valid) return fill_opaque_black(4 * quads.count, out);
     if (quads.count == 0) return;
-    if (!can_filter_batches()) return sample_scalar(unit, coordinates, quads, out, footprints);
+    // The wide filters have no vectors: they are there to be compared, not to be fast.
+    if (!can_filter_batches() || unit.filter != TextureFilter::Standard)
+        return sample_scalar(unit, coordinates, quads, out, footprints);
 
     fill_group(unit, quads.count, coordinates);
     ProjectedBatch projected;

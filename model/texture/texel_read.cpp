@@ -8,10 +8,6 @@
 namespace ffgpu {
 namespace {
 
-struct StoredTexel {
-    std::uint32_t x, y, layer;
-};
-
 const std::byte* block_address(const TextureUnit& unit, unsigned level, const StoredTexel& texel) {
     const FormatInfo& info = format_info(unit.format);
     return unit.texels + unit.levels.offset[level] +
@@ -57,6 +53,21 @@ Rgba told(TexelObserver* observer, std::span<const std::byte> stored, const Rgba
     return color;
 }
 
+Rgba read_from_level(const TextureUnit& unit,
+                     unsigned level,
+                     const StoredTexel& texel,
+                     std::uint32_t reference,
+                     TexelObserver* observer) {
+    if (observer) observer->read(level, texel.layer, texel.x, texel.y);
+    constexpr std::uint32_t Border = TexelAccess::BorderTexel;
+    if (texel.x == Border || texel.y == Border || texel.layer == Border)
+        return told(observer, {}, border_texel(unit, reference));
+    const std::byte* const block = block_address(unit, level, texel);
+    return told(observer,
+                {block, format_info(unit.format).block_bytes},
+                decode(unit, block, texel, reference));
+}
+
 } // namespace
 
 std::uint16_t stored_coordinate(const TextureUnit& unit, std::int32_t index, std::int32_t size) {
@@ -76,16 +87,11 @@ Rgba read_texel(const TextureUnit& unit,
     const std::uint16_t x = stored(0, place.x), y = stored(1, place.y), z = stored(2, place.z);
     const auto layer =
         static_cast<std::uint16_t>(z == TexelAccess::BorderTexel ? z : z + place.face);
-    if (observer) observer->read(place.level, layer, x, y);
+    return read_from_level(unit, place.level, {x, y, layer}, reference, observer);
+}
 
-    constexpr std::uint16_t Border = TexelAccess::BorderTexel;
-    if (x == Border || y == Border || layer == Border)
-        return told(observer, {}, border_texel(unit, reference));
-    const StoredTexel texel{x, y, layer};
-    const std::byte* const block = block_address(unit, place.level, texel);
-    return told(observer,
-                {block, format_info(unit.format).block_bytes},
-                decode(unit, block, texel, reference));
+Rgba read_stored_texel(const TextureUnit& unit, const StoredTexel& texel, TexelObserver* observer) {
+    return read_from_level(unit, 0, texel, 0, observer);
 }
 
 } // namespace ffgpu

@@ -27,6 +27,12 @@ constexpr std::int32_t level_extent(const TextureUnit& unit, unsigned axis, unsi
     return size < 1 ? 1 : size;
 }
 
+// A texel of level 0 of a 2-D image at its stored coordinates; BorderTexel: the border colour.
+struct StoredTexel {
+    std::uint32_t x = 0, y = 0, layer = 0;
+};
+Rgba read_stored_texel(const TextureUnit& unit, const StoredTexel& texel, TexelObserver* observer);
+
 // `reference`: the fragment's r as a depth, for comparisons.
 Rgba read_texel(const TextureUnit& unit,
                 const TexelPlace& place,

@@ -1,5 +1,7 @@
 #include "model/texture/texture_unit.h"
 
+#include "model/texture/wide_filters.h"
+
 #include <algorithm>
 
 namespace ffgpu {
@@ -58,6 +60,33 @@ std::int32_t magnify_limit(const Sampler& sampler) {
     return half ? 128 : 0;
 }
 
+// Registers may ask for a filter that this image is not made for.
+TextureFilter usable_filter(const TextureShape& shape, const Sampler& sampler) {
+    if (shape.kind != TextureKind::TwoD || format_info(shape.format).is_depth)
+        return TextureFilter::Standard;
+    const std::uint32_t width = sampler.source_width, height = sampler.source_height;
+    std::uint32_t columns = 0, rows = 0; // of the image that the filter reads
+    if (sampler.filter == TextureFilter::RipMap) {
+        columns = rip_offset(width, rip_levels(width));
+        rows = rip_offset(height, rip_levels(height));
+    } else if (sampler.filter == TextureFilter::SummedArea) {
+        columns = TableChannels * width;
+        rows = height;
+    } else {
+        return sampler.filter;
+    }
+    const bool fits = shape.format == Format::Rgba8 && shape.border == 0 && width > 0 &&
+                      height > 0 && columns <= shape.width && rows <= shape.height;
+    return fits ? sampler.filter : TextureFilter::Standard;
+}
+
+unsigned most_probes(const Sampler& sampler, TextureFilter filter) {
+    const unsigned probes = std::clamp<unsigned>(sampler.max_anisotropy, 1, MaxProbes);
+    if (filter == TextureFilter::Elliptic && probes == 1) return MaxProbes;
+    // Probes that each take the nearest texel would add nothing but noise.
+    return sampler.minify_linear ? probes : 1;
+}
+
 } // namespace
 
 TextureUnit compile_texture_unit(const TextureImage& image,
@@ -81,13 +110,15 @@ TextureUnit compile_texture_unit(const TextureImage& image,
     unit.normalized = shape.kind != TextureKind::Rectangle;
     unit.sampler = sampler;
     set_levels(unit, shape);
-    set_axis(unit, 0, shape.width);
-    set_axis(unit, 1, shape.height);
+    unit.filter = usable_filter(shape, sampler);
+    const bool table =
+        unit.filter == TextureFilter::RipMap || unit.filter == TextureFilter::SummedArea;
+    if (table) unit.srgb = false; // Words are no codes.
+    set_axis(unit, 0, table ? sampler.source_width : shape.width);
+    set_axis(unit, 1, table ? sampler.source_height : shape.height);
     set_axis(unit, 2, shape.kind == TextureKind::ThreeD ? shape.depth : 1);
     unit.magnify_limit = magnify_limit(sampler);
-    // Probes that each take the nearest texel would add nothing but noise.
-    const unsigned probes = std::clamp<unsigned>(sampler.max_anisotropy, 1, 16);
-    unit.max_probes = sampler.minify_linear ? probes : 1;
+    unit.max_probes = most_probes(sampler, unit.filter);
     return unit;
 }
 

@@ -50,6 +50,7 @@ struct TextureUnit {
     bool border_color = false; // The border colour can be read.
 
     Sampler sampler;
+    TextureFilter filter = TextureFilter::Standard; // that this image can be sampled with
     std::int32_t magnify_limit = 0; // Level of detail, 8 fraction bits, up to which it magnifies.
     unsigned max_probes = 1;
 

@@ -47,7 +47,7 @@ module register_fields (
     ffgpu_registers_pkg::decode_texture_image(words_i[95:0]);
   ffgpu_registers_pkg::sampler_t sampler;
   assign sampler =
-    ffgpu_registers_pkg::decode_sampler(words_i[159:0]);
+    ffgpu_registers_pkg::decode_sampler(words_i[191:0]);
   ffgpu_registers_pkg::combiner_t combiner;
   assign combiner =
     ffgpu_registers_pkg::decode_combiner(words_i[95:0]);
@@ -429,6 +429,9 @@ module register_fields (
       {16'd13, 16'd14}: value_o = {16'd0, sampler.max_lod};
       {16'd13, 16'd15}: value_o = {sampler.border_color};
       {16'd13, 16'd16}: value_o = {8'd0, sampler.border_depth};
+      {16'd13, 16'd17}: value_o = {29'd0, sampler.filter};
+      {16'd13, 16'd18}: value_o = {19'd0, sampler.source_width};
+      {16'd13, 16'd19}: value_o = {19'd0, sampler.source_height};
       {16'd14, 16'd0}: value_o = {31'd0, combiner.enable};
       {16'd14, 16'd1}: value_o = {28'd0, combiner.rgb_op};
       {16'd14, 16'd2}: value_o = {30'd0, combiner.rgb_scale_shift};

@@ -57,6 +57,16 @@ enum class DepthMode : std::uint8_t {
     Alpha /*0 0 0 D*/
 };
 
+// How texels become a sample (model/texture/wide_filters.h). A rip-map and a summed-area table are
+// images of their own, which the driver makes from the texture's and gives in its place.
+enum class TextureFilter : std::uint8_t {
+    Standard,   // OpenGL's: nearest, linear, mip-mapped, anisotropic
+    Bicubic,    // where it magnifies; else Standard
+    RipMap,     // the image is a rip-map
+    SummedArea, // the image is a summed-area table
+    Elliptic,   // where it minifies; else Standard
+};
+
 // Level of detail values are signed, with 8 fraction bits.
 struct Sampler {
     static constexpr const char* Name = "sampler";
@@ -76,6 +86,9 @@ struct Sampler {
     DepthMode depth_mode = DepthMode::Luminance;
     std::uint32_t border_color = 0; // rgba8, red in the lowest byte, as the format would read
     std::uint32_t border_depth = 0; // For depth formats: 24-bit unsigned.
+    TextureFilter filter = TextureFilter::Standard;
+    std::uint16_t source_width = 0; // Of the texture that a rip-map or a table was made from.
+    std::uint16_t source_height = 0;
 
     template <class Self, class Visitor>
     static constexpr void visit(Self& self, Visitor&& field) {
@@ -95,6 +108,9 @@ struct Sampler {
         field("max_lod", self.max_lod, 16);
         field("border_color", self.border_color, 32);
         field("border_depth", self.border_depth, 24);
+        field("filter", self.filter, 3);
+        field("source_width", self.source_width, 13);
+        field("source_height", self.source_height, 13);
     }
     bool operator==(const Sampler&) const = default;
 };

@@ -1,5 +1,10 @@
 #include "tests/gallery/harness/textures.h"
 
+#include "driver/ffgpu_texture_filter.h"
+
+#include <cstdio>
+#include <cstring>
+
 namespace ffgpu::gallery {
 namespace {
 
@@ -57,6 +62,15 @@ void set_filters(GLenum target, GLint minifying, GLint magnifying) {
 void set_wrap(GLenum target, GLint mode) {
     for (const auto direction : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         glTexParameteri(target, static_cast<GLenum>(direction), mode);
+}
+
+void set_wide_filter(GLint filter) {
+    const auto* const names = reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS));
+    if (names && std::strstr(names, "GL_FFGPU_texture_filter")) {
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_FILTER_FFGPU, filter);
+    } else {
+        std::fputs("no GL_FFGPU_texture_filter here: OpenGL's own filter is drawn\n", stderr);
+    }
 }
 
 void coordinates_are_places() {

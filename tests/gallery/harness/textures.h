@@ -22,6 +22,10 @@ GLuint cube_map(const std::array<techniques::Texels, 6>& faces);
 void set_filters(GLenum target, GLint minifying, GLint magnifying);
 void set_wrap(GLenum target, GLint mode);
 
+// A filter of GL_FFGPU_texture_filter for the 2-D texture that is bound. Where this OpenGL does not
+// have the extension the texture stays as it is, and stderr says so.
+void set_wide_filter(GLint filter);
+
 // The coordinates (s, t, r, q) of the unit that is active are the vertex (x, y, z, w) itself.
 void coordinates_are_places();
 

@@ -1,6 +1,7 @@
 // One floor at a grazing angle, once for each filter of the texture unit, and once by
 // supersampling: what quality costs.
 
+#include "driver/ffgpu_texture_filter.h"
 #include "tests/gallery/harness/floor.h"
 #include "tests/gallery/harness/textures.h"
 #include "tests/gallery/programs/programs.h"
@@ -14,6 +15,7 @@ struct Filter {
     GLint minifying;
     GLfloat probes; // at most, along the long axis of the footprint
     int samples;    // a side of the pixel's grid of samples
+    GLint wide = GL_STANDARD_FILTER_FFGPU;
 };
 constexpr std::array Filters{
     Filter{GL_NEAREST, 1, 1},
@@ -25,6 +27,9 @@ constexpr std::array Filters{
     Filter{GL_LINEAR_MIPMAP_LINEAR, 8, 1},
     Filter{GL_LINEAR_MIPMAP_LINEAR, 16, 1},
     Filter{GL_LINEAR, 1, 4},
+    Filter{GL_LINEAR_MIPMAP_LINEAR, 1, 1, GL_RIP_MAP_FILTER_FFGPU},
+    Filter{GL_LINEAR_MIPMAP_LINEAR, 1, 1, GL_SUMMED_AREA_FILTER_FFGPU},
+    Filter{GL_LINEAR_MIPMAP_LINEAR, 1, 1, GL_ELLIPTIC_FILTER_FFGPU},
 };
 
 template <std::size_t Index>
@@ -39,6 +44,7 @@ void draw_floor_with(const Scene& scene) {
         GL_TEXTURE_2D, Chosen.minifying, Chosen.minifying == GL_NEAREST ? GL_NEAREST : GL_LINEAR);
     if (Chosen.probes > 1)
         glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, Chosen.probes);
+    if (Chosen.wide != GL_STANDARD_FILTER_FFGPU) set_wide_filter(Chosen.wide);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
 
     constexpr int Count = Chosen.samples * Chosen.samples;
@@ -65,6 +71,9 @@ const std::vector<Program>& filter_strip() {
         {"F7", "filter_anisotropic_8", "anisotropic, 8 probes", draw_floor_with<6>},
         {"F8", "filter_anisotropic_16", "anisotropic, 16 probes", draw_floor_with<7>},
         {"F9", "filter_supersampled_16", "16 samples, bilinear", draw_floor_with<8>},
+        {"F10", "filter_rip_map", "rip-map", draw_floor_with<9>},
+        {"F11", "filter_summed_area", "summed-area table", draw_floor_with<10>},
+        {"F12", "filter_elliptic", "elliptic weighted average", draw_floor_with<11>},
     };
     return all;
 }

@@ -1,0 +1,40 @@
+// What the filters of the scalar specification share: the fragment that is sampled, and who is told
+// of the texels that are read for it.
+
+#pragma once
+
+#include "model/packets/texel_footprint.h"
+#include "model/texture/coordinates.h"
+#include "model/texture/filter.h"
+#include "model/texture/texture_unit.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace ffgpu {
+
+struct SampledFragment {
+    TexCoord coord; // of cube maps: on the face
+    unsigned face = 0;
+    std::uint32_t reference = 0; // depth to compare with
+};
+
+// Where reads and accesses are told; both may be null.
+struct FilterWitness {
+    TexelObserver* observer = nullptr;
+    std::vector<TexelAccess>* accesses = nullptr;
+    unsigned lane = 0;
+
+    const Rgba& told(unsigned axis, const Rgba& color) const {
+        if (observer) observer->filtered(axis, color);
+        return color;
+    }
+
+    void tell(const TexelAccess& access, const std::array<AxisTexels, 3>& axes) const {
+        if (accesses) accesses->push_back(access);
+        if (observer) observer->level(access, axes);
+    }
+};
+
+} // namespace ffgpu

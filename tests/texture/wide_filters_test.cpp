@@ -1,0 +1,396 @@
+// The filters of FFGPU_texture_filter against their formulas in double precision, over every texel.
+
+#include "model/device/filter_tables.h"
+#include "model/texture/wide_filters.h"
+#include "model/texture/wide_texels.h"
+#include "tests/texture/texture_fixture.h"
+
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::test {
+namespace {
+
+constexpr Wrap Wraps[] = {Wrap::Repeat, Wrap::MirroredRepeat, Wrap::ClampToEdge};
+
+// The texel that stands for texel `index`: by walking there, step by step.
+int walked(Wrap wrap, int index, int size) {
+    int at = 0, step = 1;
+    if (wrap == Wrap::ClampToEdge) return index < 0 ? 0 : index >= size ? size - 1 : index;
+    const int forward = index >= 0 ? 1 : -1;
+    if (wrap == Wrap::Repeat) {
+        for (int i = 0; i != index; i += forward)
+            at = (at + forward + size) % size;
+        return at;
+    }
+    // Mirrored: turn round at each end, where the edge's texel comes twice. Backwards from texel 0
+    // stands texel 0 again.
+    if (index < 0) index = -1 - index;
+    for (int i = 0; i != index; ++i) {
+        if (at + step < 0 || at + step >= size) {
+            step = -step;
+        } else {
+            at += step;
+        }
+    }
+    return at;
+}
+
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<std::array<int, 4>> texels;
+
+    double at(Wrap wrap, int x, int y, unsigned channel) const {
+        const int column = walked(wrap, x, width), row = walked(wrap, y, height);
+        return texels[static_cast<std::size_t>(row * width + column)][channel];
+    }
+};
+
+Picture random_picture(Random& random, int width, int height) {
+    Picture picture{width, height, {}};
+    for (int i = 0; i < width * height; ++i) {
+        std::array<int, 4> texel{};
+        for (int& channel : texel)
+            channel = static_cast<int>(below(random, 256));
+        picture.texels.push_back(texel);
+    }
+    return picture;
+}
+
+std::uint32_t rgba8(const std::array<int, 4>& texel) {
+    std::uint32_t word = 0;
+    for (unsigned i = 0; i < 4; ++i)
+        word |= static_cast<std::uint32_t>(texel[i]) << (8 * i);
+    return word;
+}
+
+TextureShape shape_of(std::uint32_t width, std::uint32_t height) {
+    return {TextureKind::TwoD, Format::Rgba8, width, height, 1, 1, 0};
+}
+
+void put(const Picture& picture, unsigned at_x, unsigned at_y, TextureMemory& memory) {
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            memory.put_rgba8(0,
+                             0,
+                             at_x + static_cast<unsigned>(x),
+                             at_y + static_cast<unsigned>(y),
+                             rgba8(picture.texels[static_cast<std::size_t>(y * picture.width + x)]));
+}
+
+Sampler sampler_of(TextureFilter filter, Wrap wrap) {
+    Sampler sampler = linear_sampler(wrap);
+    sampler.filter = filter;
+    return sampler;
+}
+
+// A pixel in texels of level 0: its place, and its steps for a pixel in x and in y.
+struct Pixel {
+    double u = 0, v = 0, ux = 0, vx = 0, uy = 0, vy = 0;
+};
+
+Color sample_pixel(const TextureUnit& unit, const Pixel& pixel, TexelFootprints* footprints) {
+    const auto planes = make_planes(1, [&](unsigned lane) {
+        const double x = lane % 2, y = lane >> 1;
+        return Coordinates{
+            static_cast<float>((pixel.u + x * pixel.ux + y * pixel.uy) / unit.size[0]),
+            static_cast<float>((pixel.v + x * pixel.vx + y * pixel.vy) / unit.size[1])};
+    });
+    ColorPlanes out;
+    sample(unit, *planes, all_quads(1), out, footprints);
+    return color_of(out, 0);
+}
+
+// Multiples of 2^-8, which the texture unit keeps exactly in textures of 32 x 16.
+double place(Random& random, int size) {
+    return (static_cast<int>(below(random, static_cast<std::uint32_t>(768 * size))) - 256 * size) /
+           256.0;
+}
+
+double keys(double x) {
+    const double d = std::fabs(x);
+    if (d < 1) return 1.5 * d * d * d - 2.5 * d * d + 1;
+    if (d < 2) return -0.5 * d * d * d + 2.5 * d * d - 4 * d + 2;
+    return 0;
+}
+
+TEST_CASE("Bicubic magnification is Keys' convolution") {
+    Random random(1);
+    const Picture picture = random_picture(random, 32, 16);
+    TextureMemory memory(shape_of(32, 16));
+    put(picture, 0, 0, memory);
+    for (const Wrap wrap : Wraps) {
+        const TextureUnit unit = memory.compile(sampler_of(TextureFilter::Bicubic, wrap));
+        double worst = 0;
+        for (int n = 0; n < 2000; ++n) {
+            const Pixel pixel{place(random, 32), place(random, 16)};
+            const Color color = sample_pixel(unit, pixel, nullptr);
+            // Clamped, the coordinate is; then come the texels around it.
+            const auto held = [&](double at, int size) {
+                return wrap == Wrap::ClampToEdge ? std::clamp(at, -double(size), 2.0 * size) : at;
+            };
+            const double u = held(pixel.u, 32) - 0.5, v = held(pixel.v, 16) - 0.5;
+            for (unsigned channel = 0; channel < 4; ++channel) {
+                double sum = 0;
+                for (int y = int(std::floor(v)) - 1; y <= int(std::floor(v)) + 2; ++y)
+                    for (int x = int(std::floor(u)) - 1; x <= int(std::floor(u)) + 2; ++x)
+                        sum += keys(u - x) * keys(v - y) * picture.at(wrap, x, y, channel);
+                worst = std::max(worst, std::fabs(std::clamp(sum, 0.0, 255.0) - color[channel]));
+            }
+        }
+        INFO(static_cast<int>(wrap));
+        CHECK(worst < 1.7); // Four weights an axis within half of 2^-10, and the rounding.
+    }
+    for (std::uint32_t weight = 0; weight < 256; ++weight) {
+        const auto weights = bicubic_weights(weight);
+        for (int i = 0; i < 4; ++i)
+            CHECK(std::fabs(weights[static_cast<unsigned>(i)] -
+                            1024 * keys(weight / 256.0 - (i - 1))) <= 1.51);
+    }
+}
+
+TEST_CASE("A bicubic filter takes sixteen texels by four accesses, and only to magnify") {
+    Random random(2);
+    TextureMemory memory(shape_of(32, 16));
+    memory.fill_random(random);
+    const TextureUnit unit =
+        memory.compile(sampler_of(TextureFilter::Bicubic, Wrap::ClampToBorder));
+    TexelFootprints footprints;
+    sample_pixel(unit, {8, 8, 0.5, 0, 0, 0.5}, &footprints);
+    REQUIRE(footprints.accesses.size() == 4 * 4);
+    std::set<std::pair<int, int>> texels;
+    for (unsigned i = 0; i < 4; ++i) {
+        const TexelAccess& access = footprints.accesses[i];
+        for (const auto x : {access.x0, access.x1})
+            for (const auto y : {access.y0, access.y1})
+                texels.insert({x, y});
+    }
+    CHECK(texels.size() == 16);
+    CHECK(*texels.begin() == std::pair{6, 6});
+    CHECK(*texels.rbegin() == std::pair{9, 9});
+
+    footprints.accesses.clear();
+    sample_pixel(unit, {8, 8, 4, 0, 0, 4}, &footprints);
+    CHECK(footprints.accesses.size() == 4);
+}
+
+// Every image of a rip-map has texels of its own here, so that a wrong image cannot go unseen.
+TEST_CASE("A rip-map's sample mixes the four images around the pixel's two sides") {
+    constexpr std::uint32_t Width = 32, Height = 16;
+    Random random(3);
+    TextureMemory memory(shape_of(2 * Width, 2 * Height));
+    std::vector<std::vector<Picture>> images(6);
+    for (unsigned i = 0; i < 6; ++i)
+        for (unsigned j = 0; j < 5; ++j) {
+            images[i].push_back(
+                random_picture(random, int(Width >> i), int(Height >> j)));
+            put(images[i][j], 2 * Width - (2 * Width >> i), 2 * Height - (2 * Height >> j), memory);
+        }
+    for (const Wrap wrap : Wraps) {
+        Sampler sampler = sampler_of(TextureFilter::RipMap, wrap);
+        sampler.source_width = Width;
+        sampler.source_height = Height;
+        const TextureUnit unit = memory.compile(sampler);
+        REQUIRE(unit.filter == TextureFilter::RipMap);
+        const auto bilinear = [&](unsigned i, unsigned j, const Pixel& pixel, unsigned channel) {
+            const auto held = [&](double at, int size) {
+                return wrap == Wrap::ClampToEdge ? std::clamp(at, 0.5, size - 0.5) : at;
+            };
+            const double u = held(std::ldexp(pixel.u, -int(i)), int(Width >> i)) - 0.5;
+            const double v = held(std::ldexp(pixel.v, -int(j)), int(Height >> j)) - 0.5;
+            const int x = int(std::floor(u)), y = int(std::floor(v));
+            const auto texel = [&](int dx, int dy) {
+                return images[i][j].at(wrap, x + dx, y + dy, channel);
+            };
+            const double a = u - x, b = v - y;
+            return (texel(0, 0) * (1 - a) + texel(1, 0) * a) * (1 - b) +
+                   (texel(0, 1) * (1 - a) + texel(1, 1) * a) * b;
+        };
+        double worst = 0;
+        for (int n = 0; n < 1000; ++n) {
+            // Along the axes, and not so large that the lambdas are clamped.
+            const Pixel pixel{place(random, 32),
+                              place(random, 16),
+                              std::exp2(below(random, 4000) / 1000.0),
+                              0,
+                              0,
+                              std::exp2(below(random, 3000) / 1000.0)};
+            const Color color = sample_pixel(unit, pixel, nullptr);
+            const double level_u = std::log2(pixel.ux), level_v = std::log2(pixel.vy);
+            const auto i = unsigned(level_u), j = unsigned(level_v);
+            const double a = level_u - i, b = level_v - j;
+            for (unsigned channel = 0; channel < 4; ++channel) {
+                const auto mixed = [&](unsigned row) {
+                    return bilinear(i, row, pixel, channel) * (1 - a) +
+                           bilinear(i + 1, row, pixel, channel) * a;
+                };
+                worst = std::max(worst,
+                                 std::fabs(mixed(j) * (1 - b) + mixed(j + 1) * b - color[channel]));
+            }
+        }
+        INFO(static_cast<int>(wrap));
+        // Places within 2^-9 texel of small images, weights of 8 bits from a logarithm of 8 bits.
+        CHECK(worst < 6);
+    }
+}
+
+// The mean over a box: 1 / 256 of a texel after the other.
+double covered(double from, double to, int texel) {
+    return std::max(0.0, std::min(to, texel + 1.0) - std::max(from, double(texel)));
+}
+
+TEST_CASE("A summed-area table gives the mean over the pixel's box") {
+    constexpr int Width = 32, Height = 16;
+    Random random(4);
+    const Picture picture = random_picture(random, Width, Height);
+    TextureMemory memory(shape_of(4 * Width, Height));
+    for (int y = 0; y < Height; ++y)
+        for (int x = 0; x < Width; ++x)
+            for (unsigned channel = 0; channel < 4; ++channel) {
+                std::uint32_t sum = 0;
+                for (int j = 0; j <= y; ++j)
+                    for (int i = 0; i <= x; ++i)
+                        sum += static_cast<std::uint32_t>(
+                            picture.texels[static_cast<std::size_t>(j * Width + i)][channel]);
+                memory.put_rgba8(
+                    0, 0, 4 * static_cast<unsigned>(x) + channel, static_cast<unsigned>(y), sum);
+            }
+    for (const Wrap wrap : Wraps) {
+        Sampler sampler = sampler_of(TextureFilter::SummedArea, wrap);
+        sampler.source_width = Width;
+        sampler.source_height = Height;
+        const TextureUnit unit = memory.compile(sampler);
+        REQUIRE(unit.filter == TextureFilter::SummedArea);
+        double worst = 0;
+        for (int n = 0; n < 1000; ++n) {
+            const Pixel pixel{place(random, Width),
+                              place(random, Height),
+                              (2 * below(random, 128 * Width) + 2) / 256.0,
+                              0,
+                              0,
+                              (2 * below(random, 128 * Height) + 2) / 256.0};
+            const Color color = sample_pixel(unit, pixel, nullptr);
+            double u = pixel.u, v = pixel.v;
+            if (wrap == Wrap::ClampToEdge) {
+                u = std::clamp(u, 0.0, double(Width));
+                v = std::clamp(v, 0.0, double(Height));
+            }
+            const double half_u = std::max(1.0, pixel.ux) / 2, half_v = std::max(1.0, pixel.vy) / 2;
+            for (unsigned channel = 0; channel < 4; ++channel) {
+                double sum = 0, area = 0;
+                for (int y = int(std::floor(v - half_v)); y < v + half_v; ++y)
+                    for (int x = int(std::floor(u - half_u)); x < u + half_u; ++x) {
+                        const bool inside = x >= 0 && x < Width && y >= 0 && y < Height;
+                        if (wrap == Wrap::ClampToEdge && !inside) continue;
+                        const double part = covered(u - half_u, u + half_u, x) *
+                                            covered(v - half_v, v + half_v, y);
+                        sum += part * picture.at(wrap, x, y, channel);
+                        area += part;
+                    }
+                worst = std::max(worst, std::fabs(sum / area - color[channel]));
+            }
+        }
+        INFO(static_cast<int>(wrap));
+        CHECK(worst < 0.5001); // Exact, but for the last rounding.
+    }
+}
+
+TEST_CASE("The elliptic filter is Heckbert's weighted average") {
+    constexpr int Width = 32, Height = 16;
+    Random random(5);
+    const Picture picture = random_picture(random, Width, Height);
+    TextureMemory memory(shape_of(Width, Height));
+    put(picture, 0, 0, memory);
+    for (const Wrap wrap : Wraps) {
+        const TextureUnit unit = memory.compile(sampler_of(TextureFilter::Elliptic, wrap));
+        double worst = 0;
+        for (int n = 0; n < 500; ++n) {
+            const auto step = [&] { return (below(random, 4096) - 2048.0) / 256; };
+            Pixel pixel{place(random, Width), place(random, Height), step(), step(), step(), step()};
+            pixel.ux = std::copysign(std::max(std::fabs(pixel.ux), 1.5), pixel.ux); // minified
+            const Color color = sample_pixel(unit, pixel, nullptr);
+            const double a = pixel.vx * pixel.vx + pixel.vy * pixel.vy + 1;
+            const double b = -2 * (pixel.ux * pixel.vx + pixel.uy * pixel.vy);
+            const double c = pixel.ux * pixel.ux + pixel.uy * pixel.uy + 1;
+            const double f = a * c - b * b / 4;
+            for (unsigned channel = 0; channel < 4; ++channel) {
+                double sum = 0, total = 0;
+                for (int y = int(pixel.v) - 20; y <= int(pixel.v) + 20; ++y)
+                    for (int x = int(pixel.u) - 20; x <= int(pixel.u) + 20; ++x) {
+                        const double u = x + 0.5 - pixel.u, v = y + 0.5 - pixel.v;
+                        const double q = (a * u * u + b * u * v + c * v * v) / f;
+                        if (q >= 1) continue;
+                        sum += std::exp(-2 * q) * picture.at(wrap, x, y, channel);
+                        total += std::exp(-2 * q);
+                    }
+                worst = std::max(worst, std::fabs(sum / total - color[channel]));
+            }
+        }
+        INFO(static_cast<int>(wrap));
+        CHECK(worst < 2); // Weights of 8 bits for steps of 1/128.
+    }
+}
+
+TEST_CASE("Every access of a wide filter is what it reads") {
+    class Reads final : public TexelObserver {
+    public:
+        void level(const TexelAccess& access, const std::array<AxisTexels, 3>&) override {
+            for (unsigned corner = 0; corner < 4; ++corner)
+                if ((corner & ~unsigned{access.linear}) == 0)
+                    promised.insert({corner & 1 ? access.x1 : access.x0,
+                                     corner & 2 ? access.y1 : access.y0});
+        }
+        void read(unsigned, unsigned, unsigned x, unsigned y) override { made.insert({x, y}); }
+        std::multiset<std::pair<unsigned, unsigned>> promised, made;
+    };
+    Random random(6);
+    TextureMemory memory(shape_of(128, 32));
+    memory.fill_random(random);
+    for (const TextureFilter filter : {TextureFilter::Bicubic,
+                                       TextureFilter::RipMap,
+                                       TextureFilter::SummedArea,
+                                       TextureFilter::Elliptic})
+        for (const Wrap wrap : {Wrap::Repeat, Wrap::ClampToBorder, Wrap::MirroredRepeat}) {
+            Sampler sampler = sampler_of(filter, wrap);
+            sampler.source_width = 32;
+            sampler.source_height = 16;
+            const TextureUnit unit = memory.compile(sampler);
+            for (int n = 0; n < 200; ++n) {
+                const auto planes = make_planes(1, [&](unsigned) {
+                    const auto anywhere = [&] {
+                        return static_cast<float>(below(random, 4096)) / 1024 - 2;
+                    };
+                    return Coordinates{anywhere(), anywhere()};
+                });
+                ColorPlanes out;
+                Reads reads;
+                sample_scalar(unit, *planes, all_quads(1), out, nullptr, &reads);
+                REQUIRE(reads.promised == reads.made);
+                REQUIRE(!reads.made.empty());
+            }
+        }
+}
+
+TEST_CASE("A table that the image cannot hold is not read") {
+    TextureMemory memory(shape_of(64, 32));
+    Sampler sampler = sampler_of(TextureFilter::RipMap, Wrap::Repeat);
+    sampler.source_width = 32;
+    sampler.source_height = 16;
+    CHECK(memory.compile(sampler).filter == TextureFilter::RipMap);
+    sampler.source_width = 34; // 34 + 17 + 8 + 4 + 2 + 1 columns
+    CHECK(memory.compile(sampler).filter == TextureFilter::Standard);
+    sampler.source_width = 0;
+    CHECK(memory.compile(sampler).filter == TextureFilter::Standard);
+    sampler = sampler_of(TextureFilter::SummedArea, Wrap::Repeat);
+    sampler.source_width = 16;
+    sampler.source_height = 32;
+    CHECK(memory.compile(sampler).filter == TextureFilter::SummedArea);
+    sampler.source_height = 33;
+    CHECK(memory.compile(sampler).filter == TextureFilter::Standard);
+}
+
+} // namespace
+} // namespace ffgpu::test
