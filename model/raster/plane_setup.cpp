@@ -12,7 +12,7 @@ namespace {
 constexpr double DepthOne = std::int64_t{1} << DepthPlane::FractionBits;
 
 // A step beyond 16 times the full depth range from pixel to pixel is cut off: then no two centres
-// lie inside, and depth_min and depth_max bound the one.
+// next to each other along that axis lie inside, and depth_min and depth_max bound those that do.
 constexpr double MaxDepthStep = static_cast<double>(std::int64_t{1} << 52);
 
 // To nearest, halves away from zero; NaN is 0.

@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -238,26 +240,70 @@ std::string layer_of(std::string_view path) {
     return found;
 }
 
+// Folders whose files are read.
+const std::vector<std::string> Parts{"model", "driver", "tools", "techniques"};
+
 bool is_source(const fs::path& path) {
-    const std::string type = path.extension().string();
-    static const std::set<std::string> types{
-        ".h", ".hpp", ".cpp", ".cc", ".c", ".inc", ".inl", ".def"};
-    return types.contains(type);
+    static const std::set<std::string> types{".h", ".cpp", ".c", ".inl", ".inc"};
+    return types.contains(path.extension().string());
+}
+
+// The text with no comments, no continued lines and line feeds alone: what the preprocessor's
+// directives are read from. A quote within a comment or a string does not begin the other.
+std::string plain_text(const std::string& text) {
+    static const std::regex continued("\\\\\r?\n"), carriage_return("\r");
+    static const std::regex comment_or_literal(
+        R"re(//[^\n]*|/\*(?:[^*]|\*+[^*/])*\*+/|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)+')re");
+    const std::string joined =
+        std::regex_replace(std::regex_replace(text, continued, ""), carriage_return, "");
+    std::string plain;
+    auto from = joined.begin();
+    for (std::sregex_iterator it(joined.begin(), joined.end(), comment_or_literal), end; it != end;
+         ++it) {
+        plain.append(from, joined.begin() + it->position());
+        plain += (*it)[0].str()[0] == '/' ? " " : (*it)[0].str();
+        from = joined.begin() + it->position() + it->length();
+    }
+    return plain.append(from, joined.end());
+}
+
+struct Include {
+    std::string path;     // as it stands there
+    bool is_plain = true; // "path" or <path>, by #include; not by a macro, #import and the like
+    bool is_quoted = false;
+};
+
+std::vector<Include> includes_of(const std::string& text) {
+    static const std::regex directive(
+        R"re(\s*(?:#|%:|\?\?=)\s*(include|include_next|import)\b\s*(.*))re");
+    static const std::regex target(R"re(["<]([^">]*)[">]\s*)re");
+    std::vector<Include> found;
+    std::istringstream lines(plain_text(text));
+    for (std::string line; std::getline(lines, line);) {
+        std::smatch parts, path;
+        if (line.find("clude") == std::string::npos && line.find("import") == std::string::npos)
+            continue;
+        if (!std::regex_match(line, parts, directive)) continue;
+        const std::string rest = parts[2].str() + ' ';
+        const bool named = std::regex_match(rest, path, target);
+        found.push_back({named ? path[1].str() : rest, named && parts[1] == "include", rest[0] == '"'});
+    }
+    return found;
+}
+
+std::string text_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 // Calls visitor(path of the file, path that it includes), both from the root.
 template <class Visitor>
 void for_each_include(const fs::path& root, const std::string& folder, Visitor&& visitor) {
-    const std::regex directive(R"(\s*#\s*include\s*["<]([^">]*)[">].*)");
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
         if (!is_source(entry.path())) continue;
         const std::string path = fs::relative(entry.path(), root).string();
-        std::ifstream file(entry.path());
-        for (std::string line; std::getline(file, line);) {
-            std::smatch target;
-            if (line.find('#') != std::string::npos && std::regex_match(line, target, directive))
-                visitor(path, target[1].str());
-        }
+        for (const Include& include : includes_of(text_of(entry.path())))
+            visitor(path, include.path);
     }
 }
 
@@ -301,14 +347,55 @@ std::set<std::string> circle_of(const Arrows& arrows, const std::string& folder)
 
 TEST_CASE("includes point down only") {
     const fs::path root = FFGPU_SOURCE_DIR;
-    for (const std::string part : {"model", "driver", "tools"}) {
-        for_each_include(root, part, [](const std::string& path, const std::string& included) {
+    for (const std::string& part : Parts) {
+        for_each_include(root, part, [&](const std::string& path, const std::string& included) {
             const std::string from = layer_of(path), to = layer_of(included);
             INFO(path << " may not include " << included);
             CHECK(!from.empty());
+            // What is in none of the layers, as the tests, is nothing to build on.
+            CHECK((!fs::exists(root / included) || !to.empty()));
             CHECK((to.empty() || to == from || Allowed.at(from).contains(to)));
         });
     }
+}
+
+// Otherwise an include could point anywhere unseen.
+TEST_CASE("files of the layers are sources, and their includes name paths from the root") {
+    const fs::path root = FFGPU_SOURCE_DIR;
+    const std::set<std::string> others{".txt", ".py", ".in", ".map", ".sh", ".css", ".js", ".html"};
+    for (const std::string& part : Parts)
+        for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
+            if (!entry.is_regular_file()) continue;
+            INFO(entry.path().string());
+            CHECK((is_source(entry.path()) || others.contains(entry.path().extension().string())));
+            if (!is_source(entry.path())) continue;
+            for (const Include& include : includes_of(text_of(entry.path()))) {
+                INFO(include.path);
+                CHECK(include.is_plain);
+                CHECK(fs::path(include.path).lexically_normal().string() == include.path);
+                CHECK_FALSE(include.path.starts_with(".."));
+                // A quoted path is looked for beside the file first.
+                const fs::path beside = entry.path().parent_path() / include.path;
+                CHECK_FALSE((include.is_quoted && fs::exists(beside)));
+            }
+        }
+}
+
+TEST_CASE("an include is found however it is written") {
+    const auto path_of = [](const std::string& text) {
+        const std::vector<Include> found = includes_of(text);
+        return found.empty() ? std::string() : found.front().path;
+    };
+    CHECK(path_of("#include \"a/b.h\"") == "a/b.h");
+    CHECK(path_of("  #  include <a/b.h> // why") == "a/b.h");
+    CHECK(path_of("/* so */ #include /* or */ \"a/b.h\"\r\n") == "a/b.h");
+    CHECK(path_of("%:include \"a/b.h\"") == "a/b.h");
+    CHECK(path_of("#\\\nincl\\\nude \"a/b.h\"") == "a/b.h");
+    CHECK(path_of("// #include \"a/b.h\"\n/*\n#include \"a/b.h\"\n*/").empty());
+    CHECK(path_of("x = \"/*\";\n#include \"a/b.h\" // */") == "a/b.h");
+    CHECK(includes_of("#include PATH").front().is_plain == false);
+    CHECK(includes_of("#import \"a/b.h\"").front().is_plain == false);
+    CHECK(includes_of("#include_next <b.h>").front().is_plain == false);
 }
 
 TEST_CASE("each folder of the driver is a layer") {
@@ -332,7 +419,7 @@ TEST_CASE("a circle of any length is found") {
 TEST_CASE("no two folders include each other, in circles of any length") {
     const fs::path root = FFGPU_SOURCE_DIR;
     Arrows arrows;
-    for (const std::string part : {"model", "driver", "tools"}) {
+    for (const std::string& part : Parts) {
         for_each_include(root, part, [&](const std::string& path, const std::string& included) {
             const std::string from = folder_of(path), to = folder_of(included);
             if (from != to && fs::exists(root / included)) arrows[from].insert(to);

@@ -118,18 +118,46 @@ TEST_CASE("The order of evaluation and the pace cannot be seen, with all feature
     }
 }
 
+// Tells the contents of a command's targets before the command.
+struct ToldContents final : work::CommandSink {
+    explicit ToldContents(GpuTiming& to)
+        : timing(to) {}
+
+    void command(std::shared_ptr<const work::WholeCommand> command) override {
+        if (command->draw.state)
+            Targets::for_each(command->draw.state->targets, [&](const Surface& surface) {
+                if (surface.format == Format::None) return;
+                auto content = std::make_shared<SurfaceContent>();
+                content->surface = surface;
+                content->bytes.resize(surface.bytes());
+                timing.content(content);
+            });
+        timing.command(std::move(command));
+    }
+    void host_transfer(const HostTransfer& transfer) override { timing.host_transfer(transfer); }
+    void end_frame(std::uint32_t frame) override { timing.end_frame(frame); }
+
+    GpuTiming& timing;
+};
+
 TEST_CASE("Values alone change no figure of a machine that does not follow them") {
+    TimingConfig config;
+    config.raster.architecture = GENERATE(Architecture::Immediate, Architecture::TileBased);
     for (std::uint32_t seed = 0; seed < 6; ++seed) {
-        const auto figures = [&](WorkDetail detail) {
-            GpuTiming timing(TimingConfig{});
-            work::CommandAssembler assembler(timing);
+        const auto figures = [&](WorkDetail detail, bool tells) {
+            GpuTiming timing(config);
+            ToldContents told(timing);
+            work::CommandAssembler assembler(tells ? static_cast<work::CommandSink&>(told)
+                                                   : timing);
             DepthScene random(seed, Kinds[seed % Kinds.size()]);
             random.scene.gpu.set_work_sink(&assembler, detail);
-            random.frame(30);
+            random.frame(30, seed % 2 == 0);
             random.scene.gpu.set_work_sink(nullptr);
             return figures_of(timing);
         };
-        CHECK(figures(WorkDetail::Values) == figures(WorkDetail::Masks));
+        const auto without = figures(WorkDetail::Masks, false);
+        CHECK(figures(WorkDetail::Values, false) == without);
+        CHECK(figures(WorkDetail::Values, true) == without);
     }
 }
 
