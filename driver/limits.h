@@ -1,10 +1,10 @@
 // What glGet tells about the sizes of this implementation (GL 1.5, state tables 6.31 to 6.33). All
-// that the device decides comes from model/device/limits.h.
+// that the device decides comes from model/device/layout/limits.h.
 
 #pragma once
 
 #include "driver/gl_types.h"
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 
 #include <array>
 

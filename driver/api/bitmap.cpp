@@ -6,7 +6,7 @@
 #include "driver/images/draw_buffers.h"
 #include "driver/images/draw_image.h"
 #include "driver/images/pixel_memory.h"
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 
 #include <cmath>
 

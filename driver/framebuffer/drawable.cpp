@@ -1,7 +1,7 @@
 #include "driver/framebuffer/drawable.h"
 
 #include "model/base/check.h"
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 
 #include <algorithm>
 #include <new>

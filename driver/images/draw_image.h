@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "model/device/formats.h"
+#include "model/device/layout/formats.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 
 #include "driver/math/conversion.h"
 #include "driver/pixel/rgba8.h"
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "driver/lower/sampler.h"
 
 #include "driver/math/conversion.h"
+#include "driver/objects/texture_filter.h"
 #include "driver/pixel/rgba8.h"
-#include "driver/texture/filter_table.h"
 
 namespace ffgpu::gl {
 

@@ -1,6 +1,6 @@
 #include "driver/lower/texture_image.h"
 
-#include "driver/texture/filter_table.h"
+#include "driver/objects/texture_filter.h"
 
 namespace ffgpu::gl {
 

@@ -1,10 +1,10 @@
 // TextureObject: the images and parameters of one texture (GL 1.5, 3.8).
 //
 // Texels are kept once, in the device's format. An image that fits into the chain of levels that
-// the sampler reads lives in device memory, laid out by model/device/texture_layout.h from the base
-// level on; an image that does not (yet) is kept by the host, or, once it is drawn to, in device
-// memory of its own. Residency (driver/texture/residency.h) moves them; nothing else needs to know
-// where they are.
+// the sampler reads lives in device memory, laid out by model/device/layout/texture_layout.h from
+// the base level on; an image that does not (yet) is kept by the host, or, once it is drawn to, in
+// device memory of its own. Residency (driver/texture/residency.h) moves them; nothing else needs
+// to know where they are.
 
 #pragma once
 
@@ -13,9 +13,9 @@
 #include "driver/objects/device_block.h"
 #include "driver/state/texture_state.h"
 #include "driver/texel/internal_format.h"
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
+#include "model/device/layout/texture_layout.h"
 #include "model/device/registers/texture.h"
-#include "model/device/texture_layout.h"
 
 #include <array>
 #include <cstddef>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "driver/gl_types.h"
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 #include "model/device/registers/geometry.h"
 
 #include <array>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "driver/gl_types.h"
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 
 #include <array>
 #include <cstdint>

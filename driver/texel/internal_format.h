@@ -3,7 +3,7 @@
 #pragma once
 
 #include "driver/gl_types.h"
-#include "model/device/formats.h"
+#include "model/device/layout/formats.h"
 
 #include <cstdint>
 

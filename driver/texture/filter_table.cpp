@@ -56,18 +56,14 @@ PixelColor spread(BaseFormat base, PixelColor color) {
     }
 }
 
-bool is_color(BaseFormat base) {
-    return base != BaseFormat::None && base <= BaseFormat::Rgba;
-}
-
 // Level `base` as a filter reads it: as light, if its codes are sRGB.
 ColorImage sampled_image(DeviceMemory memory, const TextureObject& texture, unsigned number) {
     const TextureLevel& level = texture.level(0, number);
     const TexelBox box = whole_box(level);
     ColorImage image{box.width, box.height, read_texels(memory, texture, {0, number}, box)};
     if (is_compressed(level.format.format)) {
-        image.texels = decompress(
-            level.format.format, image.texels.data(), {box.width, box.height});
+        image.texels =
+            decompress(level.format.format, image.texels.data(), {box.width, box.height});
     } else if (level.format.format != Format::Rgba8) {
         std::vector<PixelColor> colors(std::size_t{box.width} * box.height);
         decode_colors(level.format.format, image.texels.data(), colors);
@@ -79,8 +75,8 @@ ColorImage sampled_image(DeviceMemory memory, const TextureObject& texture, unsi
     if (!level.format.srgb) return image;
     for (std::size_t i = 0; i < image.texels.size(); ++i)
         if (i % TexelBytes != 3)
-            image.texels[i] =
-                static_cast<std::byte>(SrgbToLinear8[std::to_integer<std::size_t>(image.texels[i])]);
+            image.texels[i] = static_cast<std::byte>(
+                SrgbToLinear8[std::to_integer<std::size_t>(image.texels[i])]);
     return image;
 }
 
@@ -120,46 +116,14 @@ ColorImage make_summed_area_table(const ColorImage& source) {
     return table;
 }
 
-TextureFilter filter_in_force(const TextureObject& texture) {
-    const TextureChain& chain = texture.chain();
-    const TextureShape& shape = chain.shape;
-    if (shape.kind != TextureKind::TwoD || shape.border != 0 || !is_color(chain.base_format))
-        return TextureFilter::Standard;
-    const TextureLevel& source = texture.level(0, chain.base);
-    const auto width = static_cast<std::uint32_t>(source.width);
-    const auto height = static_cast<std::uint32_t>(source.height);
-    switch (texture.parameters.filter) {
-    case GL_BICUBIC_FILTER_FFGPU:
-        return TextureFilter::Bicubic;
-    case GL_ELLIPTIC_FILTER_FFGPU:
-        return TextureFilter::Elliptic;
-    case GL_RIP_MAP_FILTER_FFGPU:
-        return std::max(rip_offset(width, rip_levels(width)),
-                        rip_offset(height, rip_levels(height))) <= MaxTextureSize
-                   ? TextureFilter::RipMap
-                   : TextureFilter::Standard;
-    case GL_SUMMED_AREA_FILTER_FFGPU:
-        return TableChannels * width <= MaxTextureSize ? TextureFilter::SummedArea
-                                                    : TextureFilter::Standard;
-    default:
-        return TextureFilter::Standard;
-    }
-}
-
-const FilterTable* table_in_force(const TextureObject& texture) {
-    const FilterTable& table = texture.filter_table;
-    const TextureFilter filter = filter_in_force(texture);
-    return table.block && table.filter == filter ? &table : nullptr;
-}
-
 void bring_filter_table(DeviceMemory memory, TextureObject& texture) {
     const TextureFilter filter = filter_in_force(texture);
     if (filter != TextureFilter::RipMap && filter != TextureFilter::SummedArea) return;
     FilterTable& table = texture.filter_table;
     if (table.filter == filter && table.current) return;
     const ColorImage source = sampled_image(memory, texture, texture.chain().base);
-    const ColorImage image = filter == TextureFilter::RipMap ? make_rip_map(source)
-                                                             : make_summed_area_table(source);
+    const ColorImage image =
+        filter == TextureFilter::RipMap ? make_rip_map(source) : make_summed_area_table(source);
     DeviceBlock block = DeviceBlock::allocate(memory.allocator, image.texels.size());
     if (!block) {
         table = {};

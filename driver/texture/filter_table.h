@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include "driver/objects/texture_filter.h"
 #include "driver/texture/residency.h"
-#include "model/device/registers/texture.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,14 +22,6 @@ ColorImage make_rip_map(const ColorImage& source);
 
 // The source is at most 4096 x 4096 texels: no sum exceeds 32 bits.
 ColorImage make_summed_area_table(const ColorImage& source);
-
-// What the texture's parameter asks for and its images allow. The size of a table is limited as a
-// texture's is: sources up to 1024 texels wide have a summed-area table, up to 2048 x 2048 a
-// rip-map.
-TextureFilter filter_in_force(const TextureObject& texture);
-
-// The table that its filter reads; null: it needs none, or has none.
-const FilterTable* table_in_force(const TextureObject& texture);
 
 // Makes the table of a resident texture whose filter needs one, where it is not there or the texels
 // changed since. Without room in device memory there is none, and the filter is the standard one.

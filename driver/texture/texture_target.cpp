@@ -1,6 +1,6 @@
 #include "driver/texture/texture_target.h"
 
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 
 #include <bit>
 

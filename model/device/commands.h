@@ -5,8 +5,8 @@
 
 #pragma once
 
-#include "model/device/formats.h"
-#include "model/device/register.h"
+#include "model/device/layout/formats.h"
+#include "model/device/layout/register.h"
 #include "model/device/registers.h"
 
 #include <array>

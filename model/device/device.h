@@ -5,7 +5,7 @@
 
 #include "model/base/statistics.h"
 #include "model/device/commands.h"
-#include "model/device/formats.h"
+#include "model/device/layout/formats.h"
 
 #include <cstddef>
 #include <cstdint>

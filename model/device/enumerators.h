@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "model/device/register.h"
+#include "model/device/layout/register.h"
 
 #include <array>
 #include <cstddef>

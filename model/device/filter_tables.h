@@ -11,7 +11,7 @@
 
 #pragma once
 
-#include "model/device/texture_layout.h"
+#include "model/device/layout/texture_layout.h"
 
 #include <cstdint>
 

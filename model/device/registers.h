@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "model/device/register.h"
+#include "model/device/layout/register.h"
 #include "model/device/registers/fragment.h"
 #include "model/device/registers/geometry.h"
 #include "model/device/registers/primitive.h"

@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 
 #include <cstdint>
 

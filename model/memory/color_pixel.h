@@ -3,11 +3,11 @@
 // colour targets and their tests share.
 //
 // A colour is rgba8 with red in the lowest byte. Luminance and intensity are written by red, alpha
-// formats by alpha; a channel that a format lacks reads as model/device/formats.h says.
+// formats by alpha; a channel that a format lacks reads as model/device/layout/formats.h says.
 
 #pragma once
 
-#include "model/device/formats.h"
+#include "model/device/layout/formats.h"
 
 #include <cstdint>
 #include <type_traits>

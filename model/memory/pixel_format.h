@@ -6,7 +6,7 @@
 #pragma once
 
 #include "model/device/extents.h"
-#include "model/device/formats.h"
+#include "model/device/layout/formats.h"
 #include "model/device/registers/fragment.h"
 #include "model/memory/color_pixel.h"
 

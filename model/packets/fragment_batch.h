@@ -16,7 +16,7 @@
 
 #pragma once
 
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 
 #include <array>
 #include <bit>

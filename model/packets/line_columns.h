@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 #include "model/packets/window_vertex.h"
 
 #include <cstdint>

@@ -71,8 +71,7 @@ Ellipse ellipse_of(const TexelSteps& steps) {
 // Of the texel whose centre lies (u, v) 256ths of a texel from the ellipse's.
 std::uint32_t weight_of(const Ellipse& ellipse, std::int32_t u, std::int32_t v) {
     const float at_u = static_cast<float>(u) * 0x1p-8f, at_v = static_cast<float>(v) * 0x1p-8f;
-    const float q =
-        (ellipse.a * at_u + ellipse.b * at_v) * at_u + ellipse.c * at_v * at_v;
+    const float q = (ellipse.a * at_u + ellipse.b * at_v) * at_u + ellipse.c * at_v * at_v;
     return q < 1 ? Weights[static_cast<unsigned>(std::max(q, 0.0f) * WeightSteps)] : 0;
 }
 
@@ -89,8 +88,7 @@ struct WeightedSum {
     Rgba mean() const {
         Rgba color{};
         for (unsigned channel = 0; channel < 4; ++channel)
-            color[channel] =
-                static_cast<std::uint8_t>((channels[channel] + weight / 2) / weight);
+            color[channel] = static_cast<std::uint8_t>((channels[channel] + weight / 2) / weight);
         return color;
     }
 };
@@ -127,10 +125,9 @@ Rgba filter_elliptic(const TextureUnit& unit,
         for (std::int32_t x = first[0]; x <= last[0]; x += 2) {
             std::array<std::uint32_t, 4> weights{};
             for (std::int32_t i = 0; i < 4; ++i)
-                weights[static_cast<unsigned>(i)] =
-                    weight_of(ellipse,
-                              256 * (x + i % 2) - from_centre[0],
-                              256 * (y + i / 2) - from_centre[1]);
+                weights[static_cast<unsigned>(i)] = weight_of(ellipse,
+                                                              256 * (x + i % 2) - from_centre[0],
+                                                              256 * (y + i / 2) - from_centre[1]);
             if (weights == std::array<std::uint32_t, 4>{}) continue;
             const std::array<Rgba, 4> texels = block.read(x, y);
             for (unsigned i = 0; i < 4; ++i)

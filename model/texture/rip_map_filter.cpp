@@ -20,11 +20,10 @@ struct RipAxis {
 RipAxis rip_axis(const TextureUnit& unit, unsigned axis, const QuadSampling& quad) {
     const float covered = std::max(std::fabs(quad.steps.x[axis]), std::fabs(quad.steps.y[axis]));
     const float texels = std::clamp(covered * unit.density[axis], LeastStep, LargestStep);
-    const std::int32_t lambda = std::clamp<std::int32_t>(log2_fixed8(texels) + unit.sampler.bias,
-                                                         unit.sampler.min_lod,
-                                                         unit.sampler.max_lod);
-    const auto last = static_cast<std::int32_t>(
-        rip_levels(static_cast<std::uint32_t>(unit.size[axis])) - 1);
+    const std::int32_t lambda = std::clamp<std::int32_t>(
+        log2_fixed8(texels) + unit.sampler.bias, unit.sampler.min_lod, unit.sampler.max_lod);
+    const auto last =
+        static_cast<std::int32_t>(rip_levels(static_cast<std::uint32_t>(unit.size[axis])) - 1);
     const std::int32_t fixed = std::clamp(lambda, 0, 256 * last);
     return {static_cast<std::uint32_t>(fixed >> 8), static_cast<std::uint32_t>(fixed & 0xff)};
 }
@@ -35,8 +34,7 @@ image_texels(const TextureUnit& unit, unsigned axis, std::uint32_t level, float 
     const WrapRule& rule = linear ? unit.linear_rules[axis] : unit.nearest_rules[axis];
     const std::int32_t size = level_extent(unit, axis, level);
     const float folded = fold_coordinate(rule.fold, s, 1);
-    const std::int32_t at =
-        texel_coordinate(folded, static_cast<float>(256 * size), size, rule);
+    const std::int32_t at = texel_coordinate(folded, static_cast<float>(256 * size), size, rule);
     return linear ? linear_texels(at, size, rule) : nearest_texel(at, size, rule);
 }
 

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "model/device/formats.h"
+#include "model/device/layout/formats.h"
 #include "model/texture/filter.h"
 
 #include <cstddef>

@@ -30,8 +30,8 @@ struct Intervals {
 };
 
 // The part of the box in the image's repetition number `period`, of `length` 256ths of a texel.
-void add_period(Intervals& intervals, Interval box, std::int32_t period, std::int32_t length,
-                bool mirrored) {
+void add_period(
+    Intervals& intervals, Interval box, std::int32_t period, std::int32_t length, bool mirrored) {
     const std::int32_t from = std::max(box.from - period * length, 0);
     const std::int32_t to = std::min(box.to - period * length, length);
     if (mirrored && period % 2 != 0) return intervals.add(length - to, length - from);
@@ -43,8 +43,8 @@ void add_period(Intervals& intervals, Interval box, std::int32_t period, std::in
 Intervals box_along(const TextureUnit& unit, unsigned axis, float s, const QuadSampling& quad) {
     const std::int32_t length = 256 * unit.size[axis];
     const float covered = std::max(std::fabs(quad.steps.x[axis]), std::fabs(quad.steps.y[axis]));
-    const float texels = std::clamp(
-        covered * unit.density[axis], 1.0f, static_cast<float>(unit.size[axis]));
+    const float texels =
+        std::clamp(covered * unit.density[axis], 1.0f, static_cast<float>(unit.size[axis]));
     const std::int32_t width = round_to_int(texels * 256);
 
     const Fold fold = unit.linear_rules[axis].fold;
@@ -113,8 +113,8 @@ private:
               std::uint32_t half,
               Sums* into,
               std::int32_t y) const {
-        const auto x0 = static_cast<std::uint16_t>(
-            TableChannels * static_cast<std::uint32_t>(column) + half);
+        const auto x0 =
+            static_cast<std::uint16_t>(TableChannels * static_cast<std::uint32_t>(column) + half);
         const auto x1 = static_cast<std::uint16_t>(x0 + 1);
         witness_.tell({.lane = static_cast<std::uint16_t>(witness_.lane),
                        .level = 0,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/arith/srgb.h"
-#include "model/device/formats.h"
+#include "model/device/layout/formats.h"
 #include "model/memory/pixel_format.h"
 #include "model/texture/filter.h"
 

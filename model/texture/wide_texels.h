@@ -46,7 +46,8 @@ constexpr std::int32_t wrapped_texel(Wrap wrap, std::int32_t index, std::int32_t
 // but not to its texels, which wrapped_texel() does. Repeat: 0 to size; mirrored: 0 to 2 size.
 constexpr std::int32_t texel_position(Fold fold, float s, std::int32_t size) {
     const float scale = static_cast<float>(256 * size);
-    const float folded = fold == Fold::Mirror ? 2 * fraction(s * 0.5f) : fold_coordinate(fold, s, 1);
+    const float folded =
+        fold == Fold::Mirror ? 2 * fraction(s * 0.5f) : fold_coordinate(fold, s, 1);
     return round_to_int(folded * scale);
 }
 

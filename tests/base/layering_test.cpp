@@ -286,7 +286,8 @@ std::vector<Include> includes_of(const std::string& text) {
         if (!std::regex_match(line, parts, directive)) continue;
         const std::string rest = parts[2].str() + ' ';
         const bool named = std::regex_match(rest, path, target);
-        found.push_back({named ? path[1].str() : rest, named && parts[1] == "include", rest[0] == '"'});
+        found.push_back(
+            {named ? path[1].str() : rest, named && parts[1] == "include", rest[0] == '"'});
     }
     return found;
 }
@@ -307,18 +308,8 @@ void for_each_include(const fs::path& root, const std::string& folder, Visitor&&
     }
 }
 
-// The folder of a file: two names deep, three in the parts of the driver that have folders of their
-// own. A folder within such a folder is a drawer of it.
 std::string folder_of(const std::string& path) {
-    const bool deep =
-        path.starts_with("driver/trace/") || path.starts_with("driver/window_system/");
-    std::size_t end = 0;
-    for (unsigned names = 0; names < (deep ? 3 : 2); ++names) {
-        const std::size_t slash = path.find('/', end + (names > 0));
-        if (slash == std::string::npos) break;
-        end = slash;
-    }
-    return path.substr(0, end);
+    return fs::path(path).parent_path().string();
 }
 
 using Arrows = std::map<std::string, std::set<std::string>>;
@@ -413,7 +404,7 @@ TEST_CASE("a circle of any length is found") {
     CHECK(folder_of("driver/gl_types.h") == "driver");
     CHECK(folder_of("driver/trace/reader/call.h") == "driver/trace/reader");
     CHECK(folder_of("driver/window_system/turn.h") == "driver/window_system");
-    CHECK(folder_of("model/device/registers/vertex.h") == "model/device");
+    CHECK(folder_of("model/device/registers/vertex.h") == "model/device/registers");
 }
 
 TEST_CASE("no two folders include each other, in circles of any length") {

@@ -1,6 +1,6 @@
 // Vertex arrays, the commands that draw from them, glBegin, evaluators.
 
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 #include "tests/driver/error_walk.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 // Commands of the form glThing[fi][v](..., pname, value).
 
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 #include "tests/driver/error_walk.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 // Texture objects and images.
 
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 #include "tests/driver/error_walk.h"
 
 #include <array>

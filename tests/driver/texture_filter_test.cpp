@@ -21,8 +21,8 @@ using namespace ffgpu::gl::entry;
 
 namespace {
 
-constexpr int Size = 16;          // of the picture
-constexpr int Source = 4 * Size;  // of the texture: a pixel covers 4 x 4 texels
+constexpr int Size = 16;         // of the picture
+constexpr int Source = 4 * Size; // of the texture: a pixel covers 4 x 4 texels
 
 // r g b a bytes.
 struct Texels {
@@ -125,12 +125,9 @@ TEST_CASE("Each image of a rip-map is the mean over what its texels cover") {
                 for (int x = 0; x < 32 >> i; ++x)
                     for (int channel = 0; channel < 4; ++channel) {
                         const int column = 64 - (64 >> i) + x, row = 16 - (16 >> j) + y;
-                        const auto at =
-                            static_cast<std::size_t>(4 * (row * 63 + column) + channel);
-                        const double mean =
-                            texels.mean(x << i, y << j, 1 << i, 1 << j, channel);
-                        const double error =
-                            std::fabs(std::to_integer<int>(map.texels[at]) - mean);
+                        const auto at = static_cast<std::size_t>(4 * (row * 63 + column) + channel);
+                        const double mean = texels.mean(x << i, y << j, 1 << i, 1 << j, channel);
+                        const double error = std::fabs(std::to_integer<int>(map.texels[at]) - mean);
                         worst = std::max(worst, error / (i + j + 1));
                     }
     CHECK(worst <= 0.5); // A rounding for each halving, and none for the source.
@@ -145,9 +142,8 @@ TEST_CASE("The words of a summed-area table are sums of texels") {
         for (int x = 0; x < 7; ++x)
             for (int channel = 0; channel < 4; ++channel) {
                 std::uint32_t word = 0;
-                std::memcpy(&word,
-                            table.texels.data() + 4 * (28 * y + 4 * x + channel),
-                            sizeof word);
+                std::memcpy(
+                    &word, table.texels.data() + 4 * (28 * y + 4 * x + channel), sizeof word);
                 const double area = (x + 1) * (y + 1);
                 CHECK(word == std::lround(texels.mean(0, 0, x + 1, y + 1, channel) * area));
             }
@@ -178,8 +174,7 @@ TEST_CASE_METHOD(FilterFixture, "Rip-map and summed-area table show the means, o
     CHECK(distance(drawn(), texels) < tolerance);
 
     const Texels part(Source, 4, 4);
-    TexSubImage2D(
-        GL_TEXTURE_2D, 0, 0, 8, Source, 4, GL_RGBA, GL_UNSIGNED_BYTE, part.bytes.data());
+    TexSubImage2D(GL_TEXTURE_2D, 0, 0, 8, Source, 4, GL_RGBA, GL_UNSIGNED_BYTE, part.bytes.data());
     std::copy(part.bytes.begin(), part.bytes.end(), texels.bytes.begin() + 8 * Source * 4);
     CHECK(distance(drawn(), texels) < tolerance);
 
@@ -233,7 +228,8 @@ TEST_CASE_METHOD(FilterFixture, "A table holds what the sampler would read of th
     }
 }
 
-TEST_CASE_METHOD(FilterFixture, "Kinds of texture that the filters do not know are as OpenGL says") {
+TEST_CASE_METHOD(FilterFixture,
+                 "Kinds of texture that the filters do not know are as OpenGL says") {
     const Texels texels(Source, 1, 7);
     Disable(GL_TEXTURE_2D);
     Enable(GL_TEXTURE_1D);

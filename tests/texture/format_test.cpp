@@ -1,4 +1,4 @@
-// Texel decode: each format by its comment in model/device/formats.h, S3TC blocks by hand.
+// Texel decode: each format by its comment in model/device/layout/formats.h, S3TC blocks by hand.
 
 #include "model/texture/s3tc.h"
 #include "model/texture/texel_decode.h"

@@ -74,11 +74,12 @@ TextureShape shape_of(std::uint32_t width, std::uint32_t height) {
 void put(const Picture& picture, unsigned at_x, unsigned at_y, TextureMemory& memory) {
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x)
-            memory.put_rgba8(0,
-                             0,
-                             at_x + static_cast<unsigned>(x),
-                             at_y + static_cast<unsigned>(y),
-                             rgba8(picture.texels[static_cast<std::size_t>(y * picture.width + x)]));
+            memory.put_rgba8(
+                0,
+                0,
+                at_x + static_cast<unsigned>(x),
+                at_y + static_cast<unsigned>(y),
+                rgba8(picture.texels[static_cast<std::size_t>(y * picture.width + x)]));
 }
 
 Sampler sampler_of(TextureFilter filter, Wrap wrap) {
@@ -185,8 +186,7 @@ TEST_CASE("A rip-map's sample mixes the four images around the pixel's two sides
     std::vector<std::vector<Picture>> images(6);
     for (unsigned i = 0; i < 6; ++i)
         for (unsigned j = 0; j < 5; ++j) {
-            images[i].push_back(
-                random_picture(random, int(Width >> i), int(Height >> j)));
+            images[i].push_back(random_picture(random, int(Width >> i), int(Height >> j)));
             put(images[i][j], 2 * Width - (2 * Width >> i), 2 * Height - (2 * Height >> j), memory);
         }
     for (const Wrap wrap : Wraps) {
@@ -285,8 +285,8 @@ TEST_CASE("A summed-area table gives the mean over the pixel's box") {
                     for (int x = int(std::floor(u - half_u)); x < u + half_u; ++x) {
                         const bool inside = x >= 0 && x < Width && y >= 0 && y < Height;
                         if (wrap == Wrap::ClampToEdge && !inside) continue;
-                        const double part = covered(u - half_u, u + half_u, x) *
-                                            covered(v - half_v, v + half_v, y);
+                        const double part =
+                            covered(u - half_u, u + half_u, x) * covered(v - half_v, v + half_v, y);
                         sum += part * picture.at(wrap, x, y, channel);
                         area += part;
                     }
@@ -309,7 +309,8 @@ TEST_CASE("The elliptic filter is Heckbert's weighted average") {
         double worst = 0;
         for (int n = 0; n < 500; ++n) {
             const auto step = [&] { return (below(random, 4096) - 2048.0) / 256; };
-            Pixel pixel{place(random, Width), place(random, Height), step(), step(), step(), step()};
+            Pixel pixel{
+                place(random, Width), place(random, Height), step(), step(), step(), step()};
             pixel.ux = std::copysign(std::max(std::fabs(pixel.ux), 1.5), pixel.ux); // minified
             const Color color = sample_pixel(unit, pixel, nullptr);
             const double a = pixel.vx * pixel.vx + pixel.vy * pixel.vy + 1;
@@ -340,8 +341,8 @@ TEST_CASE("Every access of a wide filter is what it reads") {
         void level(const TexelAccess& access, const std::array<AxisTexels, 3>&) override {
             for (unsigned corner = 0; corner < 4; ++corner)
                 if ((corner & ~unsigned{access.linear}) == 0)
-                    promised.insert({corner & 1 ? access.x1 : access.x0,
-                                     corner & 2 ? access.y1 : access.y0});
+                    promised.insert(
+                        {corner & 1 ? access.x1 : access.x0, corner & 2 ? access.y1 : access.y0});
         }
         void read(unsigned, unsigned, unsigned x, unsigned y) override { made.insert({x, y}); }
         std::multiset<std::pair<unsigned, unsigned>> promised, made;

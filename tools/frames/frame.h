@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "model/device/formats.h"
+#include "model/device/layout/formats.h"
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 #include "tools/record/recording_arguments.h"
 
 #include "model/base/input_error.h"
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 #include "tools/config/config_file.h"
 #include "tools/config/preset.h"
 #include "tools/config/settings_option.h"

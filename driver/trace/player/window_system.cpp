@@ -1,7 +1,7 @@
 #include "driver/trace/player/window_system.h"
 
 #include "driver/context/current.h"
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 
 #include <algorithm>
 

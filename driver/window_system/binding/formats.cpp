@@ -1,6 +1,6 @@
 #include "driver/window_system/binding/formats.h"
 
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 
 #include <cstdlib>
 #include <string_view>

@@ -1,7 +1,7 @@
 // Windows, pbuffers and pixmaps (EGL 1.5, 3.5), and the posting of their pictures (3.10).
 
 #include "driver/window_system/egl/thread_state.h"
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "driver/window_system/glx/configs.h"
 
 #include "driver/window_system/binding/formats.h"
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "driver/window_system/glx/protocol.h"
 #include "driver/window_system/turn.h"
 #include "driver/window_system/x11/internals.h"
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 
 #include <algorithm>
 #include <new>

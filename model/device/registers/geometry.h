@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "model/device/limits.h"
+#include "model/device/layout/limits.h"
 
 #include <array>
 #include <cstdint>

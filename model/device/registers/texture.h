@@ -2,10 +2,10 @@
 
 #pragma once
 
-#include "model/device/formats.h"
-#include "model/device/limits.h"
-#include "model/device/register.h"
-#include "model/device/texture_layout.h"
+#include "model/device/layout/formats.h"
+#include "model/device/layout/limits.h"
+#include "model/device/layout/register.h"
+#include "model/device/layout/texture_layout.h"
 
 #include <array>
 #include <cstdint>

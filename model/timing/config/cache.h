@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/base/parameters.h"
-#include "model/timing/cache_traffic_config.h"
+#include "model/timing/config/cache_traffic.h"
 #include "model/work/cache_policy.h"
 #include "model/work/config.h"
 

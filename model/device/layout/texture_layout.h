@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "model/device/formats.h"
+#include "model/device/layout/formats.h"
 
 #include <algorithm>
 #include <cstdint>
