@@ -2,7 +2,6 @@
 
 #include "model/base/check.h"
 #include "model/device/extents.h"
-#include "model/work/block_walk.h"
 #include "model/work/depth_test_masks.h"
 #include "model/work/surface_lines.h"
 #include "model/work/texel_lookups.h"
@@ -22,26 +21,6 @@ struct DrawPlaces {
     const PlacedLevel* depth = nullptr;
     std::vector<const PlacedLevel*> colors;
 };
-
-// Tells the piece's quads, in their order, where blocks begin and how many empty ones are walked
-// before. Where no box is told only blocks with quads are.
-void walk(const RasterOrder& raster, PreparedPiece& piece, PreparedScene& scene) {
-    const BlockWalk walk(raster, piece.box);
-    const auto quads = std::span(scene.quads).subspan(piece.begin, piece.end - piece.begin);
-    std::uint32_t walked = 0, block = 0;
-    for (PreparedQuad& quad : quads) {
-        const std::uint32_t own = traversal_block(raster, quad.x, quad.y);
-        quad.new_tile = &quad == quads.data() || own != block;
-        quad.empty_blocks = 0;
-        block = own;
-        if (!quad.new_tile || piece.box.empty()) continue;
-        const std::uint32_t before = walk.before(quad.x, quad.y);
-        check(before >= walked, "quads come in the order of the walk");
-        quad.empty_blocks = before - walked;
-        walked = before + 1;
-    }
-    piece.empty_blocks = walk.blocks() - walked;
-}
 
 ImageMemory image_memory(const DrawImageCommand& image) {
     if (image.width == 0 || image.height == 0) return {};
@@ -211,7 +190,7 @@ private:
         for (const Ordered& each : order_)
             add_quad(each.quad, each.lanes);
         piece.end = static_cast<std::uint32_t>(out_.quads.size());
-        walk(config_.raster, piece, out_);
+        walk_piece(config_.raster, piece, out_);
         out_.pieces.push_back(piece);
         ++out_.primitives.back().piece_count;
         return end;
@@ -349,46 +328,6 @@ private:
     std::vector<Ordered> order_; // of a piece
 };
 
-// What of a box lies in the bin.
-PieceBox part_in_bin(const PieceBox& box, const RasterOrder& raster, BinKey key) {
-    if (box.empty()) return {};
-    const std::uint32_t size = raster.bin_size;
-    const Rectangle bin = bin_rectangle(size, static_cast<std::uint32_t>(key));
-    const auto inside = [](int bound, int from, int to) {
-        return static_cast<std::uint16_t>(std::clamp(bound, from, to));
-    };
-    return {inside(box.x0, bin.x0, bin.x1),
-            inside(box.y0, bin.y0, bin.y1),
-            inside(box.x1, bin.x0, bin.x1),
-            inside(box.y1, bin.y0, bin.y1)};
-}
-
-// A quad of a piece in a bin, or the piece in a bin where it has none.
-struct Placed {
-    static constexpr std::uint32_t None = ~0u;
-
-    BinKey key = 0;
-    std::uint32_t piece = 0, quad = None;
-
-    bool operator<(const Placed& other) const {
-        return std::tie(key, piece, quad) < std::tie(other.key, other.piece, other.quad);
-    }
-};
-
-std::vector<Placed> placed_in_bins(const std::vector<BinKey>& keys,
-                                   const std::vector<PiecePart>& walked,
-                                   const PreparedScene& scene) {
-    std::vector<Placed> order;
-    order.reserve(scene.quads.size() + walked.size());
-    for (std::uint32_t piece = 0; piece < scene.pieces.size(); ++piece)
-        for (std::uint32_t i = scene.pieces[piece].begin; i < scene.pieces[piece].end; ++i)
-            order.push_back({keys[i], piece, i});
-    for (const PiecePart& part : walked)
-        order.push_back({part.key, part.piece, Placed::None});
-    std::sort(order.begin(), order.end());
-    return order;
-}
-
 } // namespace
 
 QuadValues PreparedScene::values_of(const PreparedQuad& quad) const {
@@ -412,31 +351,6 @@ void append(const WholeCommand& command,
             AddressMap& addresses,
             PreparedScene& scene) {
     Appender(command, config, scene).run(addresses);
-}
-
-std::vector<BinKey> sort_quads(const RasterOrder& raster,
-                               const std::vector<BinKey>& keys,
-                               const std::vector<PiecePart>& walked,
-                               PreparedScene& scene) {
-    const std::vector<Placed> order = placed_in_bins(keys, walked, scene);
-    const std::vector<PreparedPiece> whole = std::exchange(scene.pieces, {});
-    const std::vector<PreparedQuad> quads = std::exchange(scene.quads, {});
-    std::vector<BinKey> part_keys;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const Placed& placed = order[i];
-        if (i == 0 || placed.key != order[i - 1].key || placed.piece != order[i - 1].piece) {
-            const auto at = static_cast<std::uint32_t>(scene.quads.size());
-            const PieceBox box = part_in_bin(whole[placed.piece].box, raster, placed.key);
-            scene.pieces.push_back({at, at, box, 0});
-            part_keys.push_back(placed.key);
-        }
-        if (placed.quad == Placed::None) continue;
-        scene.quads.push_back(quads[placed.quad]);
-        ++scene.pieces.back().end;
-    }
-    for (PreparedPiece& piece : scene.pieces)
-        walk(raster, piece, scene);
-    return part_keys;
 }
 
 } // namespace ffgpu::work

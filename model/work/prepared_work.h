@@ -158,6 +158,10 @@ struct PiecePart {
     std::uint32_t piece = 0; // index into PreparedScene::pieces
 };
 
+// Tells the piece's quads, in their order, where blocks begin and how many empty ones are walked
+// before. Where no box is told only blocks with quads are.
+void walk_piece(const RasterOrder& raster, PreparedPiece& piece, PreparedScene& scene);
+
 // Brings the quads of a whole scene into the order of their bins, a key each; where keys are equal,
 // as they were. A piece has a part for each key of its quads, and for those of `walked` that hold
 // none of them; the walk of a part stays in the bin. Returns the key of each part. Of the pieces
