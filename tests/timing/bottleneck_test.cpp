@@ -94,8 +94,11 @@ struct Outcome {
 // between them; or of many vertices and few quads, on a machine whose back end is no limit.
 enum class Case { Draws, Commands, FrontEnd };
 
-constexpr Case case_of(std::uint64_t seed) {
-    return static_cast<Case>(seed % 3);
+// Frames of draws alone, or all cases in turn.
+enum class Population { Draws, All };
+
+constexpr Case case_of(Population population, std::uint64_t seed) {
+    return population == Population::Draws ? Case::Draws : static_cast<Case>(seed % 3);
 }
 
 // A memory and caches that hold up nobody, and a front end slow in all its parts, or in one.
@@ -113,17 +116,17 @@ void bind_to_front_end(TimingConfig& config, RandomWork& random) {
     config.raster.architecture = work::Architecture::Immediate;
 }
 
-TimingConfig machine_of(std::uint64_t seed) {
+TimingConfig machine_of(Case kind, std::uint64_t seed) {
     RandomWork random(~seed);
     TimingConfig config = random.machine();
-    if (case_of(seed) == Case::FrontEnd) bind_to_front_end(config, random);
+    if (kind == Case::FrontEnd) bind_to_front_end(config, random);
     return config;
 }
 
-void tell_frame(std::uint64_t seed, GpuTiming& timing) {
+void tell_frame(Case kind, std::uint64_t seed, GpuTiming& timing) {
     RandomWork work(seed);
     for (std::uint32_t number = 0; number < 6; ++number) {
-        switch (case_of(seed)) {
+        switch (kind) {
         case Case::Draws:
             timing.command(std::make_shared<work::WholeCommand>(
                 work.draw(number, 1 + work.below(400), work.below(1000))));
@@ -157,9 +160,9 @@ Outcome run_commands(GpuTiming& timing, const std::function<void()>& tell) {
     return outcome;
 }
 
-Outcome run_frame(const TimingConfig& config, std::uint64_t seed) {
+Outcome run_frame(const TimingConfig& config, Case kind, std::uint64_t seed) {
     GpuTiming timing(config);
-    return run_commands(timing, [&] { tell_frame(seed, timing); });
+    return run_commands(timing, [&] { tell_frame(kind, seed, timing); });
 }
 
 // Of all cycles of the frame: what each resource without limit gains.
@@ -184,14 +187,14 @@ struct Gains {
     }
 };
 
-Gains measure(std::uint64_t seed) {
-    const TimingConfig config = machine_of(seed);
-    Gains gains{run_frame(config, seed), {}};
+Gains measure(Case kind, std::uint64_t seed) {
+    const TimingConfig config = machine_of(kind, seed);
+    Gains gains{run_frame(config, kind, seed), {}};
     for (const auto& [resource, remove_limit] : unlimited()) {
         TimingConfig faster = config;
         remove_limit(faster);
         gains.of[resource] = static_cast<std::int64_t>(gains.base.cycles) -
-                             static_cast<std::int64_t>(run_frame(faster, seed).cycles);
+                             static_cast<std::int64_t>(run_frame(faster, kind, seed).cycles);
     }
     return gains;
 }
@@ -216,17 +219,22 @@ TEST_CASE("no resource without limit gains more than the named one, within 2 % o
         const char* const wanted = std::getenv(name);
         return wanted ? std::strtoull(wanted, nullptr, 10) : otherwise;
     };
+    // On seeds that it was not made by the rule is right less often where clears, copies, uploads
+    // and front ends are among the cases: a queue that filled in a burst is taken for one that
+    // holds up its sender.
+    const Population population = GENERATE(Population::Draws, Population::All);
     const std::uint64_t cases = number("FFGPU_BOTTLENECK_CASES", 20);
     const std::uint64_t first = number("FFGPU_BOTTLENECK_SEED", 1000);
     std::uint64_t right = 0;
     for (std::uint64_t seed = first; seed < first + cases; ++seed) {
-        const Gains gains = measure(seed);
+        const Gains gains = measure(case_of(population, seed), seed);
         right += gains.holds();
         if (gains.holds()) continue;
         UNSCOPED_INFO(seed << ": " << described(gains));
     }
-    WARN(right << " of " << cases << " bottlenecks are the largest gain");
-    CHECK(right * 100 >= cases * 80); // the rule is known to be wrong where queues are long
+    WARN(right << " of " << cases << " bottlenecks are the largest gain, "
+               << (population == Population::Draws ? "draws alone" : "all cases"));
+    CHECK(right * 10 >= cases * 9);
 }
 
 // A frame of one draw that keeps `unit` alone busy: so many items of so many cycles each.
