@@ -54,7 +54,7 @@ public:
     void send() {
         CommandStream stream;
         write_changes(sent_, registers, stream);
-        gpu.submit(stream);
+        into->submit(stream);
         sent_ = registers;
     }
 
@@ -63,7 +63,7 @@ public:
         send();
         CommandStream stream;
         stream.add(what);
-        gpu.submit(stream);
+        into->submit(stream);
     }
 
     void clear(std::uint32_t color) {
@@ -76,7 +76,7 @@ public:
 
     void draw(PrimitiveType type, const std::vector<Vertex>& vertices) {
         // Each draw has memory of its own, so that draws stay together in a bin.
-        gpu.write_memory(next_vertices_, bytes_of(vertices));
+        into->write_memory(next_vertices_, bytes_of(vertices));
         DrawCommand draw;
         draw.primitive = type;
         draw.count = draw.vertex_count = static_cast<std::uint32_t>(vertices.size());
@@ -96,7 +96,7 @@ public:
 
     // A square RGBA8 texture on unit 0, nearest, replacing the colour.
     void texture(std::uint32_t size, const std::vector<std::uint32_t>& texels) {
-        gpu.write_memory(TextureAt, bytes_of(texels));
+        into->write_memory(TextureAt, bytes_of(texels));
         registers.images[0].shape = {TextureKind::TwoD, Format::Rgba8, size, size, 1, 1, 0};
         registers.images[0].address = TextureAt;
         registers.samplers[0].magnify_linear = registers.samplers[0].minify_linear = false;
@@ -109,6 +109,7 @@ public:
 
     Registers registers;
     FunctionalGpu gpu;
+    Device* into = &gpu; // what is told all: one that passes it on to the GPU as well
 
 private:
     std::vector<std::uint32_t> read(DeviceAddress at) {

@@ -19,6 +19,7 @@ void add_run_command(CLI::App& application, Run& run);
 void add_cache_command(CLI::App& application, Run& run);
 void add_compare_command(CLI::App& application, Run& run);
 void add_config_command(CLI::App& application, Run& run);
+void add_diff_command(CLI::App& application, Run& run);
 void add_info_command(CLI::App& application, Run& run);
 void add_dump_command(CLI::App& application, Run& run);
 void add_explain_command(CLI::App& application, Run& run);
