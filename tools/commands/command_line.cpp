@@ -79,6 +79,7 @@ int run_command_line(int count, const char* const* arguments, const char* versio
     add_time_command(application, run);
     add_cache_command(application, run);
     add_compare_command(application, run);
+    add_check_command(application, run);
     add_diff_command(application, run);
     add_config_command(application, run);
     add_info_command(application, run);

@@ -26,6 +26,7 @@ void add_explain_command(CLI::App& application, Run& run);
 void add_export_command(CLI::App& application, Run& run);
 void add_completion_command(CLI::App& application, Run& run);
 void add_manual_command(CLI::App& application, Run& run);
+void add_check_command(CLI::App& application, Run& run);
 void add_presets_command(CLI::App& application, Run& run);
 
 } // namespace ffgpu::tools

@@ -8,7 +8,7 @@
 #include "tools/diff/account_sink.h"
 #include "tools/diff/stage_account.h"
 #include "tools/dump/contract_names.h"
-#include "tools/explain/call_log.h"
+#include "tools/frames/call_log.h"
 
 #include <cstdint>
 #include <optional>

@@ -4,7 +4,8 @@
 #pragma once
 
 #include "model/gpu/functional_gpu.h"
-#include "tools/explain/call_log.h"
+#include "tools/frames/call_log.h"
+#include "tools/frames/numbered_draws.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -75,10 +76,5 @@ private:
     std::uint32_t next_draw_ = 0;
     FrameTape tape_;
 };
-
-// A draw number is taken by it.
-constexpr bool is_numbered(Opcode opcode) {
-    return opcode == Opcode::Draw || opcode == Opcode::DrawImage;
-}
 
 } // namespace ffgpu::tools

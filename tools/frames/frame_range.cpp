@@ -8,9 +8,9 @@
 
 namespace ffgpu::tools {
 
-FrameRange parse_frame_range(const std::string& text) {
+FrameRange parse_frame_range(const std::string& text, const std::string& option) {
     const auto wrong = [&] {
-        return InputError("--frames " + text + ": expected A-B, A or A-, with A not above B");
+        return InputError(option + " " + text + ": expected A-B, A or A-, with A not above B");
     };
     FrameRange range;
     const char* const end = text.data() + text.size();

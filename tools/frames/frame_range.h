@@ -1,4 +1,4 @@
-// A range of frames as the command line gives it: "3-7", "3" or "3-".
+// A range of frames, or of draws, as the command line gives it: "3-7", "3" or "3-".
 
 #pragma once
 
@@ -17,7 +17,7 @@ struct FrameRange {
 };
 
 // Throws InputError.
-FrameRange parse_frame_range(const std::string& text);
+FrameRange parse_frame_range(const std::string& text, const std::string& option = "--frames");
 
 // One line about frames that were asked for, of a source that ended behind `count` of them; empty:
 // all are there.

@@ -2,6 +2,7 @@
 
 #include "tools/config/configuration.h"
 #include "tools/heatmap/heat_map.h"
+#include "tools/views/view.h"
 
 #include <sstream>
 #include <string_view>
@@ -36,6 +37,11 @@ std::vector<std::string> parameter_assignments() {
 
 std::vector<std::string> choices_of(const std::string& type) {
     if (type == "NAME=VALUE") return parameter_assignments();
+    if (type.starts_with("VIEW")) {
+        std::string names = view_names();
+        std::erase(names, ' ');
+        return members('{' + names + '}');
+    }
     if (!type.starts_with("MAP")) return members(type);
     std::vector<std::string> names;
     names.reserve(HeatMapTable.size());

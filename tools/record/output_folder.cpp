@@ -43,6 +43,10 @@ OutputFolder::picture(std::string_view prefix, std::uint64_t frame, std::string_
     return (fs::path(path_) / name).string();
 }
 
+std::string OutputFolder::file(const std::string& name) const {
+    return (fs::path(path_) / name).string();
+}
+
 std::string OutputFolder::older_pictures() const {
     if (older_.empty()) return {};
     return fmt::format("{}: holds {} of an older run, too, {} to {}: its statistics are not those",

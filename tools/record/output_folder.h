@@ -19,6 +19,9 @@ public:
     std::string
     picture(std::string_view prefix, std::uint64_t frame, std::string_view extension = "png");
 
+    // The path of another file.
+    std::string file(const std::string& name) const;
+
     // One line about the pictures that are none of this run's; empty: there are none.
     std::string older_pictures() const;
 

@@ -34,6 +34,43 @@ Recording::Recording(const RecordingOptions& options)
     , pipeline_(pipeline_options(), report_) {
     if (pipeline_.sink()) sinks_.add(*pipeline_.sink());
     if (!options_.heat.maps.empty()) sinks_.add(heat_);
+    // A capture in between costs its bookkeeping, so that it is there only if wanted; so the
+    // others.
+    Device* device = &gpu_;
+    if (!options_.capture.empty()) device = &capture_;
+    if (!options_.views.empty())
+        device = &views_.emplace(*device, options_.views, gpu_config(options_));
+    watch_draws(*device);
+}
+
+void Recording::watch_draws(Device& device) {
+    if (!options_.draw_table && options_.steps == 0 && options_.draws == FrameRange{}) return;
+    DrawWatch::Listener listener;
+    if (options_.draw_table)
+        listener.before = [this](const WatchedDraw& draw) { draw_comes(draw); };
+    if (options_.steps > 0)
+        listener.behind = [this](std::uint32_t draw, const Targets& targets) {
+            draw_done(draw, targets);
+        };
+    watch_.emplace(device, options_.draws, std::move(listener));
+}
+
+void Recording::draw_comes(const WatchedDraw& draw) {
+    if (!measuring_) return;
+    DrawNote note{.draw = draw, .call = {}};
+    if (calls_) {
+        const auto waiting = calls_->waiting();
+        note.call = waiting ? waiting->entries.front().call : calls_->call();
+    }
+    notes_.add(note);
+}
+
+void Recording::draw_done(std::uint32_t draw, const Targets& targets) {
+    if (!measuring_ || ++draws_in_frame_ % options_.steps != 0) return;
+    gpu_.hide_from_work(true);
+    images_.add(folder_.picture(fmt::format("frame_{:04}_draw", frame_), draw),
+                read_surface(gpu_, targets.color[0]));
+    gpu_.hide_from_work(false);
 }
 
 WorkPipeline::Options Recording::pipeline_options() {
@@ -47,11 +84,14 @@ WorkPipeline::Options Recording::pipeline_options() {
     return {.timing = options_.timing ? &options_.configuration.timing : nullptr,
             .save_work = options_.save_work,
             .costs = needs_costs ? &heat_ : nullptr,
+            .draw_table = options_.draw_table ? folder_.file("draws.csv") : "",
+            .draw_notes = &notes_,
             .on_frame = [this] { statistics_.frame_ended(); }};
 }
 
-// A capture in between costs its bookkeeping, so that it is there only if wanted.
 Device& Recording::device() {
+    if (watch_) return *watch_;
+    if (views_) return *views_;
     return options_.capture.empty() ? static_cast<Device&>(gpu_) : capture_;
 }
 
@@ -77,10 +117,13 @@ void Recording::start(std::uint64_t first_frame) {
 void Recording::number_from(std::uint64_t frame, std::uint32_t draw) {
     gpu_.number_from(static_cast<std::uint32_t>(frame), draw);
     capture_.number_draws_from(draw);
+    if (watch_) watch_->number_from(draw);
 }
 
 void Recording::before_frame(std::uint64_t number) {
     if (!measuring_ && number >= options_.frames.first) start(number);
+    frame_ = number;
+    draws_in_frame_ = 0;
     if (!measuring_) return;
     heat_.clear();
 }
@@ -104,6 +147,9 @@ bool Recording::after_frame(const Frame& frame) {
 
 void Recording::write_pictures(const Frame& frame) {
     if (options_.output.empty() || frame.picture.format == Format::None) return;
+    for (const View view : options_.views)
+        images_.add(folder_.picture(fmt::format("view_{}", info(view).name), frame.number),
+                    views_->picture(view, frame.picture, gpu_));
     if (!options_.images && options_.heat.maps.empty()) return;
     Image picture = read_surface(gpu_, frame.picture);
     for (const HeatMap map : options_.heat.maps)

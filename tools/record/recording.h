@@ -7,6 +7,9 @@
 #include "model/capture/capture_writer.h"
 #include "model/gpu/functional_gpu.h"
 #include "tools/config/configuration.h"
+#include "tools/draws/draw_notes.h"
+#include "tools/draws/draw_watch.h"
+#include "tools/frames/call_log.h"
 #include "tools/frames/frame.h"
 #include "tools/frames/frame_range.h"
 #include "tools/heatmap/heat_picture.h"
@@ -17,10 +20,12 @@
 #include "tools/report/counter_changes.h"
 #include "tools/report/current_statistics.h"
 #include "tools/report/statistics_report.h"
+#include "tools/views/view_device.h"
 
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace ffgpu::tools {
@@ -32,6 +37,10 @@ struct RecordingOptions {
     FrameRange frames;
     Configuration configuration;
     HeatMapOptions heat;
+    std::set<View> views;
+    FrameRange draws;        // others cover nothing
+    unsigned steps = 0;      // a picture behind each so many draws of a frame; 0: none
+    bool draw_table = false; // draws.csv
     bool timing = false;
     bool work_values = false; // Work tells values, too.
     bool images = true;
@@ -47,6 +56,8 @@ public:
 
     // To draw on.
     Device& device();
+    // Of a trace: which call is played.
+    void set_calls(const CallLog* calls) { calls_ = calls; }
     FunctionalGpu& gpu() { return gpu_; }
 
     // The frame under way and the next draw have these numbers.
@@ -68,6 +79,9 @@ private:
     WorkPipeline::Options pipeline_options();
     void start(std::uint64_t first_frame);
     void write_pictures(const Frame& frame);
+    void watch_draws(Device& device);
+    void draw_comes(const WatchedDraw& draw);
+    void draw_done(std::uint32_t draw, const Targets& targets);
     void write_heat_map(HeatMap map, const Frame& frame, const Image& picture);
 
     const RecordingOptions& options_;
@@ -77,10 +91,16 @@ private:
     HeatRecorder heat_;
     StatisticsReport report_;
     CurrentStatistics statistics_;
+    DrawNotes notes_;
     WorkPipeline pipeline_;
     WorkFanOut sinks_;
     CounterChanges counted_; // of the functional GPU
     ImageWriter images_;
+    std::optional<ViewDevice> views_;
+    std::optional<DrawWatch> watch_;
+    const CallLog* calls_ = nullptr;
+    std::uint64_t frame_ = 0; // under way
+    unsigned draws_in_frame_ = 0;
     bool measuring_ = false;
 };
 

@@ -29,6 +29,10 @@ void visit_members(Arguments& arguments, Visitor&& member) {
     member("heat_tile", arguments.heat_tile);
     member("heat_blend", arguments.heat_blend);
     member("heat_raw", arguments.heat_raw);
+    member("views", arguments.views);
+    member("draws", arguments.draws);
+    member("steps", arguments.steps);
+    member("draw_table", arguments.draw_table);
     member("capture", arguments.capture);
     member("save_work", arguments.save_work);
     member("work_values", arguments.work_values);
@@ -55,6 +59,16 @@ void add_heat_map_options(CLI::App& verb, RecordingArguments& arguments) {
     verb.add_flag("--heatmap-npy", arguments.heat_raw, "Their numbers, too: heat_MAP_0000.npy ...");
 }
 
+void add_draw_options(CLI::App& verb, RecordingArguments& arguments) {
+    verb.add_option("--view", arguments.views, view_names())->type_name("VIEW[,VIEW]");
+    verb.add_option("--draws", arguments.draws, "Draw only these, as stats.json numbers them")
+        ->type_name("A-B");
+    verb.add_option("--steps", arguments.steps, "A picture behind each N-th draw of a frame")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
+    verb.add_flag("--per-draw", arguments.draw_table, "draws.csv: a line a draw, clear and copy");
+}
+
 void resolve_heat_maps(const RecordingArguments& arguments, HeatMapOptions& heat) {
     if (!arguments.heat_maps.empty()) heat.maps = parse_heat_maps(arguments.heat_maps);
     if (!arguments.heat_scale.empty()) heat.full_scale = parse_heat_scale(arguments.heat_scale);
@@ -63,12 +77,25 @@ void resolve_heat_maps(const RecordingArguments& arguments, HeatMapOptions& heat
     heat.raw = arguments.heat_raw;
 }
 
+void resolve_draws(const RecordingArguments& arguments, RecordingOptions& options) {
+    WantedViews wanted = parse_views(arguments.views);
+    options.views = wanted.views;
+    options.heat.maps.merge(wanted.heat_maps);
+    if (!arguments.draws.empty()) options.draws = parse_frame_range(arguments.draws, "--draws");
+    options.steps = arguments.steps;
+    options.draw_table = arguments.draw_table;
+    const bool shows = !options.views.empty() || options.steps > 0 || options.draw_table;
+    if (shows && arguments.output.empty())
+        throw InputError("--view, --steps and --per-draw need -o DIR");
+}
+
 } // namespace
 
 bool RecordingArguments::any() const {
     return !output.empty() || !capture.empty() || !save_work.empty() || !config.empty() ||
            !settings.empty() || !frames.empty() || !heat_maps.empty() || threads || timing ||
-           no_images || reference || work_values;
+           no_images || reference || work_values || !views.empty() || !draws.empty() || steps > 0 ||
+           draw_table;
 }
 
 void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {
@@ -83,6 +110,7 @@ void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {
         ->type_name("N");
     verb.add_flag("--timing", arguments.timing, "Run the timing model: cycles, caches, memory");
     add_heat_map_options(verb, arguments);
+    add_draw_options(verb, arguments);
     verb.add_option("--capture", arguments.capture, "Write the frames as a device capture")
         ->type_name("FILE.ffc");
     verb.add_option("--save-work", arguments.save_work, "Keep the work of the frames: ffgpu time")
@@ -118,6 +146,7 @@ void resolve(const RecordingArguments& arguments, RecordingOptions& options) {
         apply_setting("gpu.threads=" + std::to_string(*arguments.threads), options.configuration);
     if (!arguments.frames.empty()) options.frames = parse_frame_range(arguments.frames);
     resolve_heat_maps(arguments, options.heat);
+    resolve_draws(arguments, options);
     options.output = arguments.output;
     options.capture = arguments.capture;
     options.save_work = arguments.save_work;

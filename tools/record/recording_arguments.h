@@ -21,6 +21,9 @@ struct RecordingArguments {
     std::string output, frames, heat_maps, heat_scale, capture, save_work, config;
     unsigned heat_tile = 1;
     bool heat_blend = false, heat_raw = false;
+    std::string views, draws;
+    unsigned steps = 0;
+    bool draw_table = false;
     bool work_values = false;
     std::vector<std::string> settings;
     std::optional<std::uint32_t> threads;

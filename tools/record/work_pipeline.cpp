@@ -3,7 +3,10 @@
 namespace ffgpu::tools {
 
 WorkPipeline::WorkPipeline(const Options& options, StatisticsReport& report)
-    : timing_(options.timing ? std::make_unique<timing::GpuTiming>(*options.timing) : nullptr)
+    : table_(options.draw_table.empty()
+                 ? nullptr
+                 : std::make_unique<DrawTable>(options.draw_table, *options.draw_notes))
+    , timing_(options.timing ? std::make_unique<timing::GpuTiming>(*options.timing) : nullptr)
     , file_(options.save_work.empty() ? nullptr
                                       : std::make_unique<work::WorkFileWriter>(options.save_work))
     , meter_(report, timing_.get())
@@ -12,11 +15,13 @@ WorkPipeline::WorkPipeline(const Options& options, StatisticsReport& report)
     if (timing_ && options.timing->series.interval_cycles > 0) series_.emplace(*timing_);
     if (timing_) readers_.add(*timing_);
     if (file_) readers_.add(*file_);
+    if (table_) readers_.add(*table_);
+    if (table_ && timing_) timing_->set_quad_observer(table_.get());
     if (timing_ && options.costs)
         timing_->set_on_retire([costs = options.costs](const timing::QuadRetired& quad) {
             costs->quad_retired(quad);
         });
-    if (timing_ || file_) thread_.emplace(assembler_);
+    if (timing_ || file_ || table_) thread_.emplace(assembler_);
 }
 
 void WorkPipeline::frame(const work::FrameFigures& figures) {
@@ -27,7 +32,8 @@ void WorkPipeline::frame(const work::FrameFigures& figures) {
 
 void WorkPipeline::add(const work::FrameFigures& figures) {
     if (file_) file_->frame(figures);
-    meter_.add(figures);
+    const std::optional<timing::FrameTiming> timed = meter_.add(figures);
+    if (table_) table_->write(figures.number, timed ? &*timed : nullptr);
     on_frame_();
 }
 
@@ -42,6 +48,7 @@ void WorkPipeline::write_series(const std::string& folder) const {
 void WorkPipeline::finish() {
     drain();
     if (file_) file_->finish();
+    if (table_) table_->finish();
 }
 
 } // namespace ffgpu::tools

@@ -8,6 +8,7 @@
 #include "model/work/command_assembler.h"
 #include "model/work/sink_thread.h"
 #include "model/work/work_file_writer.h"
+#include "tools/draws/draw_table.h"
 #include "tools/heatmap/heat_recorder.h"
 #include "tools/record/work_fan_out.h"
 #include "tools/report/frame_meter.h"
@@ -26,6 +27,8 @@ public:
         const timing::TimingConfig* timing = nullptr; // null: no machine in time
         std::string save_work;                        // empty: no file
         HeatRecorder* costs = nullptr;                // of quads; needs timing; read after drain()
+        std::string draw_table{};                     // the path of draws.csv; empty: none
+        DrawNotes* draw_notes = nullptr;              // for it
         std::function<void()> on_frame = [] {};       // Its figures are in the report.
     };
 
@@ -49,7 +52,8 @@ private:
     void add(const work::FrameFigures& figures);
 
     std::optional<SeriesFile> series_;
-    std::unique_ptr<timing::GpuTiming> timing_; // uses series_
+    std::unique_ptr<DrawTable> table_;
+    std::unique_ptr<timing::GpuTiming> timing_; // tells series_ and table_
     std::unique_ptr<work::WorkFileWriter> file_;
     FrameMeter meter_;
     std::function<void()> on_frame_;

@@ -25,7 +25,10 @@ public:
                                      .report_errors = options.report_errors,
                                      .keep_last = options.benchmark > 0,
                                      .samples = options.samples,
-                                     .swap = options.swap})) {}
+                                     .swap = options.swap,
+                                     .on_call = call_listener()})) {
+        if (source_->has_calls()) recording_.set_calls(&calls_);
+    }
 
     std::string run() {
         try {
@@ -39,6 +42,12 @@ public:
     }
 
 private:
+    // Each call of a trace is noted where draws are to be told of.
+    std::function<void(std::uint64_t, std::string_view)> call_listener() {
+        if (!options_.draw_table) return {};
+        return [this](std::uint64_t number, std::string_view name) { calls_.begin(number, name); };
+    }
+
     // What went wrong first is what is told.
     void keep_what_is_done() {
         try {
@@ -96,6 +105,7 @@ private:
 
     const ReplayOptions& options_;
     Recording recording_;
+    CallLog calls_;
     std::unique_ptr<FrameSource> source_; // Plays on it.
     unsigned measured_ = 0;
     std::chrono::steady_clock::time_point started_{};

@@ -11,7 +11,7 @@ FrameMeter::FrameMeter(StatisticsReport& report, timing::GpuTiming* timing)
         timing_->set_on_frame([this](const timing::FrameTiming& frame) { ended_ = frame; });
 }
 
-void FrameMeter::add(const work::FrameFigures& frame) {
+std::optional<timing::FrameTiming> FrameMeter::add(const work::FrameFigures& frame) {
     TimedFigures timed;
     if (timing_) {
         timing_->catch_up();
@@ -20,6 +20,7 @@ void FrameMeter::add(const work::FrameFigures& frame) {
         timed.frame = std::exchange(ended_, std::nullopt);
     }
     report_.add(frame, timed);
+    return std::move(timed.frame);
 }
 
 } // namespace ffgpu::tools

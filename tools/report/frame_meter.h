@@ -16,8 +16,8 @@ public:
     // `timing` may be null: the report has none then. It listens to the ends of frames.
     FrameMeter(StatisticsReport& report, timing::GpuTiming* timing);
 
-    // The frame's work is all handed over.
-    void add(const work::FrameFigures& frame);
+    // The frame's work is all handed over. Returns what the machine took, if there is one.
+    std::optional<timing::FrameTiming> add(const work::FrameFigures& frame);
 
 private:
     StatisticsReport& report_;

@@ -1,4 +1,4 @@
-#include "tools/explain/call_log.h"
+#include "tools/frames/call_log.h"
 
 #include "driver/context/waiting_vertices.h"
 

@@ -1,0 +1,183 @@
+// Single draws: draws.csv, `--steps` and `--draws`.
+
+#include "tests/support/temporary_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/tools/scene_trace.h"
+#include "tests/tools/tool.h"
+#include "tools/image/image.h"
+
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+namespace ffgpu::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using Line = std::map<std::string, std::string>; // by the column's name
+
+std::vector<std::string> cut(const std::string& text) {
+    std::vector<std::string> parts(1);
+    for (const char character : text) {
+        if (character == ',')
+            parts.emplace_back();
+        else
+            parts.back() += character;
+    }
+    return parts;
+}
+
+std::vector<Line> lines_in(const std::string& path) {
+    std::istringstream text(content(path));
+    std::string line;
+    std::getline(text, line);
+    const std::vector<std::string> names = cut(line);
+    std::vector<Line> lines;
+    while (std::getline(text, line)) {
+        const std::vector<std::string> values = cut(line);
+        REQUIRE(values.size() == names.size());
+        Line& entry = lines.emplace_back();
+        for (std::size_t i = 0; i < names.size(); ++i)
+            entry[names[i]] = values[i];
+    }
+    return lines;
+}
+
+struct TwoSquares {
+    SceneTrace scene;
+    std::uint64_t first_call = 0, second_call = 0;
+    static constexpr int First = 10 * 10, Second = 6 * 6;
+
+    TwoSquares() {
+        scene.call("glClear", GlEnum{0x4000});
+        scene.call("glColor3f", 1.0f, 0.0f, 0.0f);
+        first_call = square(-16, 10);
+        scene.call("glColor3f", 0.0f, 1.0f, 0.0f);
+        scene.call("glShadeModel", GlEnum{0x1d00}); // What has another state is another draw.
+        second_call = square(4, 6);
+        scene.swap();
+    }
+
+private:
+    std::uint64_t square(int from, int size) { // in pixels from the middle
+        const auto begin = static_cast<float>(from) / 16;
+        const auto end = static_cast<float>(from + size) / 16;
+        return scene.call("glRectf", begin, begin, end, end);
+    }
+};
+
+TEST_CASE("draws.csv has a line a draw, with the call that it came from and what it cost") {
+    const TwoSquares squares;
+    const TemporaryFolder folder;
+    const TemporaryFile file(squares.scene.file());
+    REQUIRE(run({"replay", file.path(), "-o", folder / "out", "--per-draw", "--timing"}) == 0);
+    const std::vector<Line> lines = lines_in(folder / "out/draws.csv");
+    const auto figures = nlohmann::json::parse(content(folder / "out/stats.json"))["frames"][0];
+    std::vector<Line> draws;
+    std::uint64_t cycles = 0;
+    for (const Line& line : lines) {
+        CHECK(line.at("frame") == "0");
+        cycles += std::stoull(line.at("cycles"));
+        if (line.at("kind") == "draw") draws.push_back(line);
+    }
+    REQUIRE(draws.size() == 2);
+    CHECK(draws[0].at("call") == std::to_string(squares.first_call));
+    CHECK(draws[1].at("call") == std::to_string(squares.second_call));
+    CHECK(draws[0].at("function") == "glRectf");
+    CHECK(draws[0].at("fragments_covered") == std::to_string(TwoSquares::First));
+    CHECK(draws[1].at("fragments_written") == std::to_string(TwoSquares::Second));
+    CHECK(draws[1].at("vertices") == "4");
+    CHECK(draws[0].at("textures").empty());
+    std::uint64_t listed = 0;
+    for (const auto& command : figures["commands"])
+        if (command["kind"] == "draw" || command["kind"] == "clear")
+            listed += command["cycles"].get<std::uint64_t>();
+    CHECK(cycles == listed);
+    CHECK(cycles > 0);
+}
+
+TEST_CASE("draws.csv counts the texels that a draw reads, and its misses with the timing model") {
+    SceneTrace scene;
+    scene.call("glEnable", GlEnum{0x0de1});
+    scene.call("glTexParameteri", GlEnum{0x0de1}, GlEnum{0x2801}, GlEnum{0x2600}); // nearest
+    scene.call("glTexParameteri", GlEnum{0x0de1}, GlEnum{0x2800}, GlEnum{0x2600});
+    scene.call("glTexImage2D",
+               GlEnum{0x0de1},
+               0,
+               GlEnum{0x1909},
+               4,
+               4,
+               0,
+               GlEnum{0x1909},
+               GlEnum{0x1401},
+               std::string(16, 'x'));
+    scene.call("glRectf", -0.5f, -0.5f, 0.5f, 0.5f);
+    scene.swap();
+    const TemporaryFolder folder;
+    const TemporaryFile file(scene.file());
+    REQUIRE(run({"replay", file.path(), "-o", folder / "out", "--per-draw", "--timing"}) == 0);
+    std::vector<Line> lines = lines_in(folder / "out/draws.csv");
+    std::erase_if(lines, [](const Line& line) { return line.at("kind") != "draw"; });
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].at("textures") == "0:TwoD/luminance8/4x4/1");
+    CHECK(lines[0].at("texel_accesses") == "256");
+    CHECK(lines[0].at("texel_reads") == "256");
+    CHECK(lines[0].at("texel_cache_misses") == "1"); // One texel, at (0, 0).
+
+    REQUIRE(run({"replay", file.path(), "-o", folder / "plain", "--per-draw"}) == 0);
+    CHECK(lines_in(folder / "plain/draws.csv").back().at("cycles").empty());
+}
+
+std::size_t count_of_pictures(const std::string& folder) {
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(folder))
+        count += entry.path().extension() == ".png";
+    return count;
+}
+
+std::size_t pixels_of(const std::string& path, std::size_t channel) {
+    const Image image = read_image(path);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < image.pixels(); ++i)
+        count += image.rgb[3 * i + channel] == 255;
+    return count;
+}
+
+TEST_CASE("--steps writes the frame as it is behind each n-th draw") {
+    const TwoSquares squares;
+    const TemporaryFolder folder;
+    const TemporaryFile file(squares.scene.file());
+    REQUIRE(run({"replay", file.path(), "-o", folder / "one", "--steps", "1"}) == 0);
+    CHECK(count_of_pictures(folder / "one") == 3);
+    const std::string first = folder / "one/frame_0000_draw_0000.png";
+    CHECK(pixels_of(first, 0) == TwoSquares::First);
+    CHECK(pixels_of(first, 1) == 0);
+    CHECK(content(folder / "one/frame_0000_draw_0001.png") ==
+          content(folder / "one/frame_0000.png"));
+    REQUIRE(run({"replay", file.path(), "-o", folder / "two", "--steps", "2"}) == 0);
+    CHECK(count_of_pictures(folder / "two") == 2);
+    CHECK(fs::exists(folder / "two/frame_0000_draw_0001.png"));
+}
+
+TEST_CASE("--draws leaves the others out, and their numbers as they are") {
+    const TwoSquares squares;
+    const TemporaryFolder folder;
+    const TemporaryFile file(squares.scene.file());
+    const auto replay = [&](const std::string& draws) {
+        REQUIRE(run({"replay", file.path(), "-o", folder / draws, "--draws", draws}) == 0);
+        const std::string frame = folder / draws + "/frame_0000.png";
+        return std::pair(pixels_of(frame, 0), pixels_of(frame, 1));
+    };
+    CHECK(replay("0") == std::pair(std::size_t{TwoSquares::First}, std::size_t{0}));
+    CHECK(replay("1-") == std::pair(std::size_t{0}, std::size_t{TwoSquares::Second}));
+    CHECK(replay("0-1") ==
+          std::pair(std::size_t{TwoSquares::First}, std::size_t{TwoSquares::Second}));
+    CHECK(replay("2-") == std::pair(std::size_t{0}, std::size_t{0}));
+    CHECK(run({"replay", file.path(), "-o", folder / "x", "--draws", "1-0"}) == 2);
+}
+
+} // namespace
+} // namespace ffgpu::tools

@@ -1,0 +1,81 @@
+#include "tools/draws/draw_table.h"
+
+#include "tools/draws/draw_facts.h"
+
+#include <deque>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace ffgpu::tools {
+namespace {
+
+using Key = std::pair<timing::CommandKind, std::uint32_t>;
+
+// The machine's entries by what they are; of several of a name in their order.
+std::map<Key, std::deque<timing::CommandCycles>> by_name(const timing::FrameTiming& timed) {
+    std::map<Key, std::deque<timing::CommandCycles>> named;
+    for (const timing::CommandCycles& command : timed.commands)
+        named[{command.kind, command.number}].push_back(command);
+    return named;
+}
+
+} // namespace
+
+DrawTable::DrawTable(const std::string& path, DrawNotes& notes)
+    : file_(path)
+    , notes_(notes) {
+    file_.write(fmt::format("frame,kind,draw,{},texel_cache_misses,cycles,bottleneck,"
+                            "bottleneck_cycles\n",
+                            draw_fact_names()));
+}
+
+void DrawTable::command(std::shared_ptr<const work::WholeCommand> command) {
+    const WorkDraw& draw = command->draw;
+    const bool is_numbered = draw.kind == WorkKind::Draw || draw.kind == WorkKind::Image;
+    const DrawNote note = is_numbered ? notes_.take(draw.number) : DrawNote{};
+    rows_.push_back({timing::command_kind(draw.kind), draw.number, draw_facts(*command, note)});
+}
+
+void DrawTable::texel_line(const timing::QuadName& name, const timing::TexelLine& line) {
+    if (!line.missed) return;
+    const std::lock_guard lock(mutex_);
+    ++misses_[name.draw];
+}
+
+std::uint64_t DrawTable::misses_of(const Row& row) {
+    const bool is_draw =
+        row.kind == timing::CommandKind::Draw || row.kind == timing::CommandKind::Image;
+    const std::lock_guard lock(mutex_);
+    const auto found = is_draw ? misses_.find(row.number) : misses_.end();
+    return found == misses_.end() ? 0 : found->second;
+}
+
+void DrawTable::write(std::uint64_t frame, const timing::FrameTiming* timed) {
+    auto costs = timed ? by_name(*timed) : std::map<Key, std::deque<timing::CommandCycles>>{};
+    std::string text;
+    for (const Row& row : std::exchange(rows_, {})) {
+        text += fmt::format("{},{},{},{},",
+                            frame,
+                            timing::CommandKindNames[static_cast<std::size_t>(row.kind)],
+                            row.number,
+                            row.facts);
+        std::deque<timing::CommandCycles>& found = costs[{row.kind, row.number}];
+        if (found.empty()) {
+            text += ",,,\n";
+            continue;
+        }
+        const timing::CommandCycles cost = found.front();
+        found.pop_front();
+        text += fmt::format("{},{},{},{}\n",
+                            misses_of(row),
+                            cost.cycles,
+                            timing::ResourceNames[static_cast<std::size_t>(cost.bottleneck())],
+                            cost.bottleneck_cycles());
+    }
+    file_.write(text);
+    const std::lock_guard lock(mutex_);
+    misses_.clear();
+}
+
+} // namespace ffgpu::tools
