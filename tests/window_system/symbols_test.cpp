@@ -5,6 +5,10 @@
 #include <catch2/catch.hpp>
 #include <dlfcn.h>
 
+// As a wrapper has it that is loaded before the library: apitrace's, an overlay's.
+extern "C" __attribute__((visibility("default"))) void glFogCoordd(double);
+void glFogCoordd(double) {}
+
 namespace {
 
 void* open(const char* name) {
@@ -120,6 +124,16 @@ TEST_CASE("libGL.so.1 exports each GL command, and glXGetProcAddress finds the s
         CHECK(exported != nullptr);
         CHECK(get(reinterpret_cast<const unsigned char*>(name)) == exported);
     }
+}
+
+TEST_CASE("glXGetProcAddress finds the library's own functions behind a wrapper's") {
+    void* const library = open("libGL.so.1");
+    REQUIRE(::dlsym(RTLD_DEFAULT, "glFogCoordd") == reinterpret_cast<void*>(&glFogCoordd));
+    using GetProcAddress = void* (*)(const unsigned char*);
+    const auto get = reinterpret_cast<GetProcAddress>(::dlsym(library, "glXGetProcAddress"));
+    void* const found = get(reinterpret_cast<const unsigned char*>("glFogCoordd"));
+    CHECK(found != nullptr);
+    CHECK(found != reinterpret_cast<void*>(&glFogCoordd)); // It would call itself.
 }
 
 TEST_CASE("libGL.so.1 exports GLX 1.4, libEGL.so.1 EGL 1.5") {
