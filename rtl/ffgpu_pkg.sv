@@ -190,6 +190,22 @@ package ffgpu_pkg;
     logic [Lanes*32-1:0] values;  // signed
   } lane_values_t;
 
+  // Integers of an attribute at a quad's lanes, on their way to what they mean: times a factor a
+  // lane (w, 1/q or 1), times 2^(scale - 127). Another kind is a coordinate.
+  localparam logic [2:0] PerspectiveColor = 3'd1;
+  localparam logic [2:0] PerspectiveFog = 3'd2;
+  localparam logic [2:0] PerspectiveInverseW = 3'd3;  // at least `floor`
+  localparam logic [2:0] PerspectiveQ = 3'd4;  // 1 for 0
+  typedef struct packed {
+    logic                        tag;
+    logic [9:0]                  place;
+    logic [2:0]                  kind;
+    logic [31:0]                 floor;  // signed, as the values
+    logic [7:0]                  scale;
+    logic [Lanes*FloatWidth-1:0] factors;
+    logic [Lanes*32-1:0]         values;  // on the way out binary32, of colours 0 .. 255
+  } perspective_quad_t;
+
   // A quad and its primitive's depth plane: 24 fraction bits.
   typedef struct packed {
     logic        tag;
@@ -251,6 +267,12 @@ package ffgpu_pkg;
     logic [95:0]             combiner;
     logic [TextureUnits-1:0] sampled_units;
   } texture_environment_state_t;
+
+  // Of one texture unit.
+  typedef struct packed {
+    logic [95:0]  image;
+    logic [191:0] sampler;
+  } texture_state_t;
 
   // ffgpu::FogCurve: the coefficients that compile_fog() makes of the register.
   typedef struct packed {

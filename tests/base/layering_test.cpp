@@ -209,8 +209,22 @@ const std::map<std::string, Layers> Allowed = {
      {"driver/context", "driver/window_system", "driver/window_system/exports"}},
     {"driver/window_system/egl", WindowCalls},
     {"driver/window_system/glx", WindowCalls},
-    {"tools",
+    // The units in SystemVerilog as the functional GPU's stages.
+    {"rtl/bundles", {"model/device", "model/memory", "model/fragment"}},
+    {"rtl/loop",
      {"model/base",
+      "model/device",
+      "model/packets",
+      "model/arith",
+      "model/memory",
+      "model/raster",
+      "model/texture",
+      "model/fragment",
+      "model/gpu",
+      "rtl/bundles"}},
+    {"tools",
+     {"rtl/loop",
+      "model/base",
       "model/device",
       "model/packets",
       "model/memory",
@@ -240,7 +254,7 @@ std::string layer_of(std::string_view path) {
 }
 
 // Folders whose files are read.
-const std::vector<std::string> Parts{"model", "driver", "tools", "techniques"};
+const std::vector<std::string> Parts{"model", "driver", "tools", "techniques", "rtl"};
 
 bool is_source(const fs::path& path) {
     static const std::set<std::string> types{".h", ".cpp", ".c", ".inl", ".inc"};
@@ -303,7 +317,8 @@ TEST_CASE("includes point down only") {
 // Otherwise an include could point anywhere unseen.
 TEST_CASE("files of the layers are sources, and their includes name paths from the root") {
     const fs::path root = FFGPU_SOURCE_DIR;
-    const std::set<std::string> others{".txt", ".py", ".in", ".map", ".sh", ".css", ".js", ".html"};
+    const std::set<std::string> others{
+        ".txt", ".py", ".in", ".map", ".sh", ".css", ".js", ".html", ".sv", ".vlt"};
     for (const std::string& part : Parts)
         for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
             if (!entry.is_regular_file()) continue;

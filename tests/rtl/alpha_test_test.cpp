@@ -2,7 +2,9 @@
 
 #include "Valpha_test.h"
 #include "model/fragment/alpha_test.h"
-#include "tests/rtl/bench/quad.h"
+#include "rtl/bundles/quad.h"
+#include "rtl/bundles/state.h"
+#include "tests/rtl/bench/random_quad.h"
 #include "tests/rtl/bench/unit_bench.h"
 
 #include <catch2/catch.hpp>
@@ -14,15 +16,8 @@ struct AlphaTest {
     static constexpr const char* Name = "alpha_test";
     static constexpr std::uint64_t ShortItems = 100000, LongItems = 2500000;
 
-    struct State {
-        FragmentControl control;
-
-        template <class Self, class Visitor>
-        static void visit(Self& self, Visitor&& field) {
-            visit_register(field, "fragment_control", self.control);
-        }
-    };
     using Dut = Valpha_test;
+    using State = ControlWords;
     using Input = Quad;
     using Output = Quad;
 

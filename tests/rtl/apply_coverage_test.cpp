@@ -2,7 +2,8 @@
 
 #include "Vapply_coverage.h"
 #include "model/fragment/color_sum.h"
-#include "tests/rtl/bench/quad.h"
+#include "rtl/bundles/quad.h"
+#include "tests/rtl/bench/random_quad.h"
 #include "tests/rtl/bench/unit_bench.h"
 
 #include <catch2/catch.hpp>

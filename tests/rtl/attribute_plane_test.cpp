@@ -2,34 +2,14 @@
 
 #include "Vattribute_plane.h"
 #include "model/raster/stored_plane.h"
-#include "tests/rtl/bench/plane.h"
+#include "rtl/bundles/plane.h"
+#include "tests/rtl/bench/random_offset.h"
 #include "tests/rtl/bench/unit_bench.h"
 
 #include <catch2/catch.hpp>
 
 namespace ffgpu::rtl {
 namespace {
-
-struct PlaneQuad {
-    bool tag = false;
-    std::uint16_t place = 0;
-    std::int16_t x = 0, y = 0;
-    std::int32_t whole = 0;
-    std::uint32_t fraction = 0;
-    std::int64_t dx = 0, dy = 0;
-
-    template <class Self, class Visitor>
-    static void visit(Self& self, Visitor&& field) {
-        field("tag", self.tag, 1);
-        field("place", self.place, 10);
-        field("x", self.x, 15);
-        field("y", self.y, 15);
-        field("whole", self.whole, 32);
-        field("fraction", self.fraction, 14);
-        field("dx", self.dx, 45);
-        field("dy", self.dy, 45);
-    }
-};
 
 struct AttributePlaneUnit {
     static constexpr const char* Name = "attribute_plane";

@@ -2,7 +2,9 @@
 
 #include "Vblend.h"
 #include "model/fragment/color_target.h"
-#include "tests/rtl/bench/quad.h"
+#include "rtl/bundles/quad.h"
+#include "rtl/bundles/state.h"
+#include "tests/rtl/bench/random_quad.h"
 #include "tests/rtl/bench/unit_bench.h"
 
 #include <catch2/catch.hpp>
@@ -15,19 +17,8 @@ struct BlendUnit {
     static constexpr std::uint64_t ShortItems = 150000, LongItems = 2500000;
     static constexpr unsigned FormatCount = 12; // and one that is none of a colour target
 
-    struct State {
-        Blend blend;
-        FragmentControl control;
-        Format format = Format::None;
-
-        template <class Self, class Visitor>
-        static void visit(Self& self, Visitor&& field) {
-            visit_register(field, "blend", self.blend);
-            visit_register(field, "fragment_control", self.control);
-            field("format", self.format, 5);
-        }
-    };
     using Dut = Vblend;
+    using State = BlendWords;
     using Input = TargetQuad;
     using Output = WrittenQuad;
 

@@ -2,7 +2,8 @@
 
 #include "Vdepth_plane.h"
 #include "model/raster/interpolator.h"
-#include "tests/rtl/bench/plane.h"
+#include "rtl/bundles/plane.h"
+#include "tests/rtl/bench/random_offset.h"
 #include "tests/rtl/bench/unit_bench.h"
 
 #include <memory>
@@ -11,27 +12,6 @@
 
 namespace ffgpu::rtl {
 namespace {
-
-struct DepthPlaneQuad {
-    bool tag = false;
-    std::uint16_t place = 0;
-    std::int16_t x = 0, y = 0;
-    std::int64_t origin = 0, dx = 0, dy = 0;
-    std::uint32_t depth_min = 0, depth_max = 0;
-
-    template <class Self, class Visitor>
-    static void visit(Self& self, Visitor&& field) {
-        field("tag", self.tag, 1);
-        field("place", self.place, 10);
-        field("x", self.x, 15);
-        field("y", self.y, 15);
-        field("origin", self.origin, 64);
-        field("dx", self.dx, 64);
-        field("dy", self.dy, 64);
-        field("depth_min", self.depth_min, 24);
-        field("depth_max", self.depth_max, 24);
-    }
-};
 
 struct DepthPlaneUnit {
     static constexpr const char* Name = "depth_plane";

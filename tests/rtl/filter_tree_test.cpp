@@ -3,37 +3,15 @@
 #include "Vfilter_tree.h"
 #include "model/memory/pixel_format.h"
 #include "model/texture/filter.h"
-#include "tests/rtl/bench/quad.h"
-#include "tests/rtl/bench/texel.h"
+#include "rtl/bundles/quad.h"
+#include "rtl/bundles/texel.h"
+#include "tests/rtl/bench/random_quad.h"
 #include "tests/rtl/bench/unit_bench.h"
 
 #include <catch2/catch.hpp>
 
 namespace ffgpu::rtl {
 namespace {
-
-struct FilterLevel {
-    bool tag = false;
-    std::uint16_t place = 0;
-    bool last_level = true, last_probe = true;
-    std::uint8_t probes = 1;
-    std::uint8_t level_weight = 0, weight_z = 0, weight_y = 0, weight_x = 0;
-    std::array<std::uint32_t, 8> texels{}; // number 4 z + 2 y + x
-
-    template <class Self, class Visitor>
-    static void visit(Self& self, Visitor&& field) {
-        field("tag", self.tag, 1);
-        field("place", self.place, 10);
-        field("last_level", self.last_level, 1);
-        field("last_probe", self.last_probe, 1);
-        field("probes", self.probes, 5);
-        field("level_weight", self.level_weight, 8);
-        field("weight_z", self.weight_z, 8);
-        field("weight_y", self.weight_y, 8);
-        field("weight_x", self.weight_x, 8);
-        visit_lanes(field, "texels", self.texels, 32);
-    }
-};
 
 struct FilterTree {
     static constexpr const char* Name = "filter_tree";

@@ -3,7 +3,9 @@
 #include "Vfog.h"
 #include "model/arith/range.h"
 #include "model/fragment/fog.h"
-#include "tests/rtl/bench/quad.h"
+#include "rtl/bundles/quad.h"
+#include "rtl/bundles/state.h"
+#include "tests/rtl/bench/random_quad.h"
 #include "tests/rtl/bench/unit_bench.h"
 
 #include <catch2/catch.hpp>
@@ -15,19 +17,8 @@ struct FogUnit {
     static constexpr const char* Name = "fog";
     static constexpr std::uint64_t ShortItems = 150000, LongItems = 2500000;
 
-    struct State {
-        FogCurve curve;
-
-        template <class Self, class Visitor>
-        static void visit(Self& self, Visitor&& field) {
-            field("mode", self.curve.mode, 2);
-            field("end_coordinate", self.curve.end, 32);
-            field("scale", self.curve.scale, 32);
-            for (unsigned channel = 3; channel-- > 0;)
-                field("color", self.curve.color[channel], 8);
-        }
-    };
     using Dut = Vfog;
+    using State = FogWords;
     using Input = ShadeQuad;
     using Output = Quad;
 

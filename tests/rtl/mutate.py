@@ -130,7 +130,7 @@ def is_equivalent(unit, number, module):
         lambda m: f"(1'b{int(int(m[1]) == number)})", mutated))
     # A module with parameters is not the same for all of them: then the unit as a whole.
     top = unit if "#(\n  parameter" in (Rtl / f"{module}.sv").read_text() else module
-    packages = f"{Rtl}/ffgpu_registers_pkg.sv {Rtl}/ffgpu_pkg.sv"
+    packages = f"{Rtl}/ffgpu_registers_pkg.sv {Rtl}/ffgpu_pkg.sv {Rtl}/ffgpu_texture_pkg.sv"
 
     def design(name, place):
         files = " ".join(str((folder if place and m == module else Rtl) / f"{m}.sv")

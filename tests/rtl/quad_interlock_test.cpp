@@ -2,7 +2,8 @@
 // before it at its place has stored, whatever stalls.
 
 #include "Vinterlock_loop.h"
-#include "tests/rtl/bench/quad.h"
+#include "rtl/bundles/quad.h"
+#include "tests/rtl/bench/random_quad.h"
 #include "tests/rtl/bench/unit_bench.h"
 
 #include <map>

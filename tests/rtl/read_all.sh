@@ -11,7 +11,8 @@ if ! command -v "$Tool" >/dev/null; then
     exit 77
 fi
 
-packages=("$Folder/ffgpu_registers_pkg.sv" "$Folder/ffgpu_pkg.sv") # in the order of their use
+# In the order of their use.
+packages=("$Folder"/ffgpu_registers_pkg.sv "$Folder"/ffgpu_pkg.sv "$Folder"/ffgpu_texture_pkg.sv)
 modules=()
 if [ "${1:-}" = --only ]; then
     shift

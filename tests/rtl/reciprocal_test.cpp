@@ -3,7 +3,7 @@
 #include "Vreciprocal.h"
 #include "model/arith/range.h"
 #include "model/arith/reciprocal.h"
-#include "tests/rtl/bench/tagged_float.h"
+#include "rtl/bundles/tagged_float.h"
 #include "tests/rtl/bench/unit_bench.h"
 
 #include <catch2/catch.hpp>

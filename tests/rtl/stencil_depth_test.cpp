@@ -3,7 +3,9 @@
 #include "Vstencil_depth.h"
 #include "model/device/compare.h"
 #include "model/fragment/depth_target.h"
-#include "tests/rtl/bench/quad.h"
+#include "rtl/bundles/quad.h"
+#include "rtl/bundles/state.h"
+#include "tests/rtl/bench/random_quad.h"
 #include "tests/rtl/bench/unit_bench.h"
 
 #include <catch2/catch.hpp>
@@ -17,19 +19,8 @@ struct StencilDepth {
     static constexpr std::array Formats{
         Format::None, Format::Depth16, Format::Depth24Stencil8, Format::Rgba8};
 
-    struct State {
-        Stencil stencil;
-        DepthControl depth;
-        Format format = Format::None;
-
-        template <class Self, class Visitor>
-        static void visit(Self& self, Visitor&& field) {
-            visit_register(field, "stencil", self.stencil);
-            visit_register(field, "depth_control", self.depth);
-            field("format", self.format, 5);
-        }
-    };
     using Dut = Vstencil_depth;
+    using State = StencilDepthWords;
     using Input = TargetQuad;
     using Output = WrittenQuad;
 

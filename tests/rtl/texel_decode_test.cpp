@@ -5,8 +5,9 @@
 #include "model/texture/depth_compare.h"
 #include "model/texture/s3tc.h"
 #include "model/texture/texel_decode.h"
-#include "tests/rtl/bench/quad.h"
-#include "tests/rtl/bench/texel.h"
+#include "rtl/bundles/quad.h"
+#include "rtl/bundles/texel.h"
+#include "tests/rtl/bench/random_quad.h"
 #include "tests/rtl/bench/unit_bench.h"
 
 #include <cstring>
@@ -15,35 +16,6 @@
 
 namespace ffgpu::rtl {
 namespace {
-
-struct TexelBlock {
-    bool tag = false;
-    std::uint16_t place = 0;
-    bool is_border = false;
-    Format format = Format::None;
-    bool srgb = false, compare_enable = false;
-    Compare relation = Compare::Never;
-    DepthMode depth_mode = DepthMode::Luminance;
-    std::uint32_t reference = 0;
-    std::uint8_t x = 0, y = 0;
-    std::array<std::uint32_t, 4> block{};
-
-    template <class Self, class Visitor>
-    static void visit(Self& self, Visitor&& field) {
-        field("tag", self.tag, 1);
-        field("place", self.place, 10);
-        field("is_border", self.is_border, 1);
-        field("format", self.format, 5);
-        field("srgb", self.srgb, 1);
-        field("compare_enable", self.compare_enable, 1);
-        field("relation", self.relation, 3);
-        field("depth_mode", self.depth_mode, 2);
-        field("depth_reference", self.reference, 24);
-        field("x", self.x, 3);
-        field("y", self.y, 2);
-        visit_lanes(field, "block", self.block, 32);
-    }
-};
 
 struct TexelDecode {
     static constexpr const char* Name = "texel_decode";

@@ -2,7 +2,9 @@
 
 #include "Vtexture_environment.h"
 #include "model/fragment/texture_environment.h"
-#include "tests/rtl/bench/quad.h"
+#include "rtl/bundles/quad.h"
+#include "rtl/bundles/state.h"
+#include "tests/rtl/bench/random_quad.h"
 #include "tests/rtl/bench/unit_bench.h"
 
 #include <catch2/catch.hpp>
@@ -14,17 +16,8 @@ struct TextureEnvironment {
     static constexpr const char* Name = "texture_environment";
     static constexpr std::uint64_t ShortItems = 1000000, LongItems = 2500000;
 
-    struct State {
-        Combiner combiner;
-        std::uint8_t sampled_units = 0;
-
-        template <class Self, class Visitor>
-        static void visit(Self& self, Visitor&& field) {
-            visit_register(field, "combiner", self.combiner);
-            field("sampled_units", self.sampled_units, TextureUnits);
-        }
-    };
     using Dut = Vtexture_environment;
+    using State = EnvironmentWords;
     using Input = ShadeQuad;
     using Output = ShadeQuad;
 

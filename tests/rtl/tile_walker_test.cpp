@@ -2,65 +2,13 @@
 
 #include "Vtile_walker.h"
 #include "model/raster/coverage.h"
+#include "rtl/bundles/tile.h"
 #include "tests/rtl/bench/unit_bench.h"
 
 #include <catch2/catch.hpp>
 
 namespace ffgpu::rtl {
 namespace {
-
-constexpr int TileSize = 32;
-
-struct TileEdges {
-    bool tag = false;
-    std::uint32_t draw = 0, primitive = 0, piece = 0;
-    bool front_facing = false;
-    std::uint16_t tile_x = 0, tile_y = 0;
-    std::uint16_t box_x0 = 0, box_y0 = 0, box_x1 = 0, box_y1 = 0;
-    std::uint8_t edge_count = 0;
-    std::array<std::int32_t, MaxEdges> a{}, b{};
-    std::array<std::int64_t, MaxEdges> c{};
-
-    template <class Self, class Visitor>
-    static void visit(Self& self, Visitor&& field) {
-        field("tag", self.tag, 1);
-        field("key.draw", self.draw, 32);
-        field("key.primitive_number", self.primitive, 32);
-        field("key.piece", self.piece, 32);
-        field("front_facing", self.front_facing, 1);
-        field("tile_x", self.tile_x, 13);
-        field("tile_y", self.tile_y, 13);
-        field("box_x0", self.box_x0, 14);
-        field("box_y0", self.box_y0, 14);
-        field("box_x1", self.box_x1, 14);
-        field("box_y1", self.box_y1, 14);
-        field("edge_count", self.edge_count, 3);
-        visit_lanes(field, "a", self.a, 23);
-        visit_lanes(field, "b", self.b, 23);
-        visit_lanes(field, "c", self.c, 45);
-    }
-    Rectangle tile() const { return {tile_x, tile_y, tile_x + TileSize, tile_y + TileSize}; }
-};
-
-struct CoveredQuad {
-    bool tag = false;
-    std::uint32_t draw = 0, primitive = 0, piece = 0;
-    bool front_facing = false;
-    std::uint16_t x = 0, y = 0;
-    std::uint8_t live = 0;
-
-    template <class Self, class Visitor>
-    static void visit(Self& self, Visitor&& field) {
-        field("tag", self.tag, 1);
-        field("key.draw", self.draw, 32);
-        field("key.primitive_number", self.primitive, 32);
-        field("key.piece", self.piece, 32);
-        field("front_facing", self.front_facing, 1);
-        field("x", self.x, 13);
-        field("y", self.y, 13);
-        field("live", self.live, 4);
-    }
-};
 
 struct TileWalker {
     static constexpr const char* Name = "tile_walker";
@@ -123,7 +71,9 @@ struct TileWalker {
         for (unsigned i = 0; i < MaxEdges; ++i)
             edges[i] = {walk.a[i], walk.b[i], walk.c[i]};
         const Rectangle box{walk.box_x0, walk.box_y0, walk.box_x1, walk.box_y1};
-        cover_tile_scalar({box, {edges.data(), walk.edge_count}}, walk.tile(), coverage);
+        const Rectangle tile{
+            walk.tile_x, walk.tile_y, walk.tile_x + TileSize, walk.tile_y + TileSize};
+        cover_tile_scalar({box, {edges.data(), walk.edge_count}}, tile, coverage);
     }
 
     static void declare(Bins& bins) {

@@ -16,7 +16,18 @@ namespace {
 struct Arguments {
     RecordingArguments recording;
     ReplayOptions replay;
+    std::vector<std::string> rtl;
 };
+
+// 1: what the units drew is not what the model draws.
+int replay_by_rtl(const std::vector<std::string>& units, ReplayOptions& options) {
+    RtlComparison comparison({.units = units});
+    options.rtl = &comparison;
+    options.stages = &comparison.stages();
+    std::fputs(replay(options).c_str(), stderr);
+    std::fputs(comparison.summary().c_str(), stderr);
+    return comparison.equal() ? 0 : 1;
+}
 
 int run_replay(Arguments& arguments) {
     ReplayOptions& options = arguments.replay;
@@ -25,12 +36,17 @@ int run_replay(Arguments& arguments) {
     options.warn = warn;
     warn_of_settings(settings_without_effect(arguments.recording));
     if (options.output.empty() && options.capture.empty() && options.save_work.empty() &&
-        options.benchmark == 0)
+        options.benchmark == 0 && arguments.rtl.empty())
         throw InputError("replay: nothing to do: expected -o DIR, --capture FILE, --save-work FILE "
-                         "or --benchmark N");
+                         "--rtl UNIT or --benchmark N");
     const Interruption interruption;
-    std::fputs(replay(options).c_str(), stderr);
-    return Interruption::signal() == 0 ? 0 : 128 + Interruption::signal(); // as the shell says it
+    int status = 0;
+    if (arguments.rtl.empty())
+        std::fputs(replay(options).c_str(), stderr);
+    else
+        status = replay_by_rtl(arguments.rtl, options);
+    return Interruption::signal() == 0 ? status
+                                       : 128 + Interruption::signal(); // as the shell says it
 }
 
 } // namespace
@@ -44,6 +60,9 @@ void add_replay_command(CLI::App& application, Run& run) {
     add_recording_options(*verb, arguments->recording);
     add_samples_option(*verb, options.samples);
     add_swap_option(*verb, options.swap);
+    verb->add_option("--rtl", arguments->rtl, "Draw with Verilated units; compare each draw")
+        ->type_name("UNIT[,UNIT]|all")
+        ->delimiter(',');
     verb->add_option("--benchmark", options.benchmark, "Time it; repeat the last frame N times")
         ->type_name("N");
     verb->add_flag("--verbose", options.report_errors, "Report each GL error with its call");

@@ -17,6 +17,8 @@ namespace {
 FunctionalGpu::Config gpu_config(const RecordingOptions& options) {
     const GpuParameters& parameters = options.configuration.gpu;
     const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+    if (options.stages)
+        return {.threads = 1, .tile_size = parameters.tile_size, .stages = options.stages};
     return {.threads = parameters.threads == 0 ? processors : parameters.threads,
             .tile_size = parameters.tile_size,
             .stages = options.reference ? &ReferenceStages : &FastStages};

@@ -44,7 +44,8 @@ struct RecordingOptions {
     bool timing = false;
     bool work_values = false; // Work tells values, too.
     bool images = true;
-    bool reference = false; // draw with the scalar specifications
+    bool reference = false;         // draw with the scalar specifications
+    const Stages* stages = nullptr; // draw with these, on one thread
     std::function<void(const std::string& line)> warn = [](const std::string&) {};
 };
 

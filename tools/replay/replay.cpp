@@ -20,7 +20,7 @@ public:
         : options_(options)
         , recording_(options)
         , source_(open_frame_source(options.input,
-                                    recording_.device(),
+                                    drawn_on(),
                                     {.warn = options.warn,
                                      .report_errors = options.report_errors,
                                      .keep_last = options.benchmark > 0,
@@ -48,6 +48,12 @@ private:
         return [this](std::uint64_t number, std::string_view name) { calls_.begin(number, name); };
     }
 
+    Device& drawn_on() {
+        if (!options_.rtl) return recording_.device();
+        options_.rtl->attach(recording_.device(), recording_.gpu());
+        return *options_.rtl;
+    }
+
     // What went wrong first is what is told.
     void keep_what_is_done() {
         try {
@@ -61,7 +67,9 @@ private:
                               ? std::optional(options_.frames.last)
                               : std::nullopt);
         std::uint64_t next = source_->first_frame();
-        recording_.number_from(next, source_->prepare());
+        const std::uint32_t draw = source_->prepare();
+        recording_.number_from(next, draw);
+        if (options_.rtl) options_.rtl->number_draws_from(draw);
         do {
             recording_.before_frame(next);
             if (measured_ == 0) started_ = std::chrono::steady_clock::now();

@@ -15,7 +15,7 @@
 
 #pragma once
 
-#include "tests/rtl/bench/ports.h"
+#include "rtl/bundles/ports.h"
 #include "tests/rtl/bench/random.h"
 #include "tests/rtl/bench/stalls.h"
 
@@ -29,12 +29,6 @@
 #include <vector>
 
 namespace ffgpu::rtl {
-
-// A unit without registers.
-struct NoState {
-    template <class Self, class Visitor>
-    static void visit(Self&, Visitor&&) {}
-};
 
 template <class Unit>
 struct Source {

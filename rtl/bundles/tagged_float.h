@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "tests/rtl/bench/fields.h"
+#include "rtl/bundles/fields.h"
 
 namespace ffgpu::rtl {
 

@@ -17,6 +17,12 @@
 
 namespace ffgpu::rtl {
 
+// A unit without registers.
+struct NoState {
+    template <class Self, class Visitor>
+    static void visit(Self&, Visitor&&) {}
+};
+
 // A register of the model as the words that the RTL decodes.
 template <class Field, class Register>
 void visit_register(Field& field, const char* name, const Register& reg) {

@@ -1,0 +1,74 @@
+// One element of one step to the squared sides of a pixel: a difference between lanes, the same in
+// texels, its square, and the sums of squares in the place of their first.
+//
+// Combinational; Stage says which step it is. Equals squared_length() in
+// model/texture/level_of_detail.inl.
+
+module level_step #(
+  parameter int unsigned Stage = 0,
+  parameter int unsigned Element = 0
+) (
+  input  ffgpu_texture_pkg::level_operands_t operands_i,
+  output ffgpu_pkg::float_t          value_o
+);
+
+  localparam int unsigned Axis = Element % 3;
+  localparam int unsigned Other = (Stage == 3 ? Element + 1 : Element + 2) % 6;
+  localparam logic [30:0] LeastStep = 31'h2180_0000;  // 2^-60
+  localparam logic [30:0] LargestStep = 31'h5d80_0000;  // 2^60
+
+  ffgpu_texture_pkg::level_steps_t steps;
+  ffgpu_pkg::float_t       value;
+  assign steps = operands_i.steps;
+  assign value = steps.values[32*Element +: 32];
+
+  if (Stage == 0) begin : g_difference
+    ffgpu_pkg::float_t subtrahend;
+
+    assign subtrahend = steps.steps[32*Element +: 32];
+    float_add u_difference (
+      .a_i  (value),
+      .b_i  ({~subtrahend[31], subtrahend[30:0]}),
+      .sum_o(value_o)
+    );
+  end else if (Stage == 1) begin : g_texels
+    ffgpu_pkg::float_t density, texels;
+
+    float_from_signed u_density (
+      .integer_i({19'd0, operands_i.densities[13*Axis +: 13]}),
+      .value_o  (density)
+    );
+    float_multiply u_texels (
+      .a_i      (value),
+      .b_i      (density),
+      .product_o(texels)
+    );
+    always_comb begin
+      value_o = {1'b0, texels[30:0]};
+      if (texels[30:0] < LeastStep) begin
+        value_o = {1'b0, LeastStep};
+      end
+      if (texels[30:0] > LargestStep) begin
+        value_o = {1'b0, LargestStep};
+      end
+    end
+  end else if (Stage == 2) begin : g_square
+    float_multiply u_square (
+      .a_i      (value),
+      .b_i      (value),
+      .product_o(value_o)
+    );
+  end else if (Axis == 0) begin : g_sum
+    ffgpu_pkg::float_t sum;
+
+    float_add u_sum (
+      .a_i  (value),
+      .b_i  (steps.values[32*Other +: 32]),
+      .sum_o(sum)
+    );
+    assign value_o = operands_i.dimensions >= (Stage == 3 ? 2'd2 : 2'd3) ? sum : value;
+  end else begin : g_keep
+    assign value_o = value;
+  end
+
+endmodule

@@ -1,0 +1,56 @@
+// What the stages tell of their work. A stage is a plain function, so that there is one log.
+
+#pragma once
+
+#include "model/packets/fragment_batch.h"
+#include "rtl/loop/rtl_stages.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace ffgpu::rtl {
+
+struct LoopLog {
+    std::optional<PlantedFault> fault;
+    std::uint64_t faulty_items = 0;            // outputs of its unit so far
+    std::optional<StageDifference> difference; // the first
+    std::map<std::pair<std::string, std::string>, std::uint64_t> fragments;
+
+    // `feature`: as in StageShare.
+    void count(const char* units, const char* feature, std::uint64_t number) {
+        if (number != 0) fragments[{units, feature}] += number;
+    }
+    // A fragment's value from the unit beside the model's.
+    void compare(StageDifference compared) {
+        if (compared.expected != compared.got && !difference) difference = std::move(compared);
+    }
+};
+
+inline LoopLog& loop_log() {
+    static LoopLog log;
+    return log;
+}
+
+// For one lane of a batch: whose value it is.
+inline StageDifference at_lane(const char* unit, const FragmentBatch& batch, unsigned lane) {
+    const unsigned q = lane / 4;
+    return {.unit = unit,
+            .field = {},
+            .primitive = batch.primitive[q],
+            .x = batch.x[q],
+            .y = batch.y[q],
+            .lane = lane % 4};
+}
+
+inline void
+compare_lane(StageDifference at, const char* field, std::uint32_t expected, std::uint32_t got) {
+    if (expected == got) return;
+    at.field = field;
+    at.expected = expected;
+    at.got = got;
+    loop_log().compare(std::move(at));
+}
+
+} // namespace ffgpu::rtl

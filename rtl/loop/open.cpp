@@ -1,0 +1,113 @@
+// The stages of chosen units as a table, and the library's one door.
+
+#include "rtl/loop/loop_log.h"
+#include "rtl/loop/loop_stages.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace ffgpu::rtl {
+namespace {
+
+using namespace std::string_view_literals;
+
+// In the order of the pipe.
+constexpr std::array Units{"tile_walker"sv,
+                           "depth_plane"sv,
+                           "attribute_plane"sv,
+                           "reciprocal"sv,
+                           "perspective"sv,
+                           "level_of_detail"sv,
+                           "texel_address"sv,
+                           "texel_decode"sv,
+                           "filter_tree"sv,
+                           "texture_environment"sv,
+                           "color_sum"sv,
+                           "fog"sv,
+                           "apply_coverage"sv,
+                           "alpha_test"sv,
+                           "stencil_depth"sv,
+                           "blend"sv};
+
+class Loop final : public RtlStages {
+public:
+    explicit Loop(const LoopOptions& options)
+        : options_(options) {
+        loop_log() = {};
+        loop_log().fault = options.fault;
+        choose_raster_units();
+        choose_fragment_units();
+        if (has("level_of_detail") || has("texel_address") || has("texel_decode") ||
+            has("filter_tree"))
+            table_.sample = sample;
+        table_.fragment = &fragment_;
+    }
+
+    const Stages& table() const override { return table_; }
+    std::vector<StageShare> shares() const override {
+        std::vector<StageShare> shares;
+        for (const auto& [key, fragments] : loop_log().fragments)
+            shares.push_back({key.first, key.second, fragments});
+        return shares;
+    }
+    std::optional<StageDifference> take_difference() override {
+        return std::exchange(loop_log().difference, std::nullopt);
+    }
+
+private:
+    bool has(std::string_view unit) const {
+        return std::ranges::any_of(
+            options_.units, [&](const std::string& name) { return name == unit || name == "all"; });
+    }
+    void choose_raster_units() {
+        if (has("tile_walker")) {
+            table_.cover_tile = cover_tile;
+            table_.cover_tile_samples = cover_tile_samples;
+            table_.smooth_block = smooth_block;
+        }
+        if (has("depth_plane")) {
+            table_.interpolate_depth = interpolate_depth;
+            table_.interpolate_sample_depths = interpolate_sample_depths;
+        }
+        if (has("attribute_plane") || has("reciprocal") || has("perspective")) {
+            table_.interpolate_perspective = interpolate_perspective;
+            table_.interpolate_colors = interpolate_colors;
+            table_.interpolate_tex_coords = interpolate_tex_coords;
+            table_.interpolate_directions = interpolate_directions;
+        }
+    }
+    void choose_fragment_units() {
+        if (has("texture_environment")) fragment_.run_environment = run_environment;
+        if (has("color_sum")) fragment_.add_secondary = add_secondary;
+        if (has("fog")) fragment_.apply_fog = apply_fog;
+        if (has("apply_coverage")) fragment_.apply_coverage = apply_coverage;
+        if (has("alpha_test")) fragment_.alpha_test = alpha_test;
+        if (has("stencil_depth")) fragment_.test_depth_target = test_depth_target;
+        if (has("blend")) fragment_.write_color = write_color;
+    }
+
+    LoopOptions options_;
+    FragmentStages fragment_ = FastFragmentStages;
+    Stages table_ = FastStages;
+};
+
+bool is_unit(const std::string& name) {
+    return name == "all" || std::ranges::find(Units, name) != Units.end();
+}
+
+} // namespace
+} // namespace ffgpu::rtl
+
+extern "C" __attribute__((visibility("default"))) ffgpu::rtl::RtlStages*
+ffgpu_open_rtl_stages(const ffgpu::rtl::LoopOptions& options, std::string& why) {
+    using namespace ffgpu::rtl;
+    for (const std::string& name : options.units)
+        if (!is_unit(name)) {
+            why = "there is no unit " + name + "; there are all";
+            for (const std::string_view unit : Units)
+                why.append(", ").append(unit);
+            return nullptr;
+        }
+    return new Loop(options);
+}

@@ -1,0 +1,65 @@
+// RTL in the loop: what is drawn by Verilated units is drawn on a plain GPU as well, and the bytes
+// of the targets are compared after every draw.
+
+#pragma once
+
+#include "model/gpu/functional_gpu.h"
+#include "rtl/loop/rtl_stages.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ffgpu::tools {
+
+// The first draw whose targets, or values on the way to them, part.
+struct RtlDifference {
+    std::uint32_t draw = 0;
+    std::optional<rtl::StageDifference> stage{}; // where values parted first
+    std::string target{};                        // none: the stage's values alone did
+    unsigned x = 0, y = 0, sample = 0;
+    std::uint32_t expected = 0, got = 0;
+};
+
+class RtlComparison final : public Device {
+public:
+    // Throws InputError where a unit does not exist, or ffgpu was built without Verilator.
+    explicit RtlComparison(const rtl::LoopOptions& options);
+
+    // For the GPU that is compared. It draws on one thread.
+    const Stages& stages() const { return rtl_->table(); }
+    // From now on to be drawn on instead of `device`, which draws on `gpu`.
+    void attach(Device& device, FunctionalGpu& gpu);
+    void number_draws_from(std::uint32_t draw) { next_draw_ = draw; }
+
+    bool equal() const { return !difference_; }
+    const std::optional<RtlDifference>& difference() const { return difference_; }
+    std::vector<rtl::StageShare> shares() const { return rtl_->shares(); }
+    // Lines for people.
+    std::string summary() const;
+
+    std::uint64_t memory_size() const override { return device_->memory_size(); }
+    void write_memory(DeviceAddress at, std::span<const std::byte> bytes) override;
+    void read_memory(DeviceAddress at, std::span<std::byte> bytes) override;
+    void submit(const CommandStream& commands) override;
+    void finish() override;
+    std::vector<const StatisticsGroup*> statistics() const override;
+
+private:
+    void compare_targets();
+    void compare_surface(const Surface& surface, const std::string& name, RtlDifference& found);
+    bool compare_bytes(DeviceAddress at, std::uint64_t size, std::uint64_t& first);
+
+    std::unique_ptr<rtl::RtlStages> rtl_;
+    Device* device_ = nullptr;
+    FunctionalGpu* gpu_ = nullptr;
+    FunctionalGpu plain_{{}};
+    std::vector<std::byte> expected_, got_;
+    std::uint32_t next_draw_ = 0;
+    std::uint64_t draws_ = 0, different_ = 0;
+    std::optional<RtlDifference> difference_; // the first
+};
+
+} // namespace ffgpu::tools
