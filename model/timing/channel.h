@@ -37,10 +37,9 @@ class Channel final : public Link {
 public:
     // `queue`: places at the end; `width`: items that may enter the delay line in a cycle.
     Channel(const Clock& clock, std::size_t queue, Cycle latency = 1, std::size_t width = 1)
-        : Link(queue + (latency - 1) * width, std::is_same_v<T, MemoryRequest>)
+        : Link(queue + (latency - 1) * width, latency, std::is_same_v<T, MemoryRequest>)
         , clock_(clock)
-        , items_(places())
-        , latency_(latency) {
+        , items_(places()) {
         check(queue > 0 && width > 0, "a channel needs a place");
         check(latency > 0, "a channel without latency would show the order of evaluation");
     }
@@ -66,6 +65,7 @@ public:
         if (last >= items_.size()) last -= items_.size();
         items_[last] = {clock_.now() + latency_, item};
         count_before(clock_.now());
+        pushed_at_ = clock_.now();
         if (count_++ == 0) arrival_ = items_[last].ready_at;
         if (consumer_) consumer_->wake(items_[last].ready_at);
     }
@@ -81,8 +81,8 @@ public:
         if (++first_ == items_.size()) first_ = 0;
         count_before(clock_.now());
         arrival_ = --count_ > 0 ? items_[first_].ready_at : Never;
-        if (last_pop_ != clock_.now()) {
-            last_pop_ = clock_.now();
+        if (popped_at_ != clock_.now()) {
+            popped_at_ = clock_.now();
             popped_now_ = 0;
         }
         ++popped_now_;
@@ -106,20 +106,19 @@ private:
 
     // Places popped in this cycle are still taken.
     std::size_t taken_at_start() const {
-        return count_ + (last_pop_ == clock_.now() ? popped_now_ : 0);
+        return count_ + (popped_at_ == clock_.now() ? popped_now_ : 0);
     }
 
     // A place that was freed in this cycle is one in the next.
     void refuse() const {
         refused_ = true;
-        if (last_pop_ == clock_.now() && popped_now_ > 0 && producer_) producer_->wake();
+        refused_at_ = clock_.now();
+        if (popped_at_ == clock_.now() && popped_now_ > 0 && producer_) producer_->wake();
     }
 
     const Clock& clock_;
     std::vector<Item> items_;
-    Cycle latency_;
     std::size_t first_ = 0;
-    Cycle last_pop_ = 0;
     std::size_t popped_now_ = 0;
 };
 

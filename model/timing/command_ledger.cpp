@@ -14,6 +14,7 @@ std::size_t CommandLedger::open(CommandKind kind, std::uint32_t number, std::uin
 
 void CommandLedger::begin_cycle(std::uint64_t now) {
     if (now == cycle_) return;
+    note_charge();
     cycle_ = now;
     oldest_before_ = oldest_;
     charged_ = None;
@@ -53,19 +54,38 @@ void CommandLedger::end_part(std::size_t entry, std::uint64_t now) {
     count(entries_[entry]);
 }
 
-void CommandLedger::explain_charge(std::uint64_t now) {
-    if (!charges_at(now)) return;
-    WaitedCycles& waited = entries_[charged_].listed.waited;
-    for (std::size_t i = 0; i < Resources; ++i)
-        waited[i] += std::exchange(waited_[i], 0);
+// It is sure now whom the cycles were charged to in the last cycle in which any were.
+void CommandLedger::note_charge() {
+    if (charged_ == None) return;
+    if (!charges_.empty() && charges_.back().entry == charged_)
+        charges_.back().end = cycle_;
+    else
+        charges_.push_back({cycle_, charged_});
 }
 
-std::vector<CommandCycles> CommandLedger::end_frame(std::uint64_t now) {
+void CommandLedger::explain(const std::vector<WaitPaths::Run>& waited) {
+    auto run = waited.begin();
+    std::uint64_t at = frame_begin_;
+    for (const Charge& charge : charges_) {
+        WaitedCycles& of = entries_[charge.entry].listed.waited;
+        while (at < charge.end) {
+            const std::uint64_t end = std::min(run->end, charge.end);
+            of[static_cast<std::size_t>(run->resource)] += end - std::exchange(at, end);
+            if (end == run->end) ++run;
+        }
+    }
+}
+
+std::vector<CommandCycles> CommandLedger::end_frame(std::uint64_t now,
+                                                    const std::vector<WaitPaths::Run>& waited) {
     check(oldest_ == entries_.size(), "a frame ends with its commands");
     Entry& end = entries_.emplace_back(Entry{{.kind = CommandKind::FrameEnd}, 0});
     end.listed.cycles = now - charged_until_;
-    end.listed.waited = std::exchange(waited_, {});
-    charged_until_ = now;
+    note_charge();
+    charges_.push_back({now, entries_.size() - 1});
+    explain(waited);
+    charges_.clear();
+    charged_until_ = frame_begin_ = now;
     std::vector<CommandCycles> listed;
     for (const Entry& entry : entries_)
         listed.push_back(entry.listed);

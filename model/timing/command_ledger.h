@@ -12,6 +12,7 @@
 
 #include "model/packets/work_stream.h"
 #include "model/timing/resource.h"
+#include "model/timing/wait_paths.h"
 #include "model/work/draw_shape.h"
 
 #include <algorithm>
@@ -77,16 +78,10 @@ public:
     void retire(std::size_t entry, std::uint64_t now);   // A part that is charged for the time.
     void end_part(std::size_t entry, std::uint64_t now); // Any other part.
 
-    // What the cycles since the last charge were waited for. At the end of a cycle, when it is sure
-    // whom it is charged to, they become the command's.
-    void waited(Resource resource, std::uint64_t cycles) {
-        waited_[static_cast<std::size_t>(resource)] += cycles;
-    }
-    bool charges_at(std::uint64_t now) const { return cycle_ == now && charged_ != None; }
-    void explain_charge(std::uint64_t now);
-
     // All commands have ended: their cycles, whose sum is that of the cycles since the last call.
-    std::vector<CommandCycles> end_frame(std::uint64_t now);
+    // `waited`: what those were waited for, run after run.
+    std::vector<CommandCycles> end_frame(std::uint64_t now,
+                                         const std::vector<WaitPaths::Run>& waited);
 
 private:
     static constexpr std::size_t None = ~std::size_t{0};
@@ -99,11 +94,19 @@ private:
     void begin_cycle(std::uint64_t now);
     void charge(std::size_t entry, std::uint64_t now);
     void count(Entry& entry);
+    void note_charge();
+    void explain(const std::vector<WaitPaths::Run>& waited);
 
     std::vector<Entry> entries_; // of the frame, in the order of the commands
     std::size_t oldest_ = 0;     // that is under way
     std::uint64_t charged_until_ = 0;
-    WaitedCycles waited_{}; // since then
+    std::uint64_t frame_begin_ = 0;
+    // Whose the cycles were, up to and including `end`, since the one before.
+    struct Charge {
+        std::uint64_t end = 0;
+        std::size_t entry = 0;
+    };
+    std::vector<Charge> charges_;
     // Of the cycle of the last call:
     std::uint64_t cycle_ = 0;
     std::size_t oldest_before_ = 0; // oldest_ when it began

@@ -31,6 +31,12 @@ public:
     const Unit* consumer() const { return consumer_; }
     // The producer found no place, and none came free since.
     bool is_refused() const { return refused_; }
+    // The last cycles in which an item was pushed, one was taken, and the producer was refused.
+    Cycle pushed_at() const { return pushed_at_; }
+    Cycle popped_at() const { return popped_at_; }
+    Cycle refused_at() const { return refused_at_; }
+    // Cycles from the push of an item to its arrival.
+    Cycle latency() const { return latency_; }
     // To the memory, or to a cache before it: the consumer answers.
     bool carries_requests() const { return carries_requests_; }
 
@@ -47,8 +53,9 @@ public:
     }
 
 protected:
-    Link(std::size_t places, bool carries_requests)
-        : cycles_at_(places + 1)
+    Link(std::size_t places, Cycle latency, bool carries_requests)
+        : latency_(latency)
+        , cycles_at_(places + 1)
         , carries_requests_(carries_requests) {}
     ~Link() = default;
     Link(const Link&) = default;
@@ -60,6 +67,9 @@ protected:
     Cycle arrival_ = Never;
     std::size_t count_ = 0;
     mutable bool refused_ = false; // the producer, since the last pop
+    Cycle latency_;
+    Cycle pushed_at_ = 0, popped_at_ = 0;
+    mutable Cycle refused_at_ = 0;
 
 private:
     mutable std::vector<Cycle> cycles_at_;

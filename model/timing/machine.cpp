@@ -158,13 +158,7 @@ Machine::Machine(const SimulationContext& kernel,
                {.requests_out = screen_requests, .responses_in = screen_responses})
     , arbiter("arbiter", clock, config.memory, memory_ports(), memory_in_flight)
     , memory(make_memory ? make_memory(clock, config.memory)
-                         : std::make_unique<MemoryController>("memory", clock, config.memory))
-    , bottlenecks(clock,
-                  ledger,
-                  {.stages = stages(),
-                   .arbiter = arbiter,
-                   .memory = *memory,
-                   .second_level = texel_caches.unit()}) {
+                         : std::make_unique<MemoryController>("memory", clock, config.memory)) {
     depth_port.cache.set_store(blocks.depth.get());
     color_port.cache.set_store(blocks.color.get());
     connect_links();
@@ -174,7 +168,13 @@ Machine::Machine(const SimulationContext& kernel,
         series = std::make_unique<SeriesRecorder>("series", clock, config.series.interval_cycles);
         series->attach();
     }
-    clock.set_on_walked([this] { bottlenecks.end_cycle(); });
+    bottlenecks =
+        std::make_unique<Bottlenecks>(clock,
+                                      Bottlenecks::Parts{.stages = stages(),
+                                                         .arbiter = arbiter,
+                                                         .memory = *memory,
+                                                         .second_level = texel_caches.unit()});
+    clock.set_on_walked([this] { bottlenecks->end_cycle(); });
     // A memory whose processes are its own sees each cycle.
     if (!memory->unit() && evaluation.pace == Pace::Decoupled) clock.set_pace(Pace::Lockstep);
 }
@@ -277,7 +277,6 @@ void Machine::run() {
 void Machine::settle() {
     for (Unit* unit : units())
         unit->settle();
-    bottlenecks.settle();
     texel_caches.settle();
     queues->settle(clock.now());
     frame_statistics.cycles += clock.now() - frame_statistics.cycles.value();
@@ -286,11 +285,12 @@ void Machine::settle() {
 void Machine::finish_frame(std::uint32_t number) {
     settle();
     memory->settle();
+    const std::vector<WaitPaths::Run> waited = bottlenecks->end_frame();
     if (series) series->end_frame(statistics(), number);
     frame.frame = number;
     frame.cycles = clock.now() - frame_begin;
     frame_begin = clock.now();
-    frame.commands = ledger.end_frame(clock.now());
+    frame.commands = ledger.end_frame(clock.now(), waited);
     for (const CommandCycles& command : frame.commands)
         shapes.add(command.shape);
     if (on_frame) on_frame(frame);

@@ -110,7 +110,7 @@ public:
     ScanOut scan_out;
     MemoryArbiter arbiter;
     std::unique_ptr<MemoryModule> memory;
-    Bottlenecks bottlenecks;
+    std::unique_ptr<Bottlenecks> bottlenecks;
     std::unique_ptr<QueueStatistics> queues;
     std::unique_ptr<SeriesRecorder> series; // null: nobody wants them
 

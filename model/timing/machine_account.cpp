@@ -17,10 +17,10 @@ std::vector<Stage> Machine::stages() {
         {Resource::Clip, &clip, {}},
         {Resource::Setup, &setup, {}},
         {Resource::Raster, &raster, {}},
-        {Resource::Depth, &depth, {Client::Depth}, &raster_to_depth},
+        {Resource::Depth, &depth, {Client::Depth}, &raster_to_depth, &depth_to_texture},
         {Resource::Texture, &texture, {Client::Texture}},
         {Resource::Fragment, &fragment, {}},
-        {Resource::Depth, &depth, {Client::Depth}, &fragment_to_depth},
+        {Resource::Depth, &depth, {Client::Depth}, &fragment_to_depth, &depth_to_color},
         {Resource::Color, &color, {Client::Color}}};
     if (tiles) {
         const std::vector<Stage> more = tiles->stages();
@@ -33,7 +33,7 @@ std::vector<const StatisticsGroup*> Machine::statistics() {
     std::vector<const StatisticsGroup*> groups{&frame_statistics};
     for (Unit* unit : units())
         groups.push_back(&unit->account());
-    groups.push_back(&bottlenecks.statistics());
+    groups.push_back(&bottlenecks->statistics());
     groups.push_back(&host.statistics());
     groups.push_back(&vertex_fetch.statistics());
     groups.push_back(&clip.statistics());

@@ -35,7 +35,7 @@ public:
     // It waits for somebody who is no unit.
     virtual bool waits_outside() const { return false; }
     // The first of the cycles that were all as the last one.
-    Cycle since() const { return accounted_ + 1; }
+    Cycle since() const { return since_; }
     const std::vector<const Link*>& inputs() const { return inputs_; }
     const std::vector<const Link*>& outputs() const { return outputs_; }
 
@@ -64,10 +64,10 @@ public:
     // By the clock: a cycle in which the unit is due.
     void run_cycle() {
         const Activity activity = step();
+        if (shown_in_) *shown_in_ |= shown_bits_;
         if (activity != last_) {
             account_until(clock_.now() - 1);
-            if (shown_in_ && (activity == Activity::Idle) != (last_ == Activity::Idle))
-                *shown_in_ ^= shown_bits_;
+            since_ = clock_.now();
             last_ = activity;
             if (observer_) observer_->changed(number_, activity, clock_.now());
         }
@@ -76,10 +76,10 @@ public:
         clock_.wake(place_, due);
     }
 
-    // The bits are set in `working` while the unit is not idle, so that one look tells of many
+    // The bits are set in `called` in each cycle in which step() is, so that one look tells of many
     // units. Before the first cycle.
-    void show_work_in(std::uint64_t& working, std::uint64_t bits) {
-        shown_in_ = &working;
+    void show_calls_in(std::uint64_t& called, std::uint64_t bits) {
+        shown_in_ = &called;
         shown_bits_ = bits;
     }
 
@@ -137,6 +137,7 @@ private:
     std::uint64_t* shown_in_ = nullptr;
     std::uint64_t shown_bits_ = 0;
     Cycle accounted_ = 0;
+    Cycle since_ = 1;
     std::size_t place_ = 0; // in the clock's walk
     bool attached_ = false;
     ActivityObserver* observer_ = nullptr;

@@ -219,9 +219,6 @@ TEST_CASE("no resource without limit gains more than the named one, within 2 % o
         const char* const wanted = std::getenv(name);
         return wanted ? std::strtoull(wanted, nullptr, 10) : otherwise;
     };
-    // On seeds that it was not made by the rule is right less often where clears, copies, uploads
-    // and front ends are among the cases: a queue that filled in a burst is taken for one that
-    // holds up its sender.
     const Population population = GENERATE(Population::Draws, Population::All);
     const std::uint64_t cases = number("FFGPU_BOTTLENECK_CASES", 20);
     const std::uint64_t first = number("FFGPU_BOTTLENECK_SEED", 1000);
@@ -234,7 +231,7 @@ TEST_CASE("no resource without limit gains more than the named one, within 2 % o
     }
     WARN(right << " of " << cases << " bottlenecks are the largest gain, "
                << (population == Population::Draws ? "draws alone" : "all cases"));
-    CHECK(right * 10 >= cases * 9);
+    CHECK(right * 100 >= cases * 95);
 }
 
 // A frame of one draw that keeps `unit` alone busy: so many items of so many cycles each.

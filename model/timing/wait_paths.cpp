@@ -1,0 +1,69 @@
+#include "model/timing/wait_paths.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ffgpu::timing {
+
+WaitPaths::Path WaitPaths::restart(Cycle now) {
+    nodes_.assign(1, {{now, Resource::Links}, 0, true});
+    return 0;
+}
+
+WaitPaths::Path WaitPaths::extend(Path path, Resource resource, Cycle end) {
+    Node& last = nodes_[path];
+    if (end <= last.run.end) return path;
+    if (last.run.resource == resource && !last.shared) {
+        last.run.end = end;
+        return path;
+    }
+    nodes_.push_back({{end, resource}, path, false});
+    return static_cast<Path>(nodes_.size() - 1);
+}
+
+WaitPaths::Path WaitPaths::cut(Path path, Cycle end) {
+    if (nodes_[path].run.end <= end) return share(path);
+    if (end <= nodes_[0].run.end) return 0;
+    Path before = nodes_[path].before;
+    while (nodes_[before].run.end > end) {
+        path = before;
+        before = nodes_[path].before;
+    }
+    share(before);
+    return share(extend(before, nodes_[path].run.resource, end));
+}
+
+std::vector<WaitPaths::Run> WaitPaths::runs(Path path) const {
+    std::vector<Run> runs;
+    for (; path != 0; path = nodes_[path].before)
+        runs.push_back(nodes_[path].run);
+    std::reverse(runs.begin(), runs.end());
+    return runs;
+}
+
+// A path's nodes stand behind the one before them: what is marked from the last to the first is
+// moved from the first to the last.
+void WaitPaths::collect(std::span<Path* const> kept) {
+    if (nodes_.size() < most_) return;
+    std::vector<Path> moved(nodes_.size(), 0);
+    moved[0] = 1;
+    for (const Path* const path : kept)
+        moved[*path] = 1;
+    for (std::size_t i = nodes_.size(); i-- > 0;)
+        if (moved[i] != 0) moved[nodes_[i].before] = 1;
+    Path count = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        if (moved[i] == 0) continue;
+        Node node = nodes_[i];
+        node.before = moved[node.before];
+        if (i == 0) node.before = 0;
+        moved[i] = count;
+        nodes_[count++] = node;
+    }
+    nodes_.resize(count);
+    for (Path* const path : kept)
+        *path = moved[*path];
+    most_ = std::max<std::size_t>(most_, 2 * std::size_t{count});
+}
+
+} // namespace ffgpu::timing
