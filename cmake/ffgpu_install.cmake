@@ -11,6 +11,7 @@ foreach(alias libEGL.so.1 libGLX.so.0 libOpenGL.so.0)
   install(FILES ${PROJECT_BINARY_DIR}/driver/GL/${alias} DESTINATION ${FFGPU_PRIVATE_DIR})
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/driver/window_system/offscreen/osmesa.h
+  ${PROJECT_SOURCE_DIR}/driver/ffgpu_texture_filter.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ffgpu)
 # The library of texture techniques, for any OpenGL program.
 install(TARGETS techniques ARCHIVE DESTINATION ${FFGPU_PRIVATE_DIR})

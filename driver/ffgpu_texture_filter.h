@@ -15,5 +15,6 @@
 #define GL_RIP_MAP_FILTER_FFGPU 0x7FF3
 #define GL_SUMMED_AREA_FILTER_FFGPU 0x7FF4
 #define GL_ELLIPTIC_FILTER_FFGPU 0x7FF5 /* where the texture is minified */
+#define GL_FELINE_FILTER_FFGPU 0x7FF6   /* the same by probes of the mip map */
 
 #endif

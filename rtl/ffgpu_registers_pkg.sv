@@ -99,7 +99,8 @@ package ffgpu_registers_pkg;
     TextureFilterBicubic = 3'd1,
     TextureFilterRipMap = 3'd2,
     TextureFilterSummedArea = 3'd3,
-    TextureFilterElliptic = 3'd4
+    TextureFilterElliptic = 3'd4,
+    TextureFilterFeline = 3'd5
   } texture_filter_e;
 
   typedef enum logic [3:0] {
@@ -1280,6 +1281,7 @@ package ffgpu_registers_pkg;
     logic [15:0] destination_y;
     logic [15:0] width;
     logic [15:0] height;
+    logic [4:0]  pictures;
   } copy_rectangle_command_t;
   function automatic copy_rectangle_command_t decode_copy_rectangle_command(
     input copy_rectangle_command_words_t words
@@ -1302,7 +1304,8 @@ package ffgpu_registers_pkg;
       words[287:272],  // destination_x
       words[303:288],  // destination_y
       words[319:304],  // width
-      words[335:320]  // height
+      words[335:320],  // height
+      words[340:336]  // pictures
     };
   endfunction
 

@@ -18,8 +18,8 @@ void give_back(Context& context, Accumulation& buffer, float factor) {
     const Targets& targets = context.draw_target().targets;
     const unsigned mask = context.registers.wanted.blend.write_mask;
     for (const Surface& target : targets.color)
-        for (unsigned sample = 0; sample < target.samples; ++sample)
-            buffer.give_back(target.plane(sample), factor, mask);
+        for (unsigned i = 0; i < target.samples * context.draw_target().supersampling; ++i)
+            buffer.give_back(target.plane(i), factor, mask);
 }
 
 } // namespace

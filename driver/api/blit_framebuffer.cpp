@@ -116,7 +116,7 @@ void BlitFramebuffer(Context& context,
                      GLbitfield mask,
                      GLenum filter) {
     if (const GLenum error = arguments_error(mask, filter)) return context.error(error);
-    const ReadTarget read = find_read_target(context);
+    ReadTarget read = find_read_target(context);
     if (read.status != GL_FRAMEBUFFER_COMPLETE)
         return context.error(GL_INVALID_FRAMEBUFFER_OPERATION);
     if (!context.prepare_draw()) return;
@@ -137,10 +137,16 @@ void BlitFramebuffer(Context& context,
     if (const GLenum error = multisample_error(read, targets, blit, colors))
         return context.error(error);
     if (blit.empty()) return;
-    if (colors)
+    if (read.is_supersampled()) read.color = read.pixel_colors();
+    for (unsigned i = 0; i < context.draw_target().supersampling; ++i) {
+        const auto picture = [i](const Surface& of_first) {
+            return i == 0 || of_first.format == Format::None ? of_first : of_first.plane(i);
+        };
         for (const Surface& target : targets.color)
-            blit_color(context, read.color, target, blit);
-    if (any_depth) blit_depth(context, read.depth, targets.depth, blit, {depth, stencil});
+            if (colors) blit_color(context, read.color, picture(target), blit);
+        if (any_depth)
+            blit_depth(context, read.depth, picture(targets.depth), blit, {depth, stencil});
+    }
 }
 
 } // namespace ffgpu::gl::api

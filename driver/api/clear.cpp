@@ -72,7 +72,7 @@ void Clear(Context& context, GLbitfield mask) {
     if (clear.color || clear.depth || clear.stencil) {
         CommandStream commands;
         commands.add(clear);
-        context.submit(commands);
+        context.submit_drawing(commands);
     }
     if (mask & GL_ACCUM_BUFFER_BIT) clear_accumulation(context);
 }

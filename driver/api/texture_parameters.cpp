@@ -91,9 +91,8 @@ GLenum set_tokens(TextureParameters& gl, TextureTarget target, GLenum name, GLen
         return set_token(
             gl.compare_mode, token, token == GL_NONE || token == GL_COMPARE_R_TO_TEXTURE);
     case GL_TEXTURE_FILTER_FFGPU:
-        return set_token(gl.filter,
-                         token,
-                         token >= GL_STANDARD_FILTER_FFGPU && token <= GL_ELLIPTIC_FILTER_FFGPU);
+        return set_token(
+            gl.filter, token, token >= GL_STANDARD_FILTER_FFGPU && token <= GL_FELINE_FILTER_FFGPU);
     default: // GL_TEXTURE_COMPARE_FUNC
         return set_token(gl.compare_func, token, token >= GL_NEVER && token <= GL_ALWAYS);
     }

@@ -1,5 +1,6 @@
 #include "driver/device_context/device_context.h"
 
+#include "driver/device_context/supersampling.h"
 #include "driver/objects/shared_objects.h"
 #include "driver/texture/residency.h"
 
@@ -37,6 +38,12 @@ void DeviceContext::submit(const CommandStream& commands) {
         pending.clear();
     }
     device_.submit(commands);
+}
+
+void DeviceContext::submit_drawing(const CommandStream& commands) {
+    if (draw_target_.supersampling == 1) [[likely]]
+        return submit(commands);
+    submit_to_pictures(*this, commands);
 }
 
 } // namespace ffgpu::gl

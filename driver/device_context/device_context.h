@@ -81,6 +81,10 @@ public:
     // Sends registers.pending(), then `commands`, after everything before them.
     void submit(const CommandStream& commands);
 
+    // The same of commands that write to what prepare_draw() found: to each picture of a
+    // supersampled window.
+    void submit_drawing(const CommandStream& commands);
+
 private:
     Device& device_;
     std::shared_ptr<SharedObjects> shared_;

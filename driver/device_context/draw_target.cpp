@@ -31,7 +31,8 @@ DrawTarget window_target(DeviceContext& context) {
             .height = drawable->height(),
             .depth = {.depth_bits = format.depth_bits == 0 ? 0 : depth_bits(targets.depth.format),
                       .stencil_bits = format.stencil_bits},
-            .multisampled_window = format.samples > 1 ? drawable : nullptr};
+            .resolved_window = drawable->is_resolved() ? drawable : nullptr,
+            .supersampling = format.supersampling};
 }
 
 DrawTarget object_target(DeviceContext& context, const FramebufferObject& object) {

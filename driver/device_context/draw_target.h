@@ -15,9 +15,10 @@ class Drawable;
 struct DrawTarget {
     GLenum status = GL_FRAMEBUFFER_COMPLETE; // or why nothing can be drawn
     Targets targets{};
-    unsigned width = 0, height = 0;          // of the part that all of its surfaces have
-    DepthTarget depth{};                     // what of the depth surface is GL's
-    Drawable* multisampled_window = nullptr; // to be told of drawing; or null
+    unsigned width = 0, height = 0;      // of the part that all of its surfaces have
+    DepthTarget depth{};                 // what of the depth surface is GL's
+    Drawable* resolved_window = nullptr; // to be told of drawing; or null
+    unsigned supersampling = 1;          // pictures that are drawn; `targets` are the first's
 };
 
 // Textures that are drawn to become resident.

@@ -131,8 +131,8 @@ bool DeviceContext::prepare_draw() {
         error(GL_INVALID_FRAMEBUFFER_OPERATION);
         return false;
     }
-    if (draw_target_.multisampled_window) [[unlikely]]
-        draw_target_.multisampled_window->note_drawing();
+    if (draw_target_.resolved_window) [[unlikely]]
+        draw_target_.resolved_window->note_drawing();
     return draw_target_.width > 0 && draw_target_.height > 0;
 }
 

@@ -1,6 +1,7 @@
 #include "driver/device_context/textures_in_use.h"
 
 #include "driver/device_context/device_context.h"
+#include "driver/objects/shared_objects.h"
 #include "driver/texture/filter_table.h"
 #include "driver/texture/residency.h"
 
@@ -18,6 +19,8 @@ TextureObject* texture_in_force(const TextureUnit& unit) {
 const TextureObject* bring_texture(DeviceContext& context, const TextureUnit& unit) {
     TextureObject* const texture = texture_in_force(unit);
     if (!texture || !texture->chain().complete) return nullptr;
+    const ForcedFilter forced = context.shared().control_panel.texture_filter;
+    if (forced != ForcedFilter::AsAsked) texture->forced_filter = filter_token(forced);
     if (!texture->resident_is_current()) {
         context.dirty.mark(Dirty::Targets);
         if (!make_resident(context.device_memory(), *texture)) {

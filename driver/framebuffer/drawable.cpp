@@ -47,9 +47,9 @@ void Drawable::resize(unsigned width, unsigned height) {
     settle();
 
     const Surfaces larger = allocate_all(width, height);
-    copy_common_part(surfaces_.front, larger.front);
-    copy_common_part(surfaces_.back, larger.back);
-    copy_common_part(surfaces_.depth, larger.depth);
+    copy_pictures(surfaces_.front, larger.front);
+    copy_pictures(surfaces_.back, larger.back);
+    copy_pictures(surfaces_.depth, larger.depth);
     release(surfaces_);
     surfaces_ = larger;
     resolved_from_.reset();
@@ -68,7 +68,7 @@ void Drawable::swap(SwapMode mode) {
 
 void Drawable::copy_to_back() {
     copy_is_due_ = false;
-    copy_common_part(surfaces_.front, surfaces_.back);
+    copy_pictures(surfaces_.front, surfaces_.back);
     if (resolved_from_ == surfaces_.back.address) resolved_from_.reset();
 }
 
@@ -77,14 +77,11 @@ std::vector<std::int16_t>& Drawable::accumulation() {
     return accumulation_;
 }
 
-Surface Drawable::allocate(Format format, unsigned samples, unsigned width, unsigned height) {
-    Surface surface{.address = 0,
-                    .format = format,
-                    .width = static_cast<std::uint16_t>(width),
-                    .height = static_cast<std::uint16_t>(height),
-                    .stride = (row_bytes(format, width) + RowAlignment - 1) & ~(RowAlignment - 1),
-                    .samples = static_cast<std::uint8_t>(samples)};
-    const auto address = memory_.allocate(surface.bytes());
+Surface Drawable::allocate(const Surface& shape, unsigned pictures) {
+    Surface surface = shape;
+    surface.stride =
+        (row_bytes(shape.format, shape.width) + RowAlignment - 1) & ~(RowAlignment - 1);
+    const auto address = memory_.allocate(surface.bytes() * pictures);
     if (!address) throw std::bad_alloc();
     surface.address = *address;
     return surface;
@@ -92,13 +89,18 @@ Surface Drawable::allocate(Format format, unsigned samples, unsigned width, unsi
 
 Drawable::Surfaces Drawable::allocate_all(unsigned width, unsigned height) {
     Surfaces made;
-    const Format color = color_format(format_), depth = depth_format(format_);
-    const unsigned samples = format_.samples;
+    const unsigned pictures = format_.supersampling;
+    const Surface pixels{.format = color_format(format_),
+                         .width = static_cast<std::uint16_t>(width),
+                         .height = static_cast<std::uint16_t>(height)};
+    Surface color = pixels, depth = pixels;
+    color.samples = depth.samples = format_.samples;
+    depth.format = depth_format(format_);
     try {
-        made.front = allocate(color, samples, width, height);
-        if (format_.double_buffer) made.back = allocate(color, samples, width, height);
-        if (depth != Format::None) made.depth = allocate(depth, samples, width, height);
-        if (samples > 1) made.resolved = allocate(color, 1, width, height);
+        made.front = allocate(color, pictures);
+        if (format_.double_buffer) made.back = allocate(color, pictures);
+        if (depth.format != Format::None) made.depth = allocate(depth, pictures);
+        if (is_resolved()) made.resolved = allocate(pixels, 1);
     } catch (const std::bad_alloc&) {
         release(made);
         throw;
@@ -118,14 +120,20 @@ void Drawable::release(Surfaces& surfaces) {
 }
 
 void Drawable::clear(const Surface& surface) {
-    const std::vector<std::byte> zeroes(surface.bytes());
+    const std::vector<std::byte> zeroes(surface.bytes() * format_.supersampling);
     if (!zeroes.empty()) device_.write_memory(surface.address, zeroes);
 }
 
-void Drawable::copy_common_part(const Surface& from, const Surface& to) {
-    CopyRectangleCommand copy{.source = from, .destination = to};
-    copy.width = std::min(from.width, to.width);
-    copy.height = std::min(from.height, to.height);
+void Drawable::copy_pictures(const Surface& from, const Surface& to) {
+    if (format_.supersampling == 1) return copy_common_part({.source = from, .destination = to});
+    for (unsigned i = 0; i < format_.supersampling; ++i)
+        copy_common_part({.source = from.plane(i), .destination = to.plane(i)});
+}
+
+void Drawable::copy_common_part(const CopyRectangleCommand& surfaces) {
+    CopyRectangleCommand copy = surfaces;
+    copy.width = std::min(copy.source.width, copy.destination.width);
+    copy.height = std::min(copy.source.height, copy.destination.height);
     if (copy.width == 0 || copy.height == 0) return;
     CommandStream commands;
     commands.add(copy);
@@ -133,8 +141,11 @@ void Drawable::copy_common_part(const Surface& from, const Surface& to) {
 }
 
 Surface Drawable::resolve(const Surface& buffer) {
-    if (buffer.samples == 1) return buffer;
-    if (resolved_from_ != buffer.address) copy_common_part(buffer, surfaces_.resolved);
+    if (!is_resolved()) return buffer;
+    if (resolved_from_ != buffer.address)
+        copy_common_part({.source = buffer,
+                          .destination = surfaces_.resolved,
+                          .pictures = format_.supersampling});
     resolved_from_ = buffer.address;
     return surfaces_.resolved;
 }

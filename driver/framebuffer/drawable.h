@@ -1,8 +1,9 @@
 // Drawable: the surfaces of a window, pixmap or off-screen buffer: front and back colour, depth and
 // stencil, accumulation. They live in device memory; row 0 is the lowest.
 //
-// Those of a multisampled drawable hold several samples of each pixel. Whoever reads pixels gets
-// them resolved, from a surface beside the colour buffers that follows what is drawn.
+// Those of a multisampled drawable hold several samples of each pixel, those of a supersampled one
+// are several, one behind the other (Surface::plane()). Whoever reads pixels gets them resolved,
+// from a surface beside the colour buffers that follows what is drawn.
 
 #pragma once
 
@@ -23,6 +24,9 @@ struct PixelFormat {
     std::uint8_t stencil_bits = 8; // 0 or 8; 8 goes with 24 depth bits
     bool accumulation = true;      // 16 bits signed a channel
     std::uint8_t samples = 1;      // of a pixel: 1 or MaxSamples
+    // Pictures that lie one behind the other, each drawn for itself, and are one for who looks: up
+    // to MaxSupersampling. 1 where there are samples.
+    std::uint8_t supersampling = 1;
 
     bool operator==(const PixelFormat&) const = default;
 };
@@ -56,10 +60,12 @@ public:
     unsigned width() const { return width_; }
     unsigned height() const { return height_; }
 
-    // What is drawn to, of format().samples samples a pixel.
+    // What is drawn to, of format().samples samples a pixel. Supersampled: the first picture.
     const Surface& front() const { return surfaces_.front; }
     const Surface& back() const { return format_.double_buffer ? surfaces_.back : surfaces_.front; }
     const Surface& depth() const { return surfaces_.depth; }
+    // Who reads pixels reads a resolved copy.
+    bool is_resolved() const { return format_.samples > 1 || format_.supersampling > 1; }
     // Commands follow that draw to any of them.
     void note_drawing() { resolved_from_.reset(); }
 
@@ -71,8 +77,9 @@ public:
     // All of the back buffer's colours will be overwritten by the next command.
     void note_back_overwritten() { copy_is_due_ = false; }
 
-    // The same with one sample a pixel, as it is now: colours are the samples' average, depth and
-    // stencil those of sample 0. One colour buffer at a time: the next call may replace it.
+    // The same with one sample a pixel, as it is now: colours are the average of the samples or
+    // pictures, depth and stencil those of the first. One colour buffer at a time: the next call
+    // may replace it.
     Surface readable_front() { return resolve(front()); }
     Surface readable_back() {
         settle();
@@ -91,14 +98,15 @@ public:
 private:
     struct Surfaces {
         Surface front, back, depth;
-        Surface resolved; // of the colour buffer that was read last; none where single-sampled
+        Surface resolved; // of the colour buffer that was read last; none where it needs none
     };
-    Surface allocate(Format format, unsigned samples, unsigned width, unsigned height);
+    Surface allocate(const Surface& shape, unsigned pictures);
     Surfaces allocate_all(unsigned width, unsigned height);
     void release(Surfaces& surfaces);
     void clear(const Surface& surface);
     void copy_to_back();
-    void copy_common_part(const Surface& from, const Surface& to);
+    void copy_pictures(const Surface& from, const Surface& to);
+    void copy_common_part(const CopyRectangleCommand& surfaces);
     Surface resolve(const Surface& buffer);
 
     Device& device_;

@@ -31,7 +31,7 @@ void draw_image(DeviceContext& context, const HostImage& image, const ImagePlace
                                   .color = raster.color,
                                   .secondary_color = raster.secondary_color,
                                   .tex_coords = raster.tex_coords});
-    context.submit(commands);
+    context.submit_drawing(commands);
 }
 
 void draw_depths_untested(DeviceContext& context, const HostImage& image, const ImagePlace& place) {

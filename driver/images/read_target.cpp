@@ -68,6 +68,10 @@ ReadTarget find_read_target(DeviceContext& context) {
     return object ? object_target(context, *object) : window_target(context);
 }
 
+bool ReadTarget::is_supersampled() const {
+    return window && window->format().supersampling > 1;
+}
+
 GLenum ReadTarget::pixels_error() const {
     if (status != GL_FRAMEBUFFER_COMPLETE) return GL_INVALID_FRAMEBUFFER_OPERATION;
     const bool multisampled = color.samples > 1 || depth.samples > 1;
@@ -75,7 +79,7 @@ GLenum ReadTarget::pixels_error() const {
 }
 
 Surface ReadTarget::pixel_colors() const {
-    if (color.samples == 1) return color;
+    if (!window || !window->is_resolved()) return color;
     return color == window->front() ? window->readable_front() : window->readable_back();
 }
 

@@ -25,13 +25,16 @@ struct ReadTarget {
     bool has_stencil = false;
     Drawable* window = nullptr; // that they are of; null: they are a framebuffer object's
 
+    // Of a window that is several pictures; `color` and `depth` are the first's.
+    bool is_supersampled() const;
+
     // Why single pixels cannot be read, or GL_NO_ERROR: GL_INVALID_FRAMEBUFFER_OPERATION where
     // nothing can; GL_INVALID_OPERATION of a multisampled framebuffer object
     // (EXT_framebuffer_multisample).
     GLenum pixels_error() const;
 
-    // The surfaces with one sample a pixel: a multisampled window's are resolved. Only where
-    // pixels can be read.
+    // The surfaces with one sample a pixel: those of a multisampled or supersampled window are
+    // resolved. Only where pixels can be read.
     Surface pixel_colors() const;
     Surface pixel_depths() const;
 };

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "driver/memory_allocator.h"
+#include "driver/objects/control_panel.h"
 #include "driver/objects/name_table.h"
 #include "model/device/device.h"
 
@@ -24,10 +25,13 @@ struct SharedObjects {
         : SharedObjects(std::make_shared<MemoryAllocator>(0, device.memory_size())) {}
 
     // For groups that share no objects but draw on the same device.
-    explicit SharedObjects(std::shared_ptr<MemoryAllocator> device_memory)
-        : memory(std::move(device_memory)) {}
+    explicit SharedObjects(std::shared_ptr<MemoryAllocator> device_memory,
+                           const ControlPanel& panel = {})
+        : memory(std::move(device_memory))
+        , control_panel(panel) {}
 
     std::shared_ptr<MemoryAllocator> memory;
+    const ControlPanel control_panel;
     NameTable<TextureObject> textures;
     NameTable<BufferObject> buffers;
     NameTable<DisplayList> lists;

@@ -11,6 +11,12 @@ bool is_color(BaseFormat base) {
     return base != BaseFormat::None && base <= BaseFormat::Rgba;
 }
 
+// Texels that a program wants to see one by one are left to it.
+GLenum wanted_filter(const TextureObject& texture) {
+    const bool forced = texture.forced_filter != 0 && texture.parameters.min_filter != GL_NEAREST;
+    return forced ? texture.forced_filter : texture.parameters.filter;
+}
+
 } // namespace
 
 TextureFilter filter_in_force(const TextureObject& texture) {
@@ -21,11 +27,13 @@ TextureFilter filter_in_force(const TextureObject& texture) {
     const TextureLevel& source = texture.level(0, chain.base);
     const auto width = static_cast<std::uint32_t>(source.width);
     const auto height = static_cast<std::uint32_t>(source.height);
-    switch (texture.parameters.filter) {
+    switch (wanted_filter(texture)) {
     case GL_BICUBIC_FILTER_FFGPU:
         return TextureFilter::Bicubic;
     case GL_ELLIPTIC_FILTER_FFGPU:
         return TextureFilter::Elliptic;
+    case GL_FELINE_FILTER_FFGPU:
+        return TextureFilter::Feline;
     case GL_RIP_MAP_FILTER_FFGPU:
         return std::max(rip_offset(width, rip_levels(width)),
                         rip_offset(height, rip_levels(height))) <= MaxTextureSize

@@ -87,7 +87,8 @@ public:
     unsigned faces() const { return target_ == TextureTarget::Cube ? 6 : 1; }
 
     TextureParameters parameters;
-    bool deleted = false; // glDeleteTextures took its name; only references keep it.
+    GLenum forced_filter = 0; // in place of parameters.filter; 0: it stays. Not GL's to know.
+    bool deleted = false;     // glDeleteTextures took its name; only references keep it.
 
     // level < MaxTextureLevels.
     TextureLevel& level(unsigned face, unsigned level) { return levels_[face][level]; }

@@ -94,7 +94,7 @@ void DrawPath::submit() {
     commands_.clear();
     for (const DrawCommand& draw : draws_)
         commands_.add(draw);
-    context_.submit(commands_);
+    context_.submit_drawing(commands_);
 }
 
 } // namespace ffgpu::gl

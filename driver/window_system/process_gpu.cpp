@@ -4,9 +4,11 @@
 #include "model/gpu/functional_gpu.h"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -21,6 +23,11 @@ unsigned thread_count() {
     if (const char* const text = std::getenv("FFGPU_THREADS"))
         std::from_chars(text, text + std::strlen(text), threads);
     return std::clamp(threads, 1u, MaxThreads);
+}
+
+std::string_view setting(const char* variable) {
+    const char* const text = std::getenv(variable);
+    return text ? text : "";
 }
 
 std::unique_ptr<Device> make_gpu() {
@@ -40,6 +47,24 @@ ProcessGpu::ProcessGpu()
     , device_(recorder_ ? &recorder_->device() : gpu_.get())
     , memory_(std::make_shared<MemoryAllocator>(0, device_->memory_size())) {
     RunMark::leave();
+}
+
+ControlPanel ProcessGpu::control_panel() {
+    ControlPanel panel;
+    const auto& names = ForcedFilterNames;
+    const auto named = std::find(names.begin(), names.end(), setting("FFGPU_TEXTURE_FILTER"));
+    if (named != names.end())
+        panel.texture_filter = static_cast<ForcedFilter>(named - names.begin());
+    const std::string_view text = setting("FFGPU_SUPERSAMPLING");
+    std::uint32_t pictures = 1;
+    std::from_chars(text.data(), text.data() + text.size(), pictures);
+    if (std::has_single_bit(pictures) && pictures <= MaxSupersampling)
+        panel.supersampling = pictures;
+    return panel;
+}
+
+std::shared_ptr<SharedObjects> ProcessGpu::make_shared_objects() const {
+    return std::make_shared<SharedObjects>(memory_, control_panel());
 }
 
 void ProcessGpu::frame_shown(const Surface& picture) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "driver/memory_allocator.h"
+#include "driver/objects/control_panel.h"
+#include "driver/objects/shared_objects.h"
 #include "driver/window_system/recorder.h"
 #include "model/device/device.h"
 
@@ -18,6 +20,11 @@ public:
     Device& device() { return *device_; }
     // Of the device's memory, for all contexts and drawables.
     const std::shared_ptr<MemoryAllocator>& memory() const { return memory_; }
+
+    // Of the driver: the environment says it (FFGPU_TEXTURE_FILTER, FFGPU_SUPERSAMPLING).
+    static ControlPanel control_panel();
+    // For a group of contexts of its own.
+    std::shared_ptr<SharedObjects> make_shared_objects() const;
 
     // A frame is done: `picture` is what a window shows from now on.
     void frame_shown(const Surface& picture);

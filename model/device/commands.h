@@ -187,7 +187,9 @@ struct DrawImageCommand {
 // Copies a rectangle of pixels, converting between formats: colour to any uncompressed colour
 // format, depth to depth (stencil bits kept where both have them). Source and destination may be
 // the same surface and overlap; the result is as if the source had been read first. The driver
-// clips: both rectangles lie inside their surfaces.
+// clips: both rectangles lie inside their surfaces. More than one picture: single-sampled colour
+// surfaces that follow the source in memory, each behind the one before (Surface::plane()); the
+// destination gets their mean.
 struct CopyRectangleCommand {
     static constexpr Opcode Code = Opcode::CopyRectangle;
     static constexpr const char* Name = "copy_rectangle";
@@ -196,6 +198,12 @@ struct CopyRectangleCommand {
     std::uint16_t source_x = 0, source_y = 0;
     std::uint16_t destination_x = 0, destination_y = 0;
     std::uint16_t width = 0, height = 0;
+    std::uint8_t pictures = 1;
+
+    // Of the source's colours in memory.
+    std::uint64_t source_bytes() const {
+        return source.bytes() + (pictures - std::uint64_t{1}) * source.plane_bytes();
+    }
 
     template <class Self, class Visitor>
     static constexpr void visit(Self& self, Visitor&& field) {
@@ -207,6 +215,7 @@ struct CopyRectangleCommand {
         field("destination_y", self.destination_y, 16);
         field("width", self.width, 16);
         field("height", self.height, 16);
+        field("pictures", self.pictures, 5);
     }
 };
 

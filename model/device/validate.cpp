@@ -111,6 +111,14 @@ void validate(const CopyRectangleCommand& copy, std::uint64_t memory_size) {
                 copy.destination_x + copy.width <= copy.destination.width &&
                 copy.destination_y + copy.height <= copy.destination.height,
             "a rectangle leaves its surface");
+    if (copy.pictures == 1) return;
+    require(copy.pictures >= 1 && copy.pictures <= MaxPictures,
+            "a copy averages a number of pictures that no device averages");
+    require(copy.source.samples == 1 && copy.destination.samples == 1 &&
+                is_plain_color(copy.source.format) && is_plain_color(copy.destination.format),
+            "a copy averages what are no single-sampled colours");
+    require(copy.source.address + copy.source_bytes() <= memory_size,
+            "a surface does not lie in device memory");
 }
 
 void validate(const StoreSampleCounterCommand& store, std::uint64_t memory_size) {

@@ -16,9 +16,7 @@ std::shared_ptr<const PixelContext> compile_pixel_context(const DrawState& state
     pixels->antialias = state.antialias;
     pixels->multisample = state.multisample;
     pixels->count_samples = r.fragment.count_samples;
-    pixels->stipple = {r.polygon_stipple.rows,
-                       r.primitive.line_stipple_pattern,
-                       std::max<std::uint16_t>(1, r.primitive.line_stipple_factor)};
+    pixels->stipple = stipple_patterns(r.polygon_stipple, r.primitive);
     pixels->pipe = compile_fragment_pipe(state, backend.memory, backend.stages);
     for (unsigned unit = 0; unit < TextureUnits; ++unit)
         if (pixels->samples(unit))

@@ -34,23 +34,28 @@ void SamplingLog::quad(unsigned quad, const QuadSampling& sampling) {
                       .lambda = sampling.lambda});
 }
 
-void SamplingLog::probe(unsigned lane, unsigned face, const TexCoord& at) {
+void SamplingLog::probe(unsigned lane,
+                        unsigned face,
+                        const TexCoord& at,
+                        const ProbeWeights& weights) {
     const bool another = !probes_.empty() && probes_.back().lane == lane;
     const unsigned number = another ? probes_.back().probe + 1u : 0u;
     probes_.push_back({.lane = static_cast<std::uint16_t>(lane),
                        .probe = static_cast<std::uint8_t>(number),
                        .face = static_cast<std::uint8_t>(face),
                        .coordinates = {at.s, at.t, at.r},
-                       .level_filter = static_cast<std::uint16_t>(levels_.size())});
+                       .weight = weights.probe,
+                       .next_level = weights.next_level,
+                       .level_filter = static_cast<std::uint32_t>(levels_.size())});
 }
 
 void SamplingLog::level(const TexelAccess& access, const std::array<AxisTexels, 3>& axes) {
     probed::LevelFilter& told = levels_.emplace_back();
     told.access = access;
     told.probe = probes_.back().probe;
+    ++probes_.back().level_filters;
     for (unsigned axis = 0; axis < axes.size(); ++axis)
         told.weight[axis] = static_cast<std::uint8_t>(axes[axis].weight);
-    along_x_ = along_y_ = 0;
 }
 
 void SamplingLog::read(unsigned /*level*/, unsigned layer, unsigned x, unsigned y) {
@@ -72,12 +77,16 @@ void SamplingLog::texel(std::span<const std::byte> stored,
     texel.color = color;
 }
 
+void SamplingLog::texel_weights(const std::array<std::int32_t, 4>& weights) {
+    levels_.back().texel_weights = weights;
+}
+
 void SamplingLog::filtered(unsigned axis, const std::array<std::uint8_t, 4>& color) {
     probed::LevelFilter& told = levels_.back();
     if (axis == 0)
-        told.along_x[along_x_++] = color;
+        told.along_x[told.along_x_count++] = color;
     else if (axis == 1)
-        told.along_y[along_y_++] = color;
+        told.along_y[told.along_y_count++] = color;
     else if (axis == 2)
         told.color = color;
     else

@@ -18,17 +18,18 @@ public:
 
 private:
     void quad(unsigned quad, const QuadSampling& sampling) override;
-    void probe(unsigned lane, unsigned face, const TexCoord& at) override;
+    void
+    probe(unsigned lane, unsigned face, const TexCoord& at, const ProbeWeights& weights) override;
     void level(const TexelAccess& access, const std::array<AxisTexels, 3>& axes) override;
     void read(unsigned level, unsigned layer, unsigned x, unsigned y) override;
     void texel(std::span<const std::byte> stored,
                const std::array<std::uint8_t, 4>& color) override;
+    void texel_weights(const std::array<std::int32_t, 4>& weights) override;
     void filtered(unsigned axis, const std::array<std::uint8_t, 4>& color) override;
 
     std::vector<probed::QuadLevels> quads_;
     std::vector<probed::Probe> probes_;
     std::vector<probed::LevelFilter> levels_;
-    unsigned along_x_ = 0, along_y_ = 0; // of the last level's interpolations
     ColorPlanes colors_{};
 };
 

@@ -17,25 +17,40 @@ bool inside(const Surface& surface,
     return x + copy.width <= surface.width && y + copy.height <= surface.height;
 }
 
+// A rectangle's place, in so many planes.
+struct SurfacePart {
+    const Surface& surface;
+    std::uint32_t x, y;
+    unsigned planes;
+};
+
+// Samples, or pictures.
+unsigned source_planes(const CopyRectangleCommand& copy) {
+    return copy.pictures > 1 ? copy.pictures : copy.source.samples;
+}
+
 // Where the bytes of a rectangle lie in memory: its rows and what is between them, from the first
 // plane to the last.
 struct Extent {
     std::uint64_t begin, end;
 };
 
-Extent
-extent(const Surface& surface, std::uint32_t x, std::uint32_t y, const CopyRectangleCommand& copy) {
+Extent extent(const SurfacePart& part, const CopyRectangleCommand& copy) {
+    const auto& [surface, x, y, planes] = part;
     const std::uint64_t begin = surface.address + std::uint64_t{y} * surface.stride +
                                 std::uint64_t{x} * format_info(surface.format).block_bytes;
     return {begin,
-            begin + (surface.samples - 1u) * surface.plane_bytes() +
+            begin + (planes - 1u) * surface.plane_bytes() +
                 std::uint64_t{copy.height - 1u} * surface.stride +
                 row_bytes(surface.format, copy.width)};
 }
 
 bool overlap(const CopyRectangleCommand& copy) {
-    const Extent from = extent(copy.source, copy.source_x, copy.source_y, copy);
-    const Extent to = extent(copy.destination, copy.destination_x, copy.destination_y, copy);
+    const Extent from =
+        extent({copy.source, copy.source_x, copy.source_y, source_planes(copy)}, copy);
+    const Surface& written = copy.destination;
+    const Extent to =
+        extent({written, copy.destination_x, copy.destination_y, written.samples}, copy);
     return from.begin < to.end && to.begin < from.end;
 }
 
@@ -48,12 +63,14 @@ public:
         , memory_(memory)
         , bytes_(row_bytes(copy.source.format, copy.width)) {
         if (!overlap(copy)) return;
-        std::vector<std::byte> rows(bytes_ * copy.height * copy.source.samples);
-        for (unsigned sample = 0; sample < copy.source.samples; ++sample)
+        std::vector<std::byte> rows(bytes_ * copy.height * source_planes(copy));
+        for (unsigned sample = 0; sample < source_planes(copy); ++sample)
             for (std::uint32_t y = 0; y < copy.height; ++y)
                 std::memcpy(rows.data() + staged_at(y, sample), row(y, sample), bytes_);
         staged_ = std::move(rows);
     }
+
+    unsigned planes() const { return source_planes(copy_); }
 
     const std::byte* row(std::uint32_t y, unsigned sample) const {
         if (!staged_.empty()) return staged_.data() + staged_at(y, sample);
@@ -105,9 +122,28 @@ public:
         store_rgba8(to_, pixels_, destination);
     }
 
+    // Rows of as many pictures as wanted to their mean: to nearest, halves up.
+    void average(const SourceRows& source, std::uint32_t y, std::byte* destination) {
+        const unsigned count = source.planes();
+        sums_.assign(pixels_.size(), {});
+        for (unsigned picture = 0; picture < count; ++picture) {
+            load_rgba8(from_, source.row(y, picture), pixels_);
+            for (std::size_t x = 0; x < pixels_.size(); ++x)
+                for (unsigned channel = 0; channel < 4; ++channel)
+                    sums_[x][channel] += pixels_[x] >> (8 * channel) & 0xff;
+        }
+        for (std::size_t x = 0; x < pixels_.size(); ++x) {
+            pixels_[x] = 0;
+            for (unsigned channel = 0; channel < 4; ++channel)
+                pixels_[x] |= (sums_[x][channel] + count / 2) / count << (8 * channel);
+        }
+        store_rgba8(to_, pixels_, destination);
+    }
+
 private:
     Format from_, to_;
     std::vector<std::uint32_t> pixels_;
+    std::vector<std::array<std::uint32_t, 4>> sums_;
     std::array<std::vector<std::uint32_t>, MaxSamples> colors_;
 };
 
@@ -131,6 +167,7 @@ void copy_rectangle(const CopyRectangleCommand& copy, std::span<std::byte> memor
     if (!inside(copy.source, copy.source_x, copy.source_y, copy)) return;
     if (!inside(copy.destination, copy.destination_x, copy.destination_y, copy)) return;
     if (is_depth_target(copy.source.format) != is_depth_target(copy.destination.format)) return;
+    if (copy.source.address + copy.source_bytes() > memory.size()) return;
 
     const SourceRows source(copy, memory);
     const auto to = [&](std::uint32_t y, unsigned sample) {
@@ -139,6 +176,10 @@ void copy_rectangle(const CopyRectangleCommand& copy, std::span<std::byte> memor
     };
     RowConverter converter(copy.source.format, copy.destination.format, copy.width);
     for (std::uint32_t y = 0; y < copy.height; ++y) {
+        if (copy.pictures > 1) {
+            converter.average(source, y, to(y, 0));
+            continue;
+        }
         if (copy.destination.samples < copy.source.samples) {
             converter.resolve(
                 {source.row(y, 0), source.row(y, 1), source.row(y, 2), source.row(y, 3)}, to(y, 0));

@@ -16,7 +16,7 @@ namespace ffgpu {
 //
 // Between surfaces with the same number of samples each sample is copied. From more to one they
 // are resolved: colour to mean_rgba8(), depth and stencil to sample 0. From one to more every
-// sample gets the pixel.
+// sample gets the pixel. Of several pictures the destination gets the mean, rounded as samples' is.
 void copy_rectangle(const CopyRectangleCommand& copy, std::span<std::byte> memory);
 
 // The mean of each channel, to nearest, halves up.

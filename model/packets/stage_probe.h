@@ -27,6 +27,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace ffgpu {
@@ -131,13 +132,16 @@ struct Texel {
 // One level's filter for one fragment and probe. Texels stand x first, then y, then layers; with a
 // nearest filter there is one. along_x[i] is the interpolation of texels 2 i and 2 i + 1,
 // along_y[i] that of along_x[2 i] and [2 i + 1], `color` that of along_y[0] and [1]; an axis that
-// the filter does not have hands its first on.
+// the filter does not have hands its first on. A filter that weights its texels one by one
+// (model/texture/wide_filters.h) has no interpolations, but weights in units of its own.
 struct LevelFilter {
     TexelAccess access{};
     std::uint8_t probe = 0;               // from 0
     std::array<std::uint8_t, 3> weight{}; // of the second texel along x, y, layers, in 256ths
     std::uint8_t texel_count = 0;
     std::array<Texel, 8> texels{};
+    std::optional<std::array<std::int32_t, 4>> texel_weights{};
+    std::uint8_t along_x_count = 0, along_y_count = 0;
     std::array<Rgba, 4> along_x{};
     std::array<Rgba, 2> along_y{};
     Rgba color{};
@@ -149,17 +153,22 @@ struct Probe {
     std::uint8_t probe = 0;             // from 0
     std::uint8_t face = 0;              // of a cube map
     std::array<float, 3> coordinates{}; // s t r after the division (cube maps: on the face)
-    std::uint16_t level_filter = 0; // its first one; the next level's follows if it has a weight
-    Rgba color{};                   // of both levels
+    std::uint32_t weight = 1;           // in the mean of the fragment's probes
+    std::uint8_t next_level = 0;        // weight of the next level, in 256ths
+    std::uint32_t level_filter = 0;     // its first one, then those that follow
+    std::uint32_t level_filters = 0;    // 1, or 2 where the next level has a weight; of a wide
+                                        // filter as many as it made accesses
+    Rgba color{};                       // of all levels
 };
 
-// A fragment's colour is the mean of its probes'.
+// A fragment's colour is the weighted mean of its probes'.
 struct Sampling {
     unsigned unit = 0;
     const TexCoordPlanes* coordinates = nullptr;
     std::span<const QuadLevels> quads{};
-    std::span<const Probe> probes{};              // at most 16 a lane, by lane
-    std::span<const LevelFilter> level_filters{}; // at most 2 a probe
+    std::span<const Probe> probes{};              // by lane: up to 16 a lane, and a rip-map's
+                                                  // four images are four
+    std::span<const LevelFilter> level_filters{}; // of all probes
     const ColorPlanes* result = nullptr;          // what the stage gave
 };
 

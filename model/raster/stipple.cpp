@@ -1,5 +1,7 @@
 #include "model/raster/stipple.h"
 
+#include <algorithm>
+
 namespace ffgpu {
 namespace {
 
@@ -16,6 +18,12 @@ bool line_bit(const SetupRecord& record, const StipplePatterns& patterns, int ma
 }
 
 } // namespace
+
+StipplePatterns stipple_patterns(const PolygonStipple& polygon, const PrimitiveSetup& primitive) {
+    return {polygon.rows,
+            primitive.line_stipple_pattern,
+            std::max<std::uint16_t>(1, primitive.line_stipple_factor)};
+}
 
 BlockMask stipple_mask(const SetupRecord& record, const StipplePatterns& patterns, int x, int y) {
     if (record.stipple == StippleKind::None) return FullBlock;

@@ -13,6 +13,8 @@ struct StipplePatterns {
     std::uint16_t line_factor; // 1 to 256
 };
 
+StipplePatterns stipple_patterns(const PolygonStipple& polygon, const PrimitiveSetup& primitive);
+
 // The pixels of the block at (x, y) that the record's stipple keeps.
 BlockMask stipple_mask(const SetupRecord& record, const StipplePatterns& patterns, int x, int y);
 

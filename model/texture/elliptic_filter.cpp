@@ -1,5 +1,7 @@
 // The elliptic weighted average.
 
+#include "model/texture/gaussian_weights.h"
+#include "model/texture/weighted_mean.h"
 #include "model/texture/wide_filters.h"
 #include "model/texture/wide_texels.h"
 
@@ -12,47 +14,11 @@ namespace {
 
 constexpr float LongestSide = 32; // texels of the level
 
-constexpr unsigned WeightSteps = 128;
-constexpr auto Weights = [] {
-    constexpr double Step = 0.98449643700540845; // exp(-2 / 128)
-    std::array<std::uint32_t, WeightSteps> table{};
-    double value = 255;
-    for (std::uint32_t& weight : table) {
-        weight = static_cast<std::uint32_t>(value + 0.5);
-        value *= Step;
-    }
-    return table;
-}();
-
 // Q / F = a U^2 + b U V + c V^2; half its width and height, in 256ths of a texel.
 struct Ellipse {
     float a = 0, b = 0, c = 0;
     std::array<std::int32_t, 2> half{};
 };
-
-// The coordinates' steps, in texels of the level, no longer than LongestSide.
-struct TexelSteps {
-    std::array<float, 2> x{}, y{}; // u and v
-};
-
-TexelSteps texel_steps(const TextureUnit& unit, const QuadSampling& quad, unsigned level) {
-    TexelSteps steps;
-    const auto shortened = [](std::array<float, 2>& step) {
-        const float longer = std::max(std::fabs(step[0]), std::fabs(step[1]));
-        if (!(longer > LongestSide)) return;
-        const float scale = LongestSide / std::min(longer, LargestStep);
-        for (float& part : step)
-            part = std::clamp(part * scale, -LongestSide, LongestSide);
-    };
-    for (unsigned axis = 0; axis < 2; ++axis) {
-        const auto size = static_cast<float>(level_extent(unit, axis, level));
-        steps.x[axis] = quad.steps.x[axis] * size;
-        steps.y[axis] = quad.steps.y[axis] * size;
-    }
-    shortened(steps.x);
-    shortened(steps.y);
-    return steps;
-}
 
 Ellipse ellipse_of(const TexelSteps& steps) {
     const auto& [ux, vx] = steps.x;
@@ -69,29 +35,11 @@ Ellipse ellipse_of(const TexelSteps& steps) {
 }
 
 // Of the texel whose centre lies (u, v) 256ths of a texel from the ellipse's.
-std::uint32_t weight_of(const Ellipse& ellipse, std::int32_t u, std::int32_t v) {
+std::int32_t weight_of(const Ellipse& ellipse, std::int32_t u, std::int32_t v) {
     const float at_u = static_cast<float>(u) * 0x1p-8f, at_v = static_cast<float>(v) * 0x1p-8f;
     const float q = (ellipse.a * at_u + ellipse.b * at_v) * at_u + ellipse.c * at_v * at_v;
-    return q < 1 ? Weights[static_cast<unsigned>(std::max(q, 0.0f) * WeightSteps)] : 0;
+    return q < 1 ? static_cast<std::int32_t>(gaussian_weight(q)) : 0;
 }
-
-struct WeightedSum {
-    std::array<std::uint32_t, 4> channels{};
-    std::uint32_t weight = 0;
-
-    void add(const Rgba& color, std::uint32_t by) {
-        for (unsigned channel = 0; channel < 4; ++channel)
-            channels[channel] += by * color[channel];
-        weight += by;
-    }
-
-    Rgba mean() const {
-        Rgba color{};
-        for (unsigned channel = 0; channel < 4; ++channel)
-            color[channel] = static_cast<std::uint8_t>((channels[channel] + weight / 2) / weight);
-        return color;
-    }
-};
 
 unsigned level_of(const TextureUnit& unit, std::int32_t lambda) {
     if (unit.sampler.mip_filter == MipFilter::None) return 0;
@@ -108,7 +56,7 @@ Rgba filter_elliptic(const TextureUnit& unit,
                      const QuadSampling& quad,
                      const FilterWitness& witness) {
     const unsigned level = level_of(unit, quad.lambda);
-    const Ellipse ellipse = ellipse_of(texel_steps(unit, quad, level));
+    const Ellipse ellipse = ellipse_of(texel_steps(unit, quad, level, LongestSide));
     const std::array<float, 2> coords{fragment.coord.s, fragment.coord.t};
     std::array<std::int32_t, 2> from_centre{}, first{}, last{};
     for (unsigned axis = 0; axis < 2; ++axis) {
@@ -120,18 +68,18 @@ Rgba filter_elliptic(const TextureUnit& unit,
         last[axis] = (from_centre[axis] + ellipse.half[axis]) >> 8;
     }
     const TexelBlock block(unit, level, witness);
-    WeightedSum sum;
+    WeightedMean sum;
     for (std::int32_t y = first[1]; y <= last[1]; y += 2)
         for (std::int32_t x = first[0]; x <= last[0]; x += 2) {
-            std::array<std::uint32_t, 4> weights{};
+            std::array<std::int32_t, 4> weights{};
             for (std::int32_t i = 0; i < 4; ++i)
                 weights[static_cast<unsigned>(i)] = weight_of(ellipse,
                                                               256 * (x + i % 2) - from_centre[0],
                                                               256 * (y + i / 2) - from_centre[1]);
-            if (weights == std::array<std::uint32_t, 4>{}) continue;
-            const std::array<Rgba, 4> texels = block.read(x, y);
+            if (weights == std::array<std::int32_t, 4>{}) continue;
+            const std::array<Rgba, 4> texels = block.read(x, y, weights);
             for (unsigned i = 0; i < 4; ++i)
-                sum.add(texels[i], weights[i]);
+                sum.add(texels[i], static_cast<std::uint32_t>(weights[i]));
         }
     return sum.mean();
 }

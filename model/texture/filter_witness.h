@@ -25,6 +25,15 @@ struct FilterWitness {
     TexelObserver* observer = nullptr;
     std::vector<TexelAccess>* accesses = nullptr;
     unsigned lane = 0;
+    std::uint32_t probe_weight = 1; // of the next probe, in the mean of all
+
+    FilterWitness weighted(std::uint32_t weight) const {
+        return {observer, accesses, lane, weight};
+    }
+
+    void begin_probe(const SampledFragment& at, std::uint8_t next_level = 0) const {
+        if (observer) observer->probe(lane, at.face, at.coord, {probe_weight, next_level});
+    }
 
     const Rgba& told(unsigned axis, const Rgba& color) const {
         if (observer) observer->filtered(axis, color);

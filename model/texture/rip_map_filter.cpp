@@ -38,6 +38,7 @@ image_texels(const TextureUnit& unit, unsigned axis, std::uint32_t level, float 
     return linear ? linear_texels(at, size, rule) : nearest_texel(at, size, rule);
 }
 
+// Its images, each a probe of its own.
 class RipImages {
 public:
     RipImages(const TextureUnit& unit, bool linear, const FilterWitness& witness)
@@ -46,7 +47,9 @@ public:
         , witness_(witness) {}
 
     // Bilinear, in the image that is halved `i` times along x and `j` times along y.
-    Rgba sample(std::uint32_t i, std::uint32_t j, const TexCoord& coord) const {
+    Rgba sample(std::uint32_t i, std::uint32_t j, const SampledFragment& fragment) const {
+        const TexCoord& coord = fragment.coord;
+        witness_.begin_probe(fragment);
         const std::array<AxisTexels, 3> axes{image_texels(unit_, 0, i, coord.s, linear_),
                                              image_texels(unit_, 1, j, coord.t, linear_),
                                              AxisTexels{}};
@@ -64,8 +67,8 @@ public:
                        .layer1 = 0},
                       axes);
         const Rgba first = row(x0, x1, y0, x.weight);
-        if (!linear_) return witness_.told(1, first);
-        return witness_.told(1, lerp8w(first, row(x0, x1, y1, x.weight), y.weight));
+        const Rgba both = linear_ ? lerp8w(first, row(x0, x1, y1, x.weight), y.weight) : first;
+        return witness_.told(3, witness_.told(2, witness_.told(1, both)));
     }
 
 private:
@@ -85,7 +88,7 @@ private:
 
     const TextureUnit& unit_;
     const bool linear_;
-    const FilterWitness& witness_;
+    const FilterWitness witness_;
 };
 
 } // namespace
@@ -95,14 +98,19 @@ Rgba filter_rip_map(const TextureUnit& unit,
                     const QuadSampling& quad,
                     const FilterWitness& witness) {
     const RipAxis u = rip_axis(unit, 0, quad), v = rip_axis(unit, 1, quad);
-    const RipImages images(unit, quad.linear, witness);
-    const auto along_u = [&](std::uint32_t j) {
-        const Rgba fine = images.sample(u.level, j, fragment.coord);
-        if (u.weight == 0) return fine;
-        return lerp8w(fine, images.sample(u.level + 1, j, fragment.coord), u.weight);
+    // Image (i, j) of the four, with its weight in 2^-16.
+    const auto image = [&](std::uint32_t i, std::uint32_t j) {
+        const std::uint32_t weight =
+            (i == 0 ? 256 - u.weight : u.weight) * (j == 0 ? 256 - v.weight : v.weight);
+        return RipImages(unit, quad.linear, witness.weighted(weight))
+            .sample(u.level + i, v.level + j, fragment);
     };
-    const Rgba fine = along_u(v.level);
-    return v.weight == 0 ? fine : lerp8w(fine, along_u(v.level + 1), v.weight);
+    const auto along_u = [&](std::uint32_t j) {
+        const Rgba fine = image(0, j);
+        return u.weight == 0 ? fine : lerp8w(fine, image(1, j), u.weight);
+    };
+    const Rgba fine = along_u(0);
+    return v.weight == 0 ? fine : lerp8w(fine, along_u(1), v.weight);
 }
 
 } // namespace ffgpu

@@ -3,6 +3,7 @@
 #include "model/texture/coordinates.h"
 #include "model/texture/depth_compare.h"
 #include "model/texture/level_of_detail.h"
+#include "model/texture/probe_filter.h"
 #include "model/texture/texel_read.h"
 #include "model/texture/texture_unit.h"
 #include "model/texture/wide_filters.h"
@@ -89,16 +90,20 @@ Rgba filter_level(const TextureUnit& unit,
     return witness.told(2, lerp8w(first, slice(z.second), z.weight));
 }
 
+} // namespace
+
 Rgba filter_levels(const TextureUnit& unit,
                    const SampledFragment& fragment,
                    const QuadSampling& quad,
                    const FilterWitness& witness) {
-    if (witness.observer) witness.observer->probe(witness.lane, fragment.face, fragment.coord);
+    witness.begin_probe(fragment, quad.weight);
     const Rgba fine = filter_level(unit, fragment, quad.level, quad.linear, witness);
     if (quad.weight == 0) return witness.told(3, fine);
     const Rgba coarse = filter_level(unit, fragment, quad.next_level, quad.linear, witness);
     return witness.told(3, lerp8w(fine, coarse, quad.weight));
 }
+
+namespace {
 
 SampledFragment probe(const SampledFragment& fragment, const QuadSampling& quad, unsigned i) {
     const float at = probe_position(i, quad.probes);

@@ -82,7 +82,8 @@ TextureFilter usable_filter(const TextureShape& shape, const Sampler& sampler) {
 
 unsigned most_probes(const Sampler& sampler, TextureFilter filter) {
     const unsigned probes = std::clamp<unsigned>(sampler.max_anisotropy, 1, MaxProbes);
-    if (filter == TextureFilter::Elliptic && probes == 1) return MaxProbes;
+    const bool is_ellipse = filter == TextureFilter::Elliptic || filter == TextureFilter::Feline;
+    if (is_ellipse && probes == 1) return MaxProbes;
     // Probes that each take the nearest texel would add nothing but noise.
     return sampler.minify_linear ? probes : 1;
 }

@@ -83,18 +83,28 @@ struct TexCoord;     // coordinates.h
 
 // Told of what the reference does for the live lanes, in its order; tests hold the footprints
 // against it, the stage probe hands it on.
+// Of a probe in the mean of the fragment's, and of the next level in the probe, in 256ths.
+struct ProbeWeights {
+    std::uint32_t probe = 1;
+    std::uint8_t next_level = 0;
+};
+
 class TexelObserver {
 public:
     virtual ~TexelObserver() = default;
 
     virtual void quad(unsigned /*quad*/, const QuadSampling&) {}
-    // A probe of a fragment begins, then one level of it: its access, and the texels of each axis.
-    virtual void probe(unsigned /*lane*/, unsigned /*face*/, const TexCoord&) {}
+    // A probe of a fragment begins, with its weights; then one level of it: its access, and the
+    // texels of each axis.
+    virtual void probe(unsigned /*lane*/, unsigned /*face*/, const TexCoord&, const ProbeWeights&) {
+    }
     virtual void level(const TexelAccess&, const std::array<AxisTexels, 3>&) {}
     // A texel, at coordinates as in TexelAccess; then its bytes (none where the border colour
     // stands for it) and its colour.
     virtual void read(unsigned level, unsigned layer, unsigned x, unsigned y) = 0;
     virtual void texel(std::span<const std::byte>, const std::array<std::uint8_t, 4>&) {}
+    // Of the last four texels, where a filter weights them one by one; in units of its own.
+    virtual void texel_weights(const std::array<std::int32_t, 4>&) {}
     // What the filter gave along x (0), y (1), between layers (2), and at last between levels (3).
     virtual void filtered(unsigned /*axis*/, const std::array<std::uint8_t, 4>&) {}
 };

@@ -3,10 +3,32 @@
 #include "model/texture/wide_texels.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ffgpu {
 
-std::array<Rgba, 4> TexelBlock::read(std::int32_t x, std::int32_t y) const {
+TexelSteps
+texel_steps(const TextureUnit& unit, const QuadSampling& quad, unsigned level, float longest) {
+    TexelSteps steps;
+    const auto shorten = [longest](std::array<float, 2>& step) {
+        const float longer = std::max(std::fabs(step[0]), std::fabs(step[1]));
+        if (!(longer > longest)) return;
+        const float scale = longest / std::min(longer, LargestStep);
+        for (float& part : step)
+            part = std::clamp(part * scale, -longest, longest);
+    };
+    for (unsigned axis = 0; axis < 2; ++axis) {
+        const auto size = static_cast<float>(level_extent(unit, axis, level));
+        steps.x[axis] = quad.steps.x[axis] * size;
+        steps.y[axis] = quad.steps.y[axis] * size;
+    }
+    shorten(steps.x);
+    shorten(steps.y);
+    return steps;
+}
+
+std::array<Rgba, 4>
+TexelBlock::read(std::int32_t x, std::int32_t y, const std::array<std::int32_t, 4>& weights) const {
     const std::array<AxisTexels, 3> axes{pair(0, x), pair(1, y), AxisTexels{}};
     const auto stored = [&](unsigned axis, std::int32_t index) {
         return stored_coordinate(unit_, index, level_extent(unit_, axis, level_));
@@ -30,6 +52,7 @@ std::array<Rgba, 4> TexelBlock::read(std::int32_t x, std::int32_t y) const {
                                 .y = i / 2 ? rows.second : rows.first},
                                0,
                                witness_.observer);
+    if (witness_.observer) witness_.observer->texel_weights(weights);
     return texels;
 }
 
@@ -41,6 +64,7 @@ bool is_wide(const TextureUnit& unit, const QuadSampling& quad) {
     case TextureFilter::Bicubic:
         return magnified && quad.linear;
     case TextureFilter::Elliptic:
+    case TextureFilter::Feline:
         return !magnified;
     case TextureFilter::RipMap:
     case TextureFilter::SummedArea:
@@ -53,10 +77,11 @@ Rgba filter_wide(const TextureUnit& unit,
                  const SampledFragment& fragment,
                  const QuadSampling& quad,
                  const FilterWitness& witness) {
-    if (witness.observer) witness.observer->probe(witness.lane, fragment.face, fragment.coord);
+    // These two are several probes.
+    if (unit.filter == TextureFilter::Feline) return filter_feline(unit, fragment, quad, witness);
+    if (unit.filter == TextureFilter::RipMap) return filter_rip_map(unit, fragment, quad, witness);
+    witness.begin_probe(fragment);
     switch (unit.filter) {
-    case TextureFilter::RipMap:
-        return witness.told(3, filter_rip_map(unit, fragment, quad, witness));
     case TextureFilter::SummedArea:
         return witness.told(3, filter_summed_area(unit, fragment, quad, witness));
     case TextureFilter::Elliptic:
@@ -92,12 +117,15 @@ Rgba filter_bicubic(const TextureUnit& unit,
     std::array<std::int32_t, 4> sum{};
     for (unsigned y = 0; y < 4; y += 2)
         for (unsigned x = 0; x < 4; x += 2) {
+            std::array<std::int32_t, 4> products{};
+            for (unsigned i = 0; i < 4; ++i)
+                products[i] = weights[0][x + i % 2] * weights[1][y + i / 2];
             const std::array<Rgba, 4> texels = block.read(first[0] + static_cast<std::int32_t>(x),
-                                                          first[1] + static_cast<std::int32_t>(y));
+                                                          first[1] + static_cast<std::int32_t>(y),
+                                                          products);
             for (unsigned i = 0; i < 4; ++i)
                 for (unsigned channel = 0; channel < 4; ++channel)
-                    sum[channel] +=
-                        weights[0][x + i % 2] * weights[1][y + i / 2] * texels[i][channel];
+                    sum[channel] += products[i] * texels[i][channel];
         }
     Rgba color{};
     for (unsigned channel = 0; channel < 4; ++channel)

@@ -20,6 +20,8 @@
 //
 // and the texels in it are averaged with weights round(255 exp(-2 k / 128)), k = floor(128 Q / F).
 // The level is that of anisotropic probes. A side of more than 32 texels counts as 32.
+//
+// Feline (McCormack and others 1999): that ellipse by probes of the mip map; feline_filter.cpp.
 
 #pragma once
 
@@ -54,6 +56,10 @@ Rgba filter_elliptic(const TextureUnit&,
                      const SampledFragment&,
                      const QuadSampling&,
                      const FilterWitness&);
+Rgba filter_feline(const TextureUnit&,
+                   const SampledFragment&,
+                   const QuadSampling&,
+                   const FilterWitness&);
 
 // The weights of texels -1, 0, 1 and 2 for a point `weight` 256ths of the way from texel 0 to 1, in
 // 1024ths; their sum is 1024.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/texture/filter_witness.h"
+#include "model/texture/level_of_detail.h"
 #include "model/texture/texel_read.h"
 #include "model/texture/wrap.h"
 
@@ -51,6 +52,15 @@ constexpr std::int32_t texel_position(Fold fold, float s, std::int32_t size) {
     return round_to_int(folded * scale);
 }
 
+// The coordinates' steps from a pixel to the next, in texels of a level.
+struct TexelSteps {
+    std::array<float, 2> x{}, y{}; // u and v
+};
+
+// A step whose u or v is longer than `longest` is made as much shorter.
+TexelSteps
+texel_steps(const TextureUnit& unit, const QuadSampling& quad, unsigned level, float longest);
+
 // Two columns and two rows of a level, not yet wrapped. Reads them and tells of it as one access.
 class TexelBlock {
 public:
@@ -59,8 +69,9 @@ public:
         , witness_(witness)
         , level_(level) {}
 
-    // Texels (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1).
-    std::array<Rgba, 4> read(std::int32_t x, std::int32_t y) const;
+    // Texels (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1). Their weights are told, no more.
+    std::array<Rgba, 4>
+    read(std::int32_t x, std::int32_t y, const std::array<std::int32_t, 4>& weights) const;
 
 private:
     AxisTexels pair(unsigned axis, std::int32_t index) const {

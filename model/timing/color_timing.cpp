@@ -35,6 +35,7 @@ bool ColorTiming::look_up(Activity& reason) {
             blame(reason, Activity::StalledRequests);
             return false;
         }
+        if (observer_) observer_->color_line(name_of(token), {line, walk_.missed, now()});
         if (ports_.blocks && draw.has_values) follow_values(token, line);
         if (walk_.next < lines.size()) return true;
     }

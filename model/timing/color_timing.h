@@ -7,6 +7,7 @@
 #include "model/timing/channel.h"
 #include "model/timing/in_flight.h"
 #include "model/timing/parked_quads.h"
+#include "model/timing/quad_observer.h"
 #include "model/timing/unit.h"
 
 #include <functional>
@@ -32,6 +33,8 @@ public:
 
     std::string state() const override;
 
+    void set_observer(QuadObserver* observer) { observer_ = observer; } // or null
+
 private:
     Activity step() override;
     bool look_up(Activity& reason);
@@ -44,6 +47,7 @@ private:
     std::function<void(const QuadToken&, Cycle)> on_retire_;
     ParkedQuads parked_;
     LineWalk walk_; // of the quad that is looked up
+    QuadObserver* observer_ = nullptr;
 };
 
 } // namespace ffgpu::timing

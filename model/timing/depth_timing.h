@@ -14,6 +14,7 @@
 #include "model/timing/in_flight.h"
 #include "model/timing/parked_quads.h"
 #include "model/timing/pending_writes.h"
+#include "model/timing/quad_observer.h"
 #include "model/timing/unit.h"
 
 namespace ffgpu::timing {
@@ -38,6 +39,8 @@ public:
                 InFlight& in_flight);
 
     std::string state() const override;
+
+    void set_observer(QuadObserver* observer) { observer_ = observer; } // or null
 
 private:
     enum class Path { Early, Late };
@@ -71,6 +74,7 @@ private:
     LineWalk early_walk_, late_walk_; // of the quads that are looked up
     Coarse coarse_ = Coarse::Untested;
     PendingWrites pending_; // by place
+    QuadObserver* observer_ = nullptr;
 };
 
 } // namespace ffgpu::timing

@@ -68,6 +68,8 @@ void GpuTiming::set_on_retire(std::function<void(const QuadRetired&)> on_retire)
 void GpuTiming::set_quad_observer(QuadObserver* observer) {
     machine_->observer = observer;
     machine_->texture.set_observer(observer);
+    machine_->depth.set_observer(observer);
+    machine_->color.set_observer(observer);
 }
 
 void GpuTiming::set_memory_observer(MemoryObserver* observer) {

@@ -48,10 +48,13 @@ struct LineWalk {
     std::size_t next = 0;     // line to look up
     std::uint64_t ticket = 0; // of the last fill that the quad waits for
 
+    bool missed = false; // the last look-up
+
     // False where the cache takes no look-up, or not this one, in this cycle.
     bool look_up(LineCache& cache, const LineAccess& access) {
         const LookupResult result = cache.look_up(access);
         if (!result.accepted) return false;
+        missed = result.missed;
         ticket = std::max(ticket, result.ticket);
         ++next;
         return true;

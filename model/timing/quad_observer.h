@@ -25,9 +25,9 @@ inline QuadName name_of(const QuadToken& token) {
     return {token.draw().number, quad.primitive, quad.piece, quad.x, quad.y};
 }
 
-// A look-up in the texel cache that the quad sees.
-struct TexelLine {
-    std::uint64_t number = 0; // as work/texel_line.h has it
+// A look-up in a cache that the quad sees.
+struct CacheLine {
+    std::uint64_t number = 0; // of texels as work/texel_line.h has it, else address / line bytes
     bool missed = false;
     std::uint64_t cycle = 0; // since the machine's start
 };
@@ -35,7 +35,9 @@ struct TexelLine {
 class QuadObserver {
 public:
     virtual ~QuadObserver() = default;
-    virtual void texel_line(const QuadName&, const TexelLine&) {}
+    virtual void texel_line(const QuadName&, const CacheLine&) {}
+    virtual void depth_line(const QuadName&, const CacheLine&) {}
+    virtual void color_line(const QuadName&, const CacheLine&) {}
     // Its last fragments were written.
     virtual void retired(const QuadName&, std::uint64_t /*cycle*/) {}
 };

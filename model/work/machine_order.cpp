@@ -213,8 +213,8 @@ void MachineOrder::copy(const WorkDraw& draw) {
                               .register_writes = draw.register_writes,
                               .register_words = draw.register_words};
     const CopyRectangleCommand& copy = draw.copy;
-    for (const Surface& surface : {copy.source, copy.destination})
-        deferred_.need_range(surface.address, surface.bytes());
+    deferred_.need_range(copy.source.address, copy.source_bytes());
+    deferred_.need_range(copy.destination.address, copy.destination.bytes());
     store_due();
     const bool depth = format_info(copy.source.format).is_depth;
     const CacheShape& cache = depth ? config_.depth_cache : config_.color_cache;
@@ -225,6 +225,9 @@ void MachineOrder::copy(const WorkDraw& draw) {
                                whole_pixel(surface.format));
     };
     add_lines(lines(copy.source, copy.source_x, copy.source_y), depth, false, transfer);
+    for (unsigned i = 1; i < copy.pictures; ++i)
+        add_lines(
+            lines(copy.source.plane(i), copy.source_x, copy.source_y), depth, false, transfer);
     add_lines(
         lines(copy.destination, copy.destination_x, copy.destination_y), depth, true, transfer);
     destination_written(copy);

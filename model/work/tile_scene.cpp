@@ -88,7 +88,8 @@ bool TileScene::resolve(const WorkDraw& command) {
     });
     if (empty() || target == places_.end()) return false;
     const Surface &from = copy.source, &to = copy.destination;
-    if (from.samples == 1 || to.samples != 1 || from.format != to.format) return false;
+    if (copy.pictures > 1 || from.samples == 1 || to.samples != 1 || from.format != to.format)
+        return false;
     if (copy.source_x != 0 || copy.source_y != 0 || copy.destination_x != 0 ||
         copy.destination_y != 0 || copy.width != from.width || copy.height != from.height)
         return false;

@@ -15,7 +15,8 @@ import pictures
 
 LONGEST = 240  # seconds that any one program may take
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FIELDS = ("row", "name", "title", "formula", "reason", "mutation", "reach", "worst_allowed", "rms_allowed")
+FIELDS = ("row", "name", "title", "formula", "reason", "mutation", "reach", "worst_allowed", "rms_allowed",
+          "supersampling")
 
 
 def output_of(*command, **options):
@@ -78,12 +79,12 @@ class Gallery:
         lines = output_of(self.offscreen, *arguments).splitlines()
         return {found["name"]: found for found in map(measured, lines)}
 
-    def timed(self, name, display):
+    def timed(self, name, supersampling, display):
         """Through GLX, with the timing model; the picture must be the one drawn off-screen."""
         folder = self.folder / "timed" / name
         environment = dict(os.environ, DISPLAY=display)
-        output_of(self.ffgpu, "run", "-o", folder, "--timing", "--", self.window, name, env=environment,
-                  stderr=subprocess.DEVNULL)
+        output_of(self.ffgpu, "run", "-o", folder, "--timing", "--set", f"gpu.supersampling={supersampling}",
+                  "--", self.window, name, env=environment, stderr=subprocess.DEVNULL)
         windowed = pictures.read_png(folder / "frame_0000.png")
         if windowed != pictures.read_ppm(self.folder / "pictures" / f"{name}.ppm"):
             raise RuntimeError(f"{name}: the window's picture is not the one drawn off-screen")
@@ -105,7 +106,7 @@ class Gallery:
         broken = self.on_oracles("--break")
         techniques = self.techniques()
         with XServer() as display, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            timed = pool.map(lambda t: self.timed(t["name"], display), techniques)
+            timed = pool.map(lambda t: self.timed(t["name"], t["supersampling"], display), techniques)
             mesa = pool.map(lambda t: self.on_mesa(t["name"], display), techniques)
             for technique, cost, witness in zip(techniques, timed, mesa):
                 technique.update(found=found[technique["name"]], broken=broken.get(technique["name"]), cost=cost,

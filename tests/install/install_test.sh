@@ -24,6 +24,9 @@ test -s "$installed/share/man/man1/ffgpu.1"
 export PKG_CONFIG_PATH=$installed/$libdir/pkgconfig
 cc "$source/square.c" -o "$prefix/by_pkg_config" $(pkg-config --cflags --libs ffgpu)
 "$prefix/by_pkg_config"
+# The extension's example, as its page has it.
+cc "$source/../../docs/examples/texture_filter.c" -o "$prefix/texture_filter" $(pkg-config --cflags --libs ffgpu)
+"$prefix/texture_filter"
 
 cmake -S "$source/consumer" -B "$prefix/consumer" -DCMAKE_PREFIX_PATH="$installed" >/dev/null
 cmake --build "$prefix/consumer" >/dev/null

@@ -284,3 +284,39 @@ TEST_CASE("Samples that meet in memory are copied as if read first") {
     for (unsigned i = 0; i < MaxSamples; ++i)
         REQUIRE(color_at(to.plane(i), memory, 3, 2) == color_at(from.plane(i), source, 2, 1));
 }
+
+TEST_CASE("Of several pictures colours are averaged, to nearest, halves up") {
+    for (const unsigned pictures : {2u, 8u, 16u})
+        for (const Format to : {Format::Rgba8, Format::Rgb565}) {
+            std::vector<std::byte> memory = random_memory(26 + pictures);
+            std::vector<std::byte> expected = memory;
+            CopyRectangleCommand copy =
+                sample_copy(surface(128, Format::Rgba8, 12, 10), surface(16384, to, 20, 12));
+            copy.pictures = static_cast<std::uint8_t>(pictures);
+            for (unsigned y = 0; y < copy.height; ++y)
+                for (unsigned x = 0; x < copy.width; ++x) {
+                    PixelColor mean{};
+                    for (unsigned channel = 0; channel < 4; ++channel) {
+                        double sum = 0;
+                        for (unsigned i = 0; i < pictures; ++i)
+                            sum += unpack_rgba8(
+                                color_at(copy.source.plane(i), memory, 2 + x, 1 + y))[channel];
+                        mean[channel] = static_cast<std::uint8_t>(sum / pictures + 0.5);
+                    }
+                    store_rgba8(to,
+                                pack_rgba8(mean),
+                                pixel_address(copy.destination, expected, 3 + x, 2 + y));
+                }
+            copy_rectangle(copy, memory);
+            REQUIRE((memory == expected));
+        }
+    // Pictures that leave memory are none.
+    std::vector<std::byte> memory = random_memory(50);
+    const std::vector<std::byte> before = memory;
+    CopyRectangleCommand copy =
+        sample_copy(surface(128, Format::Rgba8, 12, 10), surface(16384, Format::Rgba8, 20, 12));
+    copy.source.address = static_cast<DeviceAddress>(memory.size() - 2 * copy.source.bytes());
+    copy.pictures = 4;
+    copy_rectangle(copy, memory);
+    REQUIRE((memory == before));
+}

@@ -642,6 +642,7 @@ module register_fields (
       {16'd25, 16'd15}: value_o = {16'd0, copy_rectangle_command.destination_y};
       {16'd25, 16'd16}: value_o = {16'd0, copy_rectangle_command.width};
       {16'd25, 16'd17}: value_o = {16'd0, copy_rectangle_command.height};
+      {16'd25, 16'd18}: value_o = {27'd0, copy_rectangle_command.pictures};
       {16'd26, 16'd0}: value_o = {store_sample_counter_command.address};
       default: value_o = 32'd0;
     endcase

@@ -72,9 +72,12 @@ std::vector<PicturePixel> seeded_pixels(const ExplainedFrame& frame, unsigned co
 void explain_pixels(const std::string& path,
                     std::uint64_t number,
                     unsigned count,
-                    unsigned samples = 1) {
+                    const ExplainOptions& machine = {}) {
     INFO(path << ", frame " << number);
-    const ExplainedFrame frame({.input = path, .frame = number, .samples = samples});
+    ExplainOptions options = machine;
+    options.input = path;
+    options.frame = number;
+    const ExplainedFrame frame(options);
     FragmentCensus census;
     const auto histories = frame.histories(seeded_pixels(frame, count), &census);
     std::uint64_t fragments = 0, silent = 0;
@@ -102,7 +105,13 @@ TEST_CASE("a pixel's history ends with the frame's pixel and misses none of its 
           "[explain]") {
     for (const std::string& name : own_traces())
         explain_pixels(own_trace(name), 2, wanted_pixels());
-    explain_pixels(own_trace("corridor"), 1, wanted_pixels(), 4);
+    ExplainOptions multisampled;
+    multisampled.samples = 4;
+    explain_pixels(own_trace("corridor"), 1, wanted_pixels(), multisampled);
+    ExplainOptions forced;
+    forced.configuration.gpu.supersampling = 4;
+    forced.configuration.gpu.texture_filter = gl::ForcedFilter::Feline;
+    explain_pixels(own_trace("corridor"), 1, wanted_pixels(), forced);
 }
 
 TEST_CASE("so it does in programs of others", "[explain][workloads]") {
@@ -152,12 +161,28 @@ TEST_CASE("of a whole frame the histories hold as many fragments as were counted
     CHECK(of(FragmentEnd::Depth) == counted.at("fragments_killed_depth"));
 }
 
-TEST_CASE("the machine's word for a pixel is that of the machine that replays the frame",
-          "[explain]") {
+// Look-ups in the caches of depth and colour, of the pixel's quads.
+struct TargetLookups {
+    unsigned depth = 0, color = 0, misses = 0;
+
+    void add(const FragmentNote& note, std::uint64_t cycles) {
+        for (const TargetLookup& lookup : note.timing.targets) {
+            CHECK(lookup.cycle < cycles);
+            ++(lookup.cache == TargetLookup::Cache::Depth ? depth : color);
+            misses += lookup.missed;
+        }
+    }
+};
+
+void explain_timing(work::Architecture architecture) {
     const std::string path = own_trace("corridor");
-    const ExplainedFrame frame({.input = path, .frame = 0, .timing = true});
+    ExplainOptions options{.input = path, .frame = 0, .timing = true};
+    options.configuration.timing.raster.architecture = architecture;
+    const ExplainedFrame frame(options);
     const auto histories = frame.histories(seeded_pixels(frame, 20));
-    const Run run = run_trace(path, {.timing = timing::TimingConfig{}, .last_frame = 0});
+    const Run run = run_trace(path, {.timing = options.configuration.timing, .last_frame = 0});
+    const bool tiled = architecture == work::Architecture::TileBased;
+    TargetLookups targets;
     unsigned lookups = 0, hits = 0;
     for (const PixelHistory& history : histories) {
         CHECK(history.cycles == run.cycles.at(0));
@@ -165,6 +190,13 @@ TEST_CASE("the machine's word for a pixel is that of the machine that replays th
             if (!event.fragment) continue;
             const FragmentNote& note = *event.fragment;
             const bool written = note.end == FragmentEnd::Written;
+            targets.add(note, history.cycles);
+            const bool has_color =
+                std::ranges::any_of(note.timing.targets, [](const TargetLookup& lookup) {
+                    return lookup.cache == TargetLookup::Cache::Color;
+                });
+            const bool writes = written && !note.writes.empty();
+            CHECK((!writes || has_color != tiled)); // On chip there is no cache.
             CHECK((!written || note.timing.retired.has_value()));
             for (const TexelLookup& lookup : note.timing.lookups) {
                 REQUIRE(lookup.cycle.has_value());
@@ -177,6 +209,14 @@ TEST_CASE("the machine's word for a pixel is that of the machine that replays th
     }
     CHECK(lookups > 0);
     CHECK((hits > 0 && hits < lookups));
+    CHECK((targets.depth > 0 && targets.color > 0) != tiled);
+    CHECK(targets.misses < targets.depth + targets.color + tiled);
+}
+
+TEST_CASE("the machine's word for a pixel is that of the machine that replays the frame",
+          "[explain]") {
+    for (const auto architecture : {work::Architecture::Immediate, work::Architecture::TileBased})
+        explain_timing(architecture);
 }
 
 } // namespace

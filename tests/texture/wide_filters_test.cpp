@@ -4,6 +4,7 @@
 #include "model/texture/wide_filters.h"
 #include "model/texture/wide_texels.h"
 #include "tests/texture/texture_fixture.h"
+#include "tests/texture/wrapped_picture.h"
 
 #include <cmath>
 #include <set>
@@ -16,99 +17,14 @@ namespace {
 
 constexpr Wrap Wraps[] = {Wrap::Repeat, Wrap::MirroredRepeat, Wrap::ClampToEdge};
 
-// The texel that stands for texel `index`: by walking there, step by step.
-int walked(Wrap wrap, int index, int size) {
-    int at = 0, step = 1;
-    if (wrap == Wrap::ClampToEdge) return index < 0 ? 0 : index >= size ? size - 1 : index;
-    const int forward = index >= 0 ? 1 : -1;
-    if (wrap == Wrap::Repeat) {
-        for (int i = 0; i != index; i += forward)
-            at = (at + forward + size) % size;
-        return at;
-    }
-    // Mirrored: turn round at each end, where the edge's texel comes twice. Backwards from texel 0
-    // stands texel 0 again.
-    if (index < 0) index = -1 - index;
-    for (int i = 0; i != index; ++i) {
-        if (at + step < 0 || at + step >= size) {
-            step = -step;
-        } else {
-            at += step;
-        }
-    }
-    return at;
-}
-
-struct Picture {
-    int width = 0, height = 0;
-    std::vector<std::array<int, 4>> texels;
-
-    double at(Wrap wrap, int x, int y, unsigned channel) const {
-        const int column = walked(wrap, x, width), row = walked(wrap, y, height);
-        return texels[static_cast<std::size_t>(row * width + column)][channel];
-    }
-};
-
-Picture random_picture(Random& random, int width, int height) {
-    Picture picture{width, height, {}};
-    for (int i = 0; i < width * height; ++i) {
-        std::array<int, 4> texel{};
-        for (int& channel : texel)
-            channel = static_cast<int>(below(random, 256));
-        picture.texels.push_back(texel);
-    }
-    return picture;
-}
-
-std::uint32_t rgba8(const std::array<int, 4>& texel) {
-    std::uint32_t word = 0;
-    for (unsigned i = 0; i < 4; ++i)
-        word |= static_cast<std::uint32_t>(texel[i]) << (8 * i);
-    return word;
-}
-
 TextureShape shape_of(std::uint32_t width, std::uint32_t height) {
     return {TextureKind::TwoD, Format::Rgba8, width, height, 1, 1, 0};
-}
-
-void put(const Picture& picture, unsigned at_x, unsigned at_y, TextureMemory& memory) {
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x)
-            memory.put_rgba8(
-                0,
-                0,
-                at_x + static_cast<unsigned>(x),
-                at_y + static_cast<unsigned>(y),
-                rgba8(picture.texels[static_cast<std::size_t>(y * picture.width + x)]));
 }
 
 Sampler sampler_of(TextureFilter filter, Wrap wrap) {
     Sampler sampler = linear_sampler(wrap);
     sampler.filter = filter;
     return sampler;
-}
-
-// A pixel in texels of level 0: its place, and its steps for a pixel in x and in y.
-struct Pixel {
-    double u = 0, v = 0, ux = 0, vx = 0, uy = 0, vy = 0;
-};
-
-Color sample_pixel(const TextureUnit& unit, const Pixel& pixel, TexelFootprints* footprints) {
-    const auto planes = make_planes(1, [&](unsigned lane) {
-        const double x = lane % 2, y = lane >> 1;
-        return Coordinates{
-            static_cast<float>((pixel.u + x * pixel.ux + y * pixel.uy) / unit.size[0]),
-            static_cast<float>((pixel.v + x * pixel.vx + y * pixel.vy) / unit.size[1])};
-    });
-    ColorPlanes out;
-    sample(unit, *planes, all_quads(1), out, footprints);
-    return color_of(out, 0);
-}
-
-// Multiples of 2^-8, which the texture unit keeps exactly in textures of 32 x 16.
-double place(Random& random, int size) {
-    return (static_cast<int>(below(random, static_cast<std::uint32_t>(768 * size))) - 256 * size) /
-           256.0;
 }
 
 double keys(double x) {
@@ -122,7 +38,7 @@ TEST_CASE("Bicubic magnification is Keys' convolution") {
     Random random(1);
     const Picture picture = random_picture(random, 32, 16);
     TextureMemory memory(shape_of(32, 16));
-    put(picture, 0, 0, memory);
+    put(picture, {}, memory);
     for (const Wrap wrap : Wraps) {
         const TextureUnit unit = memory.compile(sampler_of(TextureFilter::Bicubic, wrap));
         double worst = 0;
@@ -187,7 +103,9 @@ TEST_CASE("A rip-map's sample mixes the four images around the pixel's two sides
     for (unsigned i = 0; i < 6; ++i)
         for (unsigned j = 0; j < 5; ++j) {
             images[i].push_back(random_picture(random, int(Width >> i), int(Height >> j)));
-            put(images[i][j], 2 * Width - (2 * Width >> i), 2 * Height - (2 * Height >> j), memory);
+            put(images[i][j],
+                {0, 2 * Width - (2 * Width >> i), 2 * Height - (2 * Height >> j)},
+                memory);
         }
     for (const Wrap wrap : Wraps) {
         Sampler sampler = sampler_of(TextureFilter::RipMap, wrap);
@@ -303,7 +221,7 @@ TEST_CASE("The elliptic filter is Heckbert's weighted average") {
     Random random(5);
     const Picture picture = random_picture(random, Width, Height);
     TextureMemory memory(shape_of(Width, Height));
-    put(picture, 0, 0, memory);
+    put(picture, {}, memory);
     for (const Wrap wrap : Wraps) {
         const TextureUnit unit = memory.compile(sampler_of(TextureFilter::Elliptic, wrap));
         double worst = 0;
@@ -353,7 +271,8 @@ TEST_CASE("Every access of a wide filter is what it reads") {
     for (const TextureFilter filter : {TextureFilter::Bicubic,
                                        TextureFilter::RipMap,
                                        TextureFilter::SummedArea,
-                                       TextureFilter::Elliptic})
+                                       TextureFilter::Elliptic,
+                                       TextureFilter::Feline})
         for (const Wrap wrap : {Wrap::Repeat, Wrap::ClampToBorder, Wrap::MirroredRepeat}) {
             Sampler sampler = sampler_of(filter, wrap);
             sampler.source_width = 32;

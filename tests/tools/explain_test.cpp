@@ -2,12 +2,15 @@
 // hand.
 
 #include "tests/tools/explain_scene.h"
+#include "tools/explain/history_json.h"
+#include "tools/explain/history_text.h"
 
 #include <catch2/catch.hpp>
 
 namespace ffgpu::tools {
 namespace {
 
+using Catch::Contains;
 using Kind = PixelEvent::Kind;
 
 constexpr std::array<float, 4> Red{1, 0, 0, 1}, HalfGreen{0, 1, 0, 128 / 255.0f};
@@ -146,6 +149,66 @@ TEST_CASE("what the scissor keeps from a pixel is listed and changes nothing") {
     CHECK(kinds(inside) == std::vector<Kind>{Kind::Clear, Kind::Clear, Kind::Fragment});
     CHECK_FALSE(inside.events[1].outside_scissor);
     CHECK(inside.value == RedWord);
+}
+
+TEST_CASE("what a stipple takes out is listed and changes nothing") {
+    ExplainScene scene;
+    scene.clear(Blue);
+    scene.registers.primitive.polygon_stipple = true;
+    // Of rows 0 mod 4 the pixels 0 mod 8 are kept, of the others none.
+    for (std::size_t row = 0; row < 32; ++row)
+        scene.registers.polygon_stipple.rows[row] = row % 4 == 0 ? 0x80808080 : 0;
+    scene.fill(Red);
+    // Window rows count from below: picture row 11 is window row 4.
+    const PixelHistory kept = scene.history(8, 11), hole = scene.history(9, 11),
+                       other = scene.history(8, 10);
+    CHECK(kinds(kept) == std::vector<Kind>{Kind::Clear, Kind::Fragment});
+    CHECK(kept.value == RedWord);
+    for (const PixelHistory* const history : {&hole, &other}) {
+        CHECK(kinds(*history) == std::vector<Kind>{Kind::Clear, Kind::Stipple});
+        CHECK(history->events[1].after.color[0] == Blue);
+        CHECK(history->value == Blue);
+        CHECK_THAT(history_text(*history), Contains("2. taken out by the stipple, draw 0"));
+        CHECK(history_json(*history)["events"][1]["event"] == "taken out by the stipple");
+    }
+    // Where the primitive is not, nothing is taken out.
+    scene.draw({{-1, -1, 0, 1, 1, 0, 0, 1, 0, 0},
+                {-0.5f, -1, 0, 1, 1, 0, 0, 1, 0, 0},
+                {-1, -0.5f, 0, 1, 1, 0, 0, 1, 0, 0}});
+    CHECK(kinds(scene.history(9, 11)).size() == 2);
+    CHECK(kinds(scene.history(1, 15)).back() == Kind::Stipple);
+}
+
+TEST_CASE("of a mean of pictures each picture's fragments are told") {
+    ExplainScene scene;
+    scene.clear(Blue);
+    Surface picture = scene.color;
+    picture.address = test::TextureAt;
+    scene.registers.targets.depth = {};
+    for (unsigned i = 0; i < 4; ++i) {
+        scene.registers.targets.color[0] = picture.plane(i);
+        scene.clear(0xff000000);
+        if (i % 2 == 0) scene.fill(Red);
+    }
+    scene.command(CopyRectangleCommand{
+        .source = picture, .destination = scene.color, .width = 16, .height = 16, .pictures = 4});
+    const PixelHistory history = scene.history(3, 3);
+    REQUIRE(history.places.size() == 5);
+    CHECK(history.places[3].picture == 2);
+    CHECK(history.places[3].color.surface == picture.plane(2));
+    CHECK(kinds(history) == std::vector<Kind>{Kind::Clear,
+                                              Kind::Clear,
+                                              Kind::Fragment,
+                                              Kind::Clear,
+                                              Kind::Clear,
+                                              Kind::Fragment,
+                                              Kind::Clear,
+                                              Kind::Copy});
+    CHECK(history.events[5].place == 3);
+    CHECK(history.events[7].pictures == 4);
+    CHECK(history.value == 0xff000080); // (255 + 0 + 255 + 0) / 4, halves up
+    CHECK_THAT(history_text(history), Contains("copied from as picture 2 of 4"));
+    CHECK_THAT(history_text(history), Contains("the mean of 4 pictures, the first of them"));
 }
 
 TEST_CASE("drawn images, uploads and copies are listed with the value after them") {

@@ -9,6 +9,11 @@
 #include "tools/explain/history_text.h"
 #include "tools/explain/region_page.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
 #include <catch2/catch.hpp>
 
 namespace ffgpu::tools {
@@ -76,6 +81,66 @@ TEST_CASE("texels are told with place, bytes, value and share, and each interpol
     CHECK(note.environments[0].previous == Rgba{0, 0, 0, 255});
     CHECK(note.environments[0].result == texture.color);
     CHECK((history.value & 0xff) == texture.color[0]);
+}
+
+// A picture of 16 x 16 pixels with a texture of 64 x 64 texels.
+PixelHistory filtered(ExplainScene& scene, TextureFilter filter) {
+    constexpr unsigned Across = 64;
+    scene.clear(0xff000000);
+    set_texture(scene);
+    std::vector<std::uint32_t> texels;
+    for (unsigned i = 0; i < Across * Across; ++i)
+        texels.push_back(0xff000000 | i * 2654435761u >> 8);
+    scene.upload(test::TextureAt, test::bytes_of(texels));
+    Registers& r = scene.registers;
+    r.images[0].shape = {TextureKind::TwoD, Format::Rgba8, Across, Across, 1, 1, 0};
+    r.samplers[0].filter = filter;
+    r.samplers[0].wrap = {Wrap::Repeat, Wrap::Repeat, Wrap::Repeat};
+    if (filter == TextureFilter::RipMap) // A pixel covers 1.5 texels: between four images.
+        r.samplers[0].source_width = r.samplers[0].source_height = 24;
+    if (filter == TextureFilter::Bicubic) r.samplers[0].max_lod = 0; // magnified
+    if (filter == TextureFilter::Feline) {                           // four times as long as wide
+        r.tex_coords[0].matrix_enable = true;
+        r.tex_coords[0].matrix[5] = 0.25f;
+    }
+    scene.fill({0, 0, 0, 1});
+    return scene.history(9, 10);
+}
+
+TEST_CASE("of a filter of the extension each texel is told, and their shares make its colour") {
+    const std::pair<TextureFilter, std::size_t> filters[] = {{TextureFilter::Bicubic, 1},
+                                                             {TextureFilter::RipMap, 4},
+                                                             {TextureFilter::Elliptic, 1},
+                                                             {TextureFilter::Feline, 7}};
+    for (const auto& [filter, probes] : filters) {
+        INFO(static_cast<int>(filter));
+        ExplainScene scene;
+        const PixelHistory history = filtered(scene, filter);
+        const TextureNote& texture = history.events.back().fragment->textures[0];
+        CHECK(texture.probes.size() == probes);
+        std::map<TexelName, Rgba> texels;
+        for (const ProbeNote& probe : texture.probes)
+            for (const probed::LevelFilter& level : probe.levels)
+                for (unsigned i = 0; i < level.texel_count; ++i)
+                    texels[{level.access.level,
+                            level.texels[i].layer,
+                            level.texels[i].y,
+                            level.texels[i].x}] = level.texels[i].color;
+        const auto shares = texel_shares(texture);
+        REQUIRE(shares.size() == texels.size());
+        std::array<double, 3> color{};
+        double sum = 0;
+        for (const auto& [texel, share] : shares) {
+            sum += share;
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                color[channel] += share * texels.at(texel)[channel];
+        }
+        CHECK(sum == Approx(1));
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            CHECK(std::fabs(std::clamp(color[channel], 0.0, 255.0) - texture.color[channel]) < 2);
+        CHECK_THAT(history_text(history), Contains("     filter "));
+        CHECK(history_json(history)["events"][1]["textures"][0]["probes"].size() == probes);
+    }
 }
 
 TEST_CASE("text and JSON hold what the history holds") {

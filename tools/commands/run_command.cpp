@@ -5,6 +5,7 @@
 #include "tools/commands/unused_reason.h"
 #include "tools/commands/warn.h"
 #include "tools/files/library_folder.h"
+#include "tools/frames/frame_source.h"
 #include "tools/record/recording_arguments.h"
 
 #include <cerrno>
@@ -105,6 +106,14 @@ std::string with_folder_first(const fs::path& folder, const char* paths) {
     return folder.string() + (paths && *paths ? std::string(":") + paths : "");
 }
 
+void add_panel(const gl::ControlPanel& panel, std::vector<Environment>& environment) {
+    const auto filter = static_cast<std::size_t>(panel.texture_filter);
+    if (panel.texture_filter != gl::ForcedFilter::AsAsked)
+        environment.push_back({"FFGPU_TEXTURE_FILTER", std::string(gl::ForcedFilterNames[filter])});
+    if (panel.supersampling > 1)
+        environment.push_back({"FFGPU_SUPERSAMPLING", std::to_string(panel.supersampling)});
+}
+
 int run_run(const Arguments& arguments) {
     const fs::path folder = find_library_folder();
     std::vector<Environment> environment{
@@ -119,6 +128,9 @@ int run_run(const Arguments& arguments) {
     if (arguments.recording.any()) {
         RecordingOptions checked;
         resolve(arguments.recording, checked); // What is wrong is said before the program starts.
+        const gl::ControlPanel panel = checked.configuration.gpu.panel();
+        check_samples(arguments.samples, panel);
+        add_panel(panel, environment);
         warn_of_settings(settings_without_effect(arguments.recording));
         settings.emplace(to_json(arguments.recording));
         settings->lock();

@@ -1,7 +1,9 @@
 #include "tools/commands/commands.h"
+#include "tools/commands/warn.h"
 #include "tools/config/config_file.h"
 #include "tools/config/settings_option.h"
 #include "tools/time/time_work.h"
+#include "tools/work/work_player.h"
 
 #include <cstdio>
 #include <memory>
@@ -34,6 +36,7 @@ void add_time_command(CLI::App& application, Run& run) {
             if (!arguments->config.empty()) read_config_file(arguments->config, configuration);
             for (const std::string& setting : arguments->settings)
                 apply_setting(setting, configuration);
+            if (configuration.gpu.forces()) warn(forces_nothing(arguments->time.input));
             std::fputs(time_work(arguments->time).c_str(), stderr);
             return 0;
         };

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "driver/objects/control_panel.h"
 #include "model/base/parameters.h"
 #include "model/timing/config.h"
 
@@ -10,11 +11,17 @@
 
 namespace ffgpu::tools {
 
-// How the functional GPU works. It changes speed, never a pixel.
+// How the functional GPU and its driver work. Threads and tiles change speed, never a pixel; the
+// others are a control panel, which forces them on the program.
 struct GpuParameters {
     static constexpr std::string_view Name = "gpu";
     std::uint32_t threads = 0;
     std::uint32_t tile_size = 64;
+    gl::ForcedFilter texture_filter = gl::ForcedFilter::AsAsked;
+    std::uint32_t supersampling = 1;
+
+    gl::ControlPanel panel() const { return {texture_filter, supersampling}; }
+    bool forces() const { return panel() != gl::ControlPanel{}; }
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
@@ -31,6 +38,19 @@ struct GpuParameters {
                .maximum = 128,
                .power_of_two = true,
                .meaning = "side of the squares that are drawn one by one"});
+        field("texture_filter",
+              self.texture_filter,
+              {.meaning = "of GL_FFGPU_texture_filter, forced on each texture whose minification "
+                          "filter is not GL_NEAREST; as_asked: the program decides",
+               .choices = gl::ForcedFilterNames});
+        field("supersampling",
+              self.supersampling,
+              {.unit = "samples",
+               .minimum = 1,
+               .maximum = gl::MaxSupersampling,
+               .power_of_two = true,
+               .meaning = "of a pixel of every window, each drawn and shaded for itself, then "
+                          "averaged"});
     }
 };
 

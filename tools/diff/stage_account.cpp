@@ -177,16 +177,15 @@ void StageAccount::sampling(const probed::Batch& batch, const probed::Sampling& 
     entries({Stage::Texture, told.unit}, batch, batch.fragments->live, [&](unsigned lane) {
         while (quad != told.quads.end() && quad->quad < lane / 4)
             ++quad;
-        const bool has_levels = quad != told.quads.end() && quad->quad == lane / 4;
-        if (has_levels) quad_levels(*quad);
-        const std::size_t levels = has_levels && quad->weight != 0 ? 2 : 1;
+        if (quad != told.quads.end() && quad->quad == lane / 4) quad_levels(*quad);
         while (probe != told.probes.end() && probe->lane < lane)
             ++probe;
         for (int number = 0; probe != told.probes.end() && probe->lane == lane; ++probe, ++number) {
             sink_.integer("face", probe->face, number);
             for (std::size_t i = 0; i < probe->coordinates.size(); ++i)
                 sink_.real("coordinate", probe->coordinates[i], number * 4 + static_cast<int>(i));
-            for (std::size_t i = 0; i < levels; ++i)
+            // Of several probes each has two at most.
+            for (std::size_t i = 0; i < probe->level_filters; ++i)
                 level_filter(told.level_filters[probe->level_filter + i],
                              number * 2 + static_cast<int>(i));
             sink_.color("probe_color", packed(probe->color), number);

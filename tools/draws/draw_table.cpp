@@ -37,7 +37,7 @@ void DrawTable::command(std::shared_ptr<const work::WholeCommand> command) {
     rows_.push_back({timing::command_kind(draw.kind), draw.number, draw_facts(*command, note)});
 }
 
-void DrawTable::texel_line(const timing::QuadName& name, const timing::TexelLine& line) {
+void DrawTable::texel_line(const timing::QuadName& name, const timing::CacheLine& line) {
     if (!line.missed) return;
     const std::lock_guard lock(mutex_);
     ++misses_[name.draw];

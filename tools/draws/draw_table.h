@@ -29,7 +29,7 @@ public:
     void end_frame(std::uint32_t) override {}
 
     // QuadObserver, on the machine's thread
-    void texel_line(const timing::QuadName& name, const timing::TexelLine& line) override;
+    void texel_line(const timing::QuadName& name, const timing::CacheLine& line) override;
 
     // The frame's commands are all here. `timed`: what the machine took; null: there is none.
     void write(std::uint64_t frame, const timing::FrameTiming* timed);

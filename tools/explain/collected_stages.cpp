@@ -26,8 +26,7 @@ void note_sampling(const probed::Sampling& told, unsigned lane, TextureNote& tex
         if (quad.quad == lane / 4) texture.quad = quad;
     for (const probed::Probe& probe : told.probes) {
         if (probe.lane != lane) continue;
-        const unsigned levels = texture.quad && texture.quad->weight != 0 ? 2 : 1;
-        const auto filters = told.level_filters.subspan(probe.level_filter, levels);
+        const auto filters = told.level_filters.subspan(probe.level_filter, probe.level_filters);
         texture.probes.push_back({probe, {filters.begin(), filters.end()}});
     }
     const TexCoordPlanes& at = *told.coordinates;

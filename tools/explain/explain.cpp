@@ -39,6 +39,7 @@ Surface ExplainedFrame::play() {
                           {.warn = options_.warn,
                            .samples = options_.samples,
                            .swap = options_.swap,
+                           .panel = options_.configuration.gpu.panel(),
                            .on_call = [&calls](std::uint64_t number, std::string_view name) {
                                calls.begin(number, name);
                            }});

@@ -147,9 +147,11 @@ private:
     void finish(PixelHistory& history) {
         sort_events(history);
         PixelValue last = history.before[0];
+        std::vector<PixelValue> at_places = history.before;
         for (PixelEvent& event : history.events) {
-            // A primitive that the scissor cut away left what was there.
-            if (event.kind == PixelEvent::Kind::Scissor) event.after = last;
+            // A primitive that made no fragment left what was there.
+            if (event.is_of_draw() && !event.fragment) event.after = at_places[event.place];
+            at_places[event.place] = event.after;
             if (event.place == 0) last = event.after;
         }
         check(last.color[0] == history.value,

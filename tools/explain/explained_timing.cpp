@@ -74,7 +74,7 @@ void ExplainedTiming::end_frame(std::uint32_t frame) {
 }
 
 // The first look-up of a line is the one that may miss.
-void ExplainedTiming::texel_line(const timing::QuadName& quad, const timing::TexelLine& line) {
+void ExplainedTiming::texel_line(const timing::QuadName& quad, const timing::CacheLine& line) {
     const std::lock_guard lock(mutex_);
     const auto found = quads_.find(quad);
     if (found == quads_.end()) return;
@@ -84,6 +84,22 @@ void ExplainedTiming::texel_line(const timing::QuadName& quad, const timing::Tex
             lookup.missed = line.missed;
             lookup.cycle = line.cycle;
         }
+}
+
+void ExplainedTiming::depth_line(const timing::QuadName& quad, const timing::CacheLine& line) {
+    note_target(quad, {TargetLookup::Cache::Depth, line.number, line.missed, line.cycle});
+}
+
+void ExplainedTiming::color_line(const timing::QuadName& quad, const timing::CacheLine& line) {
+    note_target(quad, {TargetLookup::Cache::Color, line.number, line.missed, line.cycle});
+}
+
+void ExplainedTiming::note_target(const timing::QuadName& quad, const TargetLookup& lookup) {
+    const std::lock_guard lock(mutex_);
+    const auto found = quads_.find(quad);
+    if (found == quads_.end()) return;
+    for (const auto& note : found->second)
+        note->timing.targets.push_back(lookup);
 }
 
 void ExplainedTiming::retired(const timing::QuadName& quad, std::uint64_t cycle) {

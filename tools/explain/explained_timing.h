@@ -41,10 +41,13 @@ private:
     void host_transfer(const HostTransfer& transfer) override;
     void end_frame(std::uint32_t frame) override;
 
-    void texel_line(const timing::QuadName& quad, const timing::TexelLine& line) override;
+    void texel_line(const timing::QuadName& quad, const timing::CacheLine& line) override;
+    void depth_line(const timing::QuadName& quad, const timing::CacheLine& line) override;
+    void color_line(const timing::QuadName& quad, const timing::CacheLine& line) override;
     void retired(const timing::QuadName& quad, std::uint64_t cycle) override;
 
     void note_lines(FragmentNote& note);
+    void note_target(const timing::QuadName& quad, const TargetLookup& lookup);
 
     const timing::TimingConfig config_;
     const HistoryCollector& collector_;

@@ -77,11 +77,14 @@ Json texel_json(const FragmentNote& fragment,
 }
 
 Json filter_json(const FragmentNote& fragment, unsigned unit, const probed::LevelFilter& filter) {
-    Json json{{"level", filter.access.level}, {"weights_256", filter.weight}};
+    Json json{{"level", filter.access.level}};
+    if (filter.along_x_count > 0) json["weights_256"] = filter.weight;
+    if (filter.texel_weights) json["texel_weights"] = *filter.texel_weights;
     json["texels"] = Json::array();
     for (unsigned i = 0; i < filter.texel_count; ++i)
         json["texels"].push_back(texel_json(fragment, unit, filter.access.level, filter.texels[i]));
     const unsigned pairs = filter.texel_count / 2;
+    if (filter.along_x_count == 0) return json;
     if (filter.texel_count > 1) {
         json["along_x"] =
             std::vector<Rgba>(filter.along_x.begin(), filter.along_x.begin() + std::max(pairs, 1u));
@@ -205,8 +208,12 @@ Json texture_json(const FragmentNote& fragment, const TextureNote& texture) {
         json["next_weight_256"] = quad.weight;
         json["linear"] = quad.linear;
     }
+    json["filter"] = name_of(fragment.registers().samplers[texture.unit].filter);
     for (const ProbeNote& probe : texture.probes) {
-        Json one{{"coordinates", probe.probe.coordinates}, {"face", probe.probe.face}};
+        Json one{{"coordinates", probe.probe.coordinates},
+                 {"face", probe.probe.face},
+                 {"weight", probe.probe.weight},
+                 {"next_weight_256", probe.probe.next_level}};
         for (const probed::LevelFilter& filter : probe.levels)
             one["levels"].push_back(filter_json(fragment, texture.unit, filter));
         one["color"] = probe.probe.color;
@@ -228,6 +235,11 @@ void add_fragment_json(const FragmentNote& fragment, Json& json) {
     add_tests(fragment, json);
     add_writes(fragment, json);
     json["end"] = FragmentEndNames[static_cast<std::size_t>(fragment.end)];
+    for (const TargetLookup& lookup : fragment.timing.targets)
+        json[lookup.cache == TargetLookup::Cache::Depth ? "depth_cache" : "color_cache"].push_back(
+            {{"line", lookup.line},
+             {"cache", lookup.missed ? "miss" : "hit"},
+             {"cycle", lookup.cycle}});
     if (fragment.timing.retired) json["retired"] = *fragment.timing.retired;
 }
 

@@ -217,6 +217,12 @@ std::string tests_text(const FragmentNote& fragment) {
     text += fragment.end != FragmentEnd::Written ? fmt::format("   ended at the {}\n", end)
             : fragment.writes.empty()            ? "   passed; no colour is written\n"
                                                  : "";
+    for (const TargetLookup& lookup : fragment.timing.targets)
+        text += fmt::format("   {} cache, line {:#x}: {} in cycle {}\n",
+                            lookup.cache == TargetLookup::Cache::Depth ? "depth" : "colour",
+                            lookup.line,
+                            lookup.missed ? "miss" : "hit",
+                            lookup.cycle);
     if (fragment.timing.retired)
         text += fmt::format("   its quad retired in cycle {}\n", *fragment.timing.retired);
     return text;

@@ -7,6 +7,7 @@
 #include "model/device/primitive_vertices.h"
 #include "model/memory/pixel_format.h"
 #include "model/raster/setup_record.h"
+#include "tools/explain/stippled_out.h"
 
 #include <algorithm>
 
@@ -128,10 +129,10 @@ void HistoryCollector::set_up(const probed::SetUp& told) {
                            scissor.y + scissor.height >= static_cast<int>(y1_);
     if (!holds_all && told.primitive->shape == PrimitiveShape::Triangle)
         note_cut(told, noted(*told.primitive));
+    if (may_reach && record->stipple != StippleKind::None) note_stippled_out(told);
 }
 
 void HistoryCollector::note_cut(const probed::SetUp& told, const PrimitiveNote& primitive) {
-    const DrawOrigin origin = draws_.at(told.draw);
     const Scissor& scissor = told.registers->scissor;
     for (std::size_t i = 0; i < watches_.size(); ++i) {
         const SurfacePixel& pixel = place(watches_[i]).color;
@@ -141,16 +142,34 @@ void HistoryCollector::note_cut(const probed::SetUp& told, const PrimitiveNote& 
             continue;
         const std::vector<double> weights = primitive.weights(pixel.x, pixel.y);
         if (weights.empty() || std::ranges::min(weights) < 0) continue;
-        const auto reached = watches_at(told.registers->targets, pixel.x, pixel.y, origin.step);
-        if (std::ranges::find(reached, i) == reached.end()) continue;
-        history(watches_[i])
-            .events.push_back({.kind = PixelEvent::Kind::Scissor,
-                               .step = origin.step,
-                               .place = watches_[i].place,
-                               .call = call_of(told.draw, told.primitive->key),
-                               .draw = told.draw,
-                               .primitive = told.primitive->key});
+        note_unmade(PixelEvent::Kind::Scissor, told, i);
     }
+}
+
+void HistoryCollector::note_stippled_out(const probed::SetUp& told) {
+    for (std::size_t i = 0; i < watches_.size(); ++i) {
+        const SurfacePixel& pixel = place(watches_[i]).color;
+        const int x = static_cast<int>(pixel.x), y = static_cast<int>(pixel.y);
+        if (is_stippled_out(*told.record, *told.registers, x, y))
+            note_unmade(PixelEvent::Kind::Stipple, told, i);
+    }
+}
+
+// A primitive covers the watched pixel's place in the window, but makes no fragment there.
+void HistoryCollector::note_unmade(PixelEvent::Kind why,
+                                   const probed::SetUp& told,
+                                   std::size_t watch) {
+    const DrawOrigin origin = draws_.at(told.draw);
+    const SurfacePixel& pixel = place(watches_[watch]).color;
+    const auto reached = watches_at(told.registers->targets, pixel.x, pixel.y, origin.step);
+    if (std::ranges::find(reached, watch) == reached.end()) return;
+    history(watches_[watch])
+        .events.push_back({.kind = why,
+                           .step = origin.step,
+                           .place = watches_[watch].place,
+                           .call = call_of(told.draw, told.primitive->key),
+                           .draw = told.draw,
+                           .primitive = told.primitive->key});
 }
 
 void HistoryCollector::coverage(const probed::Batch& batch, const probed::Coverage& told) {

@@ -76,6 +76,8 @@ private:
     note_of(const probed::Batch& batch, const probed::Coverage& told, unsigned lane);
     void note_image(const probed::Batch& batch, unsigned lane, FragmentNote& note) const;
     void note_cut(const probed::SetUp& told, const PrimitiveNote& primitive);
+    void note_stippled_out(const probed::SetUp& told);
+    void note_unmade(PixelEvent::Kind why, const probed::SetUp& told, std::size_t watch);
     void end_fragment(Tracked& tracked);
     CallName call_of(std::uint32_t draw, std::uint32_t primitive) const;
 

@@ -39,12 +39,11 @@ Json event_json(const PixelEvent& event) {
         json["call"] = nullptr;
     else
         json["call"] = {{"number", event.call.number}, {"name", event.call.name}};
-    const bool of_draw =
-        event.kind == PixelEvent::Kind::Fragment || event.kind == PixelEvent::Kind::Scissor;
-    if (of_draw) json["draw"] = event.draw;
-    if (of_draw) json["primitive"] = event.primitive;
+    if (event.is_of_draw()) json["draw"] = event.draw;
+    if (event.is_of_draw()) json["primitive"] = event.primitive;
     if (event.kind == PixelEvent::Kind::Clear) json["clear"] = clear_json(event.clear);
     if (event.kind == PixelEvent::Kind::Copy) json["from"] = pixel_json(event.source);
+    if (event.pictures > 1) json["pictures"] = event.pictures;
     if (event.outside_scissor) json["outside_scissor"] = true;
     if (event.fragment) add_fragment_json(*event.fragment, json);
     if (event.depth_after) json["depth_after"] = *event.depth_after;
@@ -64,6 +63,7 @@ Json history_json(const PixelHistory& history) {
     for (std::size_t i = 0; i < history.places.size(); ++i) {
         Json place = pixel_json(history.places[i].color);
         place["before"] = value_json(history.before[i]);
+        if (history.places[i].pictures > 1) place["picture"] = history.places[i].picture;
         json["places"].push_back(std::move(place));
     }
     json["events"] = Json::array();

@@ -23,6 +23,15 @@ std::string pixel_text(const SurfacePixel& pixel) {
                        pixel.surface.samples > 1 ? ", 4 samples" : "");
 }
 
+std::string place_text(const PixelHistory& history, std::size_t number) {
+    if (number == 0) return "place 0: ";
+    const PixelPlace& place = history.places[number];
+    const std::string picture =
+        place.pictures > 1 ? fmt::format(" as picture {} of {}", place.picture, place.pictures)
+                           : std::string();
+    return fmt::format("place {}, copied from{}: ", number, picture);
+}
+
 std::string clear_text(const PixelEvent& event) {
     const ClearCommand& clear = event.clear;
     std::string text;
@@ -47,11 +56,17 @@ std::string details(const PixelEvent& event) {
         return fragment_text(event);
     case PixelEvent::Kind::Scissor:
         return "   the triangle covers the pixel, which lies outside the scissor\n";
+    case PixelEvent::Kind::Stipple:
+        return "   the primitive covers the pixel, where the stipple pattern has a hole\n";
     case PixelEvent::Kind::Clear:
         return clear_text(event);
     case PixelEvent::Kind::StencilImage:
         return event.outside_scissor ? "   scissor: the pixel lies outside, and stays\n" : "";
     case PixelEvent::Kind::Copy:
+        if (event.pictures > 1)
+            return fmt::format("   the mean of {} pictures, the first of them {}\n",
+                               event.pictures,
+                               pixel_text(event.source));
         return fmt::format("   from {}\n", pixel_text(event.source));
     case PixelEvent::Kind::Upload:
         return "";
@@ -66,9 +81,8 @@ std::string event_text(const PixelHistory& history, std::size_t number) {
     if (history.places.size() > 1) text += fmt::format(", place {}", event.place);
     if (!event.call.name.empty())
         text += fmt::format(", call {} {}", event.call.number, event.call.name);
-    const bool of_draw =
-        event.kind == PixelEvent::Kind::Fragment || event.kind == PixelEvent::Kind::Scissor;
-    if (of_draw) text += fmt::format(", draw {}, primitive {}", event.draw, event.primitive);
+    if (event.is_of_draw())
+        text += fmt::format(", draw {}, primitive {}", event.draw, event.primitive);
     if (event.fragment)
         text +=
             fmt::format(", piece {}, sequence {:#x}", event.piece, event.fragment->key.sequence);
@@ -89,7 +103,7 @@ std::string history_text(const PixelHistory& history) {
                                    color_text(history.value));
     for (std::size_t i = 0; i < history.places.size(); ++i)
         text += fmt::format("{}{}; before the frame {}\n",
-                            i == 0 ? "place 0: " : fmt::format("place {}, copied from: ", i),
+                            place_text(history, i),
                             pixel_text(history.places[i].color),
                             value_text(history.before[i]));
     if (!history.from_trace) text += "a device capture: the GL calls are not in it\n";

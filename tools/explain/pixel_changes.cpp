@@ -63,6 +63,13 @@ stencil_image(const DrawImageCommand& image, const Registers& registers, const P
                       .outside_scissor = !holds(registers.scissor, place.color)};
 }
 
+std::optional<PixelEvent> copy(const CopyRectangleCommand& command, const PixelPlace& place) {
+    const auto from = copied_from(command, place.color.address());
+    if (!from) return std::nullopt;
+    return PixelEvent{
+        .kind = PixelEvent::Kind::Copy, .source = *from, .pictures = command.pictures};
+}
+
 } // namespace
 
 std::optional<PixelEvent>
@@ -75,9 +82,7 @@ change_of(const TapeStep& step, const Registers& registers, const PixelPlace& pl
     case Opcode::DrawImage:
         return stencil_image(step.as<DrawImageCommand>(), registers, place);
     case Opcode::CopyRectangle:
-        if (const auto from = copied_from(step.as<CopyRectangleCommand>(), place.color.address()))
-            return PixelEvent{.kind = PixelEvent::Kind::Copy, .source = *from};
-        return std::nullopt;
+        return copy(step.as<CopyRectangleCommand>(), place);
     default:
         return std::nullopt;
     }

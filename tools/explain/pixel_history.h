@@ -32,7 +32,7 @@ struct PrimitiveNote {
 
 struct ProbeNote {
     probed::Probe probe;
-    std::vector<probed::LevelFilter> levels; // 1 or 2
+    std::vector<probed::LevelFilter> levels; // of a wide filter all of its accesses
 };
 
 struct TextureNote {
@@ -81,8 +81,17 @@ struct TexelLookup {
     bool missed = false;
     std::optional<std::uint64_t> cycle{}; // none: the quad asked no cache
 };
+// Of the depth or the colour cache: a line of the targets that the quad asked for.
+struct TargetLookup {
+    enum class Cache : std::uint8_t { Depth, Color };
+    Cache cache = Cache::Depth;
+    std::uint64_t line = 0;
+    bool missed = false;
+    std::uint64_t cycle = 0;
+};
 struct TimingNote {
     std::vector<TexelLookup> lookups;
+    std::vector<TargetLookup> targets;    // in the order of the cycles
     std::optional<std::uint64_t> retired; // its quad's last cycle
 };
 
@@ -131,7 +140,8 @@ struct PixelValue {
 struct PixelEvent {
     enum class Kind : std::uint8_t {
         Fragment,
-        Scissor, // A primitive would have covered the pixel, but for the scissor.
+        Scissor, // A primitive would have covered the pixel, but for the scissor,
+        Stipple, // or the stipple pattern.
         Clear,
         StencilImage,
         Copy,   // to the pixel
@@ -142,17 +152,28 @@ struct PixelEvent {
     std::size_t step = 0;  // of the tape
     std::size_t place = 0; // of the history
     CallName call{};
-    std::uint32_t draw = 0, primitive = 0, piece = 0; // Fragment, Scissor
+    std::uint32_t draw = 0, primitive = 0, piece = 0; // Fragment, Scissor, Stipple
     std::shared_ptr<FragmentNote> fragment{};         // Fragment
     ClearCommand clear{};
     bool outside_scissor = false; // Clear, StencilImage: it leaves the pixel alone.
     SurfacePixel source{};        // Copy
+    unsigned pictures = 1;        // Copy: the mean of so many, of which `source` is the first
     PixelValue after{};
+
+    // A primitive's: of a fragment, or of none.
+    bool is_of_draw() const {
+        return kind == Kind::Fragment || kind == Kind::Scissor || kind == Kind::Stipple;
+    }
     // Of the first depth target that goes with the place, behind a clear or a stencil image.
     std::optional<std::uint32_t> depth_after{}, stencil_after{};
 };
-constexpr std::array<std::string_view, 6> EventNames{
-    "fragment", "cut by the scissor", "clear", "stencil image", "copy", "upload"};
+constexpr std::array<std::string_view, 7> EventNames{"fragment",
+                                                     "cut by the scissor",
+                                                     "taken out by the stipple",
+                                                     "clear",
+                                                     "stencil image",
+                                                     "copy",
+                                                     "upload"};
 
 struct PixelHistory {
     std::uint64_t frame = 0;

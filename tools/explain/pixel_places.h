@@ -1,6 +1,6 @@
 // PixelPlaces: where in device memory a pixel's history happens. A picture's pixel lies in a
-// surface; what a copy brought there was drawn at another place before (the back buffer's, or the
-// samples of a multisampled one).
+// surface; what a copy brought there was drawn at another place before (the back buffer's, the
+// samples of a multisampled one, or the pictures that a supersampled one is the mean of).
 
 #pragma once
 
@@ -29,7 +29,8 @@ struct SurfacePixel {
 // The pixel of `surface` whose first sample lies at `address`.
 std::optional<SurfacePixel> pixel_at(const Surface& surface, std::uint64_t address);
 
-// Where the copy reads what it writes to the pixel at `address`; nothing: it does not write it.
+// Where the copy reads what it writes to the pixel at `address`, of several pictures in the first;
+// nothing: it does not write it.
 std::optional<SurfacePixel> copied_from(const CopyRectangleCommand& copy, std::uint64_t address);
 
 struct PixelPlace {
@@ -37,6 +38,7 @@ struct PixelPlace {
     std::size_t until = 0; // The steps before this one count; it copied the pixel away, or is the
                            // frame's end.
     std::vector<SurfacePixel> depths{}; // that were drawn to together with the colour
+    unsigned picture = 0, pictures = 1; // of those whose mean was copied
 };
 
 // What of a frame tells where pixels come from.
@@ -44,7 +46,7 @@ class PixelSources {
 public:
     explicit PixelSources(const FrameTape& tape);
 
-    // The picture's pixel first; each of the others was copied to the one before it.
+    // The picture's pixel first; each of the others was copied to one before it.
     std::vector<PixelPlace> places(const SurfacePixel& pixel) const;
 
 private:

@@ -44,7 +44,7 @@ MemoryTrace::MemoryTrace(std::unique_ptr<MemoryFormat> format,
     writer_.push(1, [this] { format_->begin(out_); });
 }
 
-void MemoryTrace::texel_line(const timing::QuadName& quad, const timing::TexelLine& line) {
+void MemoryTrace::texel_line(const timing::QuadName& quad, const timing::CacheLine& line) {
     if (line.missed) askers_.emplace(work::line_source(line.number, line_bytes_).address, quad);
 }
 

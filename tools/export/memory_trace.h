@@ -54,7 +54,7 @@ public:
 
     void sent(const timing::MemoryRequest& request, std::uint64_t cycle) override;
     void done(const timing::MemoryRequest& request, std::uint64_t cycle) override;
-    void texel_line(const timing::QuadName& quad, const timing::TexelLine& line) override;
+    void texel_line(const timing::QuadName& quad, const timing::CacheLine& line) override;
 
     // A frame has ended, and the machine stands still. Throws what went wrong with writing.
     void end_frame();

@@ -20,6 +20,7 @@ public:
                    .keep_last_frame = options.keep_last,
                    .samples = options.samples,
                    .swap = options.swap,
+                   .panel = options.panel,
                    .on_call = pass_on(options)}) {}
 
     std::optional<Frame> next() override {
@@ -77,6 +78,11 @@ private:
 
 } // namespace
 
+void check_samples(unsigned samples, const gl::ControlPanel& panel) {
+    if (samples > 1 && panel.supersampling > 1)
+        throw InputError("--samples and gpu.supersampling: a window has one or the other");
+}
+
 std::unique_ptr<FrameSource>
 open_frame_source(const std::string& path, Device& device, const FrameSourceOptions& options) {
     const bool is_capture = capture::CaptureReader::is_capture(path);
@@ -85,7 +91,11 @@ open_frame_source(const std::string& path, Device& device, const FrameSourceOpti
                                 "traces");
     if (is_capture && options.swap != gl::SwapMode::Copy)
         throw InputError(path + ": is a capture, whose swaps are in it: --swap is for traces");
+    if (is_capture && !(options.panel == gl::ControlPanel{}))
+        throw InputError(path + ": is a capture, which no driver draws: gpu.texture_filter and "
+                                "gpu.supersampling are for traces");
     if (is_capture) return std::make_unique<CaptureSource>(path, device);
+    check_samples(options.samples, options.panel);
     return std::make_unique<TraceSource>(path, device, options);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "driver/framebuffer/drawable.h"
+#include "driver/objects/control_panel.h"
 #include "model/device/device.h"
 #include "tools/frames/frame.h"
 
@@ -42,9 +43,13 @@ struct FrameSourceOptions {
     bool keep_last = false;     // repeat_last() will be called.
     unsigned samples = 1;       // of a pixel of a trace's windows
     gl::SwapMode swap = gl::SwapMode::Copy;
+    gl::ControlPanel panel{}; // of the driver that a trace is played on
     // Before each call of a trace is played.
     std::function<void(std::uint64_t number, std::string_view name)> on_call{};
 };
+
+// Throws InputError where windows cannot be so.
+void check_samples(unsigned samples, const gl::ControlPanel& panel);
 
 // Tells by its first bytes what the file is. Throws InputError.
 std::unique_ptr<FrameSource>

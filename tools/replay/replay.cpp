@@ -26,6 +26,7 @@ public:
                                      .keep_last = options.benchmark > 0,
                                      .samples = options.samples,
                                      .swap = options.swap,
+                                     .panel = options.configuration.gpu.panel(),
                                      .on_call = call_listener()})) {
         if (source_->has_calls()) recording_.set_calls(&calls_);
     }

@@ -36,7 +36,8 @@ public:
         , assembler_(sink)
         , gpu_(gpu_config(options.gpu))
         , thread_(assembler_)
-        , source_(open_frame_source(options.input, gpu_, {.warn = options.warn})) {}
+        , source_(open_frame_source(
+              options.input, gpu_, {.warn = options.warn, .panel = options.gpu.panel()})) {}
 
     void run() {
         try {
@@ -99,6 +100,7 @@ private:
 void play_file(const WorkPlayOptions& options, work::CommandSink& sink, const OnFrame& on_frame) {
     if (!(options.frames == FrameRange{}))
         throw InputError("--frames: a work file is played whole: " + options.input);
+    if (options.gpu.forces()) options.warn(forces_nothing(options.input));
     work::WorkFileReader file(options.input);
     Progress progress(std::nullopt);
     file.play(sink, [&](const work::FrameFigures& figures) {
@@ -108,6 +110,11 @@ void play_file(const WorkPlayOptions& options, work::CommandSink& sink, const On
 }
 
 } // namespace
+
+std::string forces_nothing(const std::string& path) {
+    return path + ": is work that was drawn: gpu.texture_filter and gpu.supersampling decide "
+                  "nothing any more";
+}
 
 bool is_work_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary);

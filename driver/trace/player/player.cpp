@@ -56,7 +56,7 @@ const char* error_name(GLenum error) {
 TracePlayer::TracePlayer(Device& device, TraceReader& trace, Options options)
     : trace_(trace)
     , options_(std::move(options))
-    , windows_(device, options_.samples, options_.swap) {}
+    , windows_(device, options_.samples, options_.swap, options_.panel) {}
 
 std::optional<ShownFrame> TracePlayer::play_frame() {
     if (options_.keep_last_frame) return play_kept_frame();

@@ -41,6 +41,8 @@ public:
         unsigned samples = 1;
         // What a swap does to a window's back buffer.
         gl::SwapMode swap = gl::SwapMode::Copy;
+        // Of the driver; its supersampling goes with one sample a pixel.
+        gl::ControlPanel panel{};
         // Is told of each call before it is played; null: nobody is.
         std::function<void(const Call& call)> on_call{};
     };

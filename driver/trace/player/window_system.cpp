@@ -13,10 +13,15 @@ constexpr unsigned FirstSize = 1;
 
 } // namespace
 
-WindowSystem::WindowSystem(Device& device, unsigned samples, gl::SwapMode swap)
+WindowSystem::WindowSystem(Device& device,
+                           unsigned samples,
+                           gl::SwapMode swap,
+                           const gl::ControlPanel& panel)
     : device_(device)
-    , format_{.samples = static_cast<std::uint8_t>(samples)}
+    , format_{.samples = static_cast<std::uint8_t>(samples),
+              .supersampling = static_cast<std::uint8_t>(panel.supersampling)}
     , swap_(swap)
+    , panel_(panel)
     , memory_(std::make_shared<gl::MemoryAllocator>(0, device.memory_size())) {}
 
 WindowSystem::~WindowSystem() {
@@ -31,7 +36,7 @@ void WindowSystem::create_context(Handle handle, Handle share) {
     const auto shared = groups_.find(share);
     auto group = share != 0 && shared != groups_.end()
                      ? shared->second
-                     : std::make_shared<gl::SharedObjects>(memory_);
+                     : std::make_shared<gl::SharedObjects>(memory_, panel_);
     contexts_[handle] = std::make_unique<gl::Context>(device_, group);
     groups_[handle] = std::move(group);
 }

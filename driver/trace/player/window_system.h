@@ -25,7 +25,10 @@ namespace ffgpu::trace {
 class WindowSystem {
 public:
     // `samples`: of a pixel of every window.
-    WindowSystem(Device& device, unsigned samples, gl::SwapMode swap);
+    WindowSystem(Device& device,
+                 unsigned samples,
+                 gl::SwapMode swap,
+                 const gl::ControlPanel& panel);
     ~WindowSystem();
 
     // What carries out the calls of that name; null where there is none.
@@ -100,6 +103,7 @@ private:
     Device& device_;
     const gl::PixelFormat format_; // of every window
     const gl::SwapMode swap_;
+    const gl::ControlPanel panel_;
     std::shared_ptr<gl::MemoryAllocator> memory_;
     std::map<Handle, std::shared_ptr<gl::SharedObjects>> groups_; // by context
     std::map<Handle, std::unique_ptr<gl::Context>> contexts_;

@@ -1,5 +1,6 @@
 #include "driver/window_system/binding/formats.h"
 
+#include "driver/window_system/process_gpu.h"
 #include "model/device/layout/limits.h"
 
 #include <cstdlib>
@@ -21,6 +22,7 @@ bool forces_samples() {
 static_assert(MaxSamples == 4);
 
 void add_formats(std::vector<PixelFormat>& formats, bool accumulation, unsigned samples) {
+    const std::uint32_t pictures = samples == 1 ? ProcessGpu::control_panel().supersampling : 1;
     for (const bool alpha : {true, false})
         for (const DepthStencil bits : DepthStencils)
             for (const bool double_buffer : {true, false})
@@ -29,7 +31,8 @@ void add_formats(std::vector<PixelFormat>& formats, bool accumulation, unsigned 
                                    .depth_bits = bits.depth,
                                    .stencil_bits = bits.stencil,
                                    .accumulation = accumulation,
-                                   .samples = static_cast<std::uint8_t>(samples)});
+                                   .samples = static_cast<std::uint8_t>(samples),
+                                   .supersampling = static_cast<std::uint8_t>(pictures)});
 }
 
 } // namespace

@@ -13,8 +13,7 @@ namespace ffgpu::gl {
 struct RenderContext {
     // `share`: null, or the context to share objects with.
     explicit RenderContext(const RenderContext* share)
-        : shared(share ? share->shared
-                       : std::make_shared<SharedObjects>(ProcessGpu::instance().memory()))
+        : shared(share ? share->shared : ProcessGpu::instance().make_shared_objects())
         , context(ProcessGpu::instance().device(), shared) {}
 
     std::shared_ptr<SharedObjects> shared;

@@ -121,9 +121,10 @@ OSMesaContext create(GLenum format,
                            .alpha = channel_order(format).a >= 0,
                            .depth_bits = static_cast<std::uint8_t>(depth),
                            .stencil_bits = static_cast<std::uint8_t>(stencil ? 8 : 0),
-                           .accumulation = accumulation_bits > 0},
-                .shared = share ? share->context->shared()
-                                : std::make_shared<ffgpu::gl::SharedObjects>(gpu.memory())});
+                           .accumulation = accumulation_bits > 0,
+                           .supersampling =
+                               static_cast<std::uint8_t>(gpu.control_panel().supersampling)},
+                .shared = share ? share->context->shared() : gpu.make_shared_objects()});
         made->context->context().on_flush = [context = made.get()] { present(*context); };
         return made.release();
     } catch (const std::bad_alloc&) {

@@ -17,6 +17,7 @@ constexpr unsigned MaxImageSize = 0x7fffffff; // Width and height of an image dr
 constexpr unsigned SubPixelBits = 8;          // Vertices snap to 1/256 pixel.
 constexpr unsigned ColorTargets = 8;          // Colour surfaces that a draw writes at once.
 constexpr unsigned MaxSamples = 4;            // Of a pixel in a multisampled surface.
+constexpr unsigned MaxPictures = 16;          // That a copy averages.
 
 // Window coordinates after clipping lie within this many pixels of the origin, so that an edge
 // function's step fits 24 bits (see model/raster).

@@ -65,6 +65,7 @@ enum class TextureFilter : std::uint8_t {
     RipMap,     // the image is a rip-map
     SummedArea, // the image is a summed-area table
     Elliptic,   // where it minifies; else Standard
+    Feline,     // the same
 };
 
 // Level of detail values are signed, with 8 fraction bits.

@@ -3,9 +3,14 @@
 #include "driver/window_system/offscreen/osmesa.h"
 #include "model/base/check.h"
 
+#include <cstdlib>
+#include <string>
+
 namespace ffgpu::gallery {
 
 Picture draw_offscreen(const Program& program, bool broken) {
+    // What `ffgpu run --set gpu.supersampling=N` tells the library.
+    ::setenv("FFGPU_SUPERSAMPLING", std::to_string(program.supersampling).c_str(), 1);
     const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 16, nullptr);
     check(context, "an off-screen context");
     constexpr std::size_t Pixels = std::size_t{WindowWidth} * WindowHeight;

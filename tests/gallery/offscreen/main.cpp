@@ -1,6 +1,7 @@
 // gallery_offscreen: draws the gallery off-screen on ffgpu and compares it with the oracles.
-//   --list                 a line a program: row, name, title, formula, tolerance, mutation, by
-//   tabs NAME... -o DIR         DIR/NAME.ppm, DIR/NAME_oracle.ppm; a line of measured errors each
+//   --list                 a line a program: row, name, title, formula, reason, mutation, reach,
+//                          tolerances, supersampling, by tabs
+//   NAME... -o DIR         DIR/NAME.ppm, DIR/NAME_oracle.ppm; a line of measured errors each
 //   --break                the broken programs instead
 //   --compare NAME A.ppm   another picture of the same program against its oracle
 
@@ -62,7 +63,11 @@ void list(const std::vector<Program>& some) {
                                             claim.reason,
                                             claim.mutation})
             print(text, '\t');
-        std::printf("%g\t%g\t%g\n", claim.reach, claim.worst_allowed, claim.rms_allowed);
+        std::printf("%g\t%g\t%g\t%u\n",
+                    claim.reach,
+                    claim.worst_allowed,
+                    claim.rms_allowed,
+                    program.supersampling);
     }
 }
 

@@ -14,6 +14,7 @@ struct Program {
     std::string_view name;  // of the function, and of the file programs/<name>.cpp
     std::string_view title; // what a reader calls it
     void (*draw)(const Scene&);
+    unsigned supersampling = 1; // that is forced on its window where it is drawn on ffgpu
 };
 
 const std::vector<Program>& programs();
