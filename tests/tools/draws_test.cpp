@@ -17,6 +17,7 @@
 namespace ffgpu::tools {
 namespace {
 
+using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 using Line = std::map<std::string, std::string>; // by the column's name
 
@@ -179,6 +180,18 @@ TEST_CASE("--draws leaves the others out, and their numbers as they are") {
           std::pair(std::size_t{TwoSquares::First}, std::size_t{TwoSquares::Second}));
     CHECK(replay("2-") == std::pair(std::size_t{0}, std::size_t{0}));
     CHECK(run({"replay", file.path(), "-o", folder / "x", "--draws", "1-0"}) == 2);
+    const auto told = [&](const std::string& option, const std::string& value) {
+        return printed(stderr, [&] {
+            run({"replay", file.path(), "-o", folder / "x", option, value});
+        });
+    };
+    CHECK_THAT(told("--draws", "2-"),
+               Contains("the last draw is 1: none of those wanted is there"));
+    CHECK_THAT(told("--draws", "1-2"), Contains("the last draw is 1\n"));
+    CHECK_THAT(told("--draws", "0-1"), !Contains("last draw"));
+    CHECK_THAT(told("--draws", "1-"), !Contains("last draw"));
+    CHECK_THAT(told("--steps", "3"), Contains("no frame has more than 2 draws"));
+    CHECK_THAT(told("--steps", "2"), !Contains("no frame"));
 }
 
 } // namespace

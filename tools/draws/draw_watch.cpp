@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace ffgpu::tools {
 namespace {
 
@@ -41,6 +43,16 @@ void DrawWatch::draw(const CommandReader& reader) {
     if (!listener_.behind) return;
     flush();
     listener_.behind(draw.number, registers_.values().targets);
+}
+
+std::string DrawWatch::missing_draws() const {
+    const bool to_the_end = range_.last == FrameRange{}.last;
+    if (range_.first < next_ && (to_the_end || range_.last < next_)) return {};
+    if (to_the_end && range_.first == 0) return {};
+    if (next_ == 0) return "--draws: there are no draws";
+    return fmt::format("--draws: the last draw is {}{}",
+                       next_ - 1,
+                       range_.first < next_ ? "" : ": none of those wanted is there");
 }
 
 void DrawWatch::flush() {

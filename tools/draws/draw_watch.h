@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace ffgpu::tools {
@@ -34,6 +35,9 @@ public:
 
     // The device's next draw has that number.
     void number_from(std::uint32_t draw) { next_ = draw; }
+
+    // A line that tells which draws came, if the range has others; else nothing.
+    std::string missing_draws() const;
 
     std::uint64_t memory_size() const override { return device_.memory_size(); }
     void write_memory(DeviceAddress at, std::span<const std::byte> bytes) override {

@@ -68,7 +68,9 @@ void Recording::draw_comes(const WatchedDraw& draw) {
 }
 
 void Recording::draw_done(std::uint32_t draw, const Targets& targets) {
-    if (!measuring_ || ++draws_in_frame_ % options_.steps != 0) return;
+    if (!measuring_) return;
+    most_draws_ = std::max(most_draws_, ++draws_in_frame_);
+    if (draws_in_frame_ % options_.steps != 0) return;
     gpu_.hide_from_work(true);
     images_.add(folder_.picture(fmt::format("frame_{:04}_draw", frame_), draw),
                 read_surface(gpu_, targets.color[0]));
@@ -189,7 +191,18 @@ void Recording::finish() {
         if (!options_.output.empty()) pipeline_.write_series(options_.output);
     });
     if (first_failure) std::rethrow_exception(first_failure);
+    tell_what_is_missing();
+}
+
+void Recording::tell_what_is_missing() const {
     if (const std::string older = folder_.older_pictures(); !older.empty()) options_.warn(older);
+    if (!watch_) return;
+    if (const std::string line = watch_->missing_draws(); !line.empty()) options_.warn(line);
+    if (options_.steps > most_draws_)
+        options_.warn(
+            fmt::format("--steps {}: no frame has more than {} draws: there is no picture of them",
+                        options_.steps,
+                        most_draws_));
 }
 
 } // namespace ffgpu::tools

@@ -83,6 +83,7 @@ private:
     void watch_draws(Device& device);
     void draw_comes(const WatchedDraw& draw);
     void draw_done(std::uint32_t draw, const Targets& targets);
+    void tell_what_is_missing() const;
     void write_heat_map(HeatMap map, const Frame& frame, const Image& picture);
 
     const RecordingOptions& options_;
@@ -100,8 +101,8 @@ private:
     std::optional<ViewDevice> views_;
     std::optional<DrawWatch> watch_;
     const CallLog* calls_ = nullptr;
-    std::uint64_t frame_ = 0; // under way
-    unsigned draws_in_frame_ = 0;
+    std::uint64_t frame_ = 0;                      // under way
+    unsigned draws_in_frame_ = 0, most_draws_ = 0; // counted where there are steps
     bool measuring_ = false;
 };
 

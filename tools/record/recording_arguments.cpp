@@ -18,6 +18,7 @@ namespace ffgpu::tools {
 namespace {
 
 constexpr unsigned MaxHeatTile = 4096;
+constexpr unsigned MaxSteps = 1'000'000;
 
 // The names of the file's members, each with the argument.
 template <class Arguments, class Visitor>
@@ -65,7 +66,7 @@ void add_draw_options(CLI::App& verb, RecordingArguments& arguments) {
         ->type_name("A-B");
     verb.add_option("--steps", arguments.steps, "A picture behind each N-th draw of a frame")
         ->type_name("N")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1u, MaxSteps));
     verb.add_flag("--per-draw", arguments.draw_table, "draws.csv: a line a draw, clear and copy");
 }
 
