@@ -5,15 +5,22 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <initializer_list>
 #include <iostream>
 #include <map>
+#include <sstream>
+#include <string>
 #include <string_view>
 
 #include <catch2/catch.hpp>
 
 namespace ffgpu::gallery {
 namespace {
+
+namespace fs = std::filesystem;
 
 const Program& program(std::string_view row) {
     for (const Program& each : programs()) {
@@ -101,6 +108,38 @@ TEST_CASE("the better the filter, the nearer to the area average") {
     for (const auto name :
          {"filter_rip_map", "filter_summed_area", "filter_elliptic", "filter_feline"})
         fall({"filter_trilinear", name});
+}
+
+// As golden_frames.tsv has it: of the RGB bytes, the top row first, 64-bit FNV-1a.
+std::uint64_t hash_of(const Picture& picture) {
+    constexpr std::size_t Row = std::size_t{3} * WindowWidth;
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (std::size_t row = WindowHeight; row-- > 0;)
+        for (std::size_t i = 0; i < Row; ++i)
+            hash = (hash ^ picture[row * Row + i]) * 0x100000001b3;
+    return hash;
+}
+
+TEST_CASE("the picture that the trace of a program has to show is the one that it draws") {
+    std::map<std::string, std::string> hashes; // of traces of one frame
+    std::ifstream file(FFGPU_SOURCE_DIR "/tests/system/golden_frames.tsv");
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream fields(line);
+        std::string trace, frame, width, height, hash;
+        if (fields >> trace >> frame >> width >> height >> hash && frame == "0")
+            hashes[trace] = hash;
+    }
+    std::size_t traces = 0;
+    for (const auto& entry : fs::directory_iterator(FFGPU_SOURCE_DIR "/traces/gallery")) {
+        const std::string name = entry.path().stem().string();
+        INFO(name);
+        const Program* const program = find_program(name);
+        REQUIRE(program);
+        const std::uint64_t drawn = hash_of(draw_offscreen(*program, false));
+        CHECK(drawn == std::stoull(hashes["gallery/" + name], nullptr, 16));
+        ++traces;
+    }
+    CHECK(traces > 0);
 }
 
 // Pixels that differ between two panels of a grid.

@@ -65,6 +65,10 @@ std::map<std::string, std::string> traces() {
     std::map<std::string, std::string> paths;
     for (const std::string& name : own_traces())
         paths[name] = own_trace(name);
+    std::vector<std::string> single = gallery_traces();
+    single.emplace_back("tour");
+    for (const std::string& name : single)
+        paths[name] = own_trace(name);
     for (const std::string& name : workload_traces())
         paths["workloads/" + name] = workload_trace(name);
     return paths;

@@ -92,6 +92,14 @@ void add(Counters& to, const std::vector<const StatisticsGroup*>& groups) {
             to[std::string(counter.name())] = counter.value();
 }
 
+std::vector<std::string> traces_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".trace") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
 class NullSink : public WorkSink {
 public:
     void bin(std::shared_ptr<const WorkBin>) override {}
@@ -160,6 +168,13 @@ std::vector<std::string> own_traces() {
     return {"chrome", "corridor", "light_maps"};
 }
 
+std::vector<std::string> gallery_traces() {
+    std::vector<std::string> names = traces_in(FFGPU_SOURCE_DIR "/traces/gallery");
+    for (std::string& name : names)
+        name = "gallery/" + name;
+    return names;
+}
+
 std::string own_trace(const std::string& name) {
     return FFGPU_SOURCE_DIR "/traces/" + name + ".trace";
 }
@@ -175,11 +190,7 @@ std::vector<std::string> workload_traces() {
         WARN("skipped: traces of real programs are not in " << folder.string());
         return {};
     }
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path().extension() == ".trace") names.push_back(entry.path().stem().string());
-    std::sort(names.begin(), names.end());
-    return names;
+    return traces_in(folder);
 }
 
 std::string workload_trace(const std::string& name) {

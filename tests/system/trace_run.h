@@ -60,8 +60,9 @@ struct Run {
 
 Run run_trace(const std::string& path, const RunOptions& options);
 
-// The project's own traces, by name.
+// The project's own traces, by name, and those of the gallery's programs, as "gallery/noise".
 std::vector<std::string> own_traces();
+std::vector<std::string> gallery_traces();
 std::string own_trace(const std::string& name);
 
 // Traces of real programs: FFGPU_WORKLOADS, or beside the source tree; may not exist.
