@@ -3,6 +3,7 @@
 #include "model/base/input_error.h"
 #include "model/timing/machine_stuck.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/sweep_command.h"
 #include "tools/config/nearest_name.h"
 #include "tools/config/settings_option.h"
 
@@ -89,6 +90,7 @@ int run_command_line(int count, const char* const* arguments, const char* versio
     add_completion_command(application, run);
     add_manual_command(application, run);
     add_presets_command(application, run);
+    add_sweep_command(application, run, version);
     try {
         if (count > 1) check_verb(application, arguments[1]);
         parse(application, count, arguments);

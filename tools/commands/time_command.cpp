@@ -1,3 +1,4 @@
+#include "model/base/input_error.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/warn.h"
 #include "tools/config/config_file.h"
@@ -24,14 +25,17 @@ void add_time_command(CLI::App& application, Run& run) {
         "time", "Runs the timing model on work that replay or run kept with --save-work");
     verb->add_option("work", arguments->time.input, "A work file (.ffw)")->required();
     verb->add_option("-o,--output", arguments->time.output, "Folder for stats.json")
-        ->type_name("DIR")
-        ->required();
+        ->type_name("DIR");
+    verb->add_option("--totals", arguments->time.totals, "Only the sums over all frames, as JSON")
+        ->type_name("FILE");
     verb->add_option("--config", arguments->config, "Parameters; ffgpu config prints them")
         ->type_name("F.toml|preset:NAME");
     add_settings_option(*verb, arguments->settings);
     verb->footer("Example: ffgpu time corridor.ffw -o out/two_ways --set texel_cache.ways=2");
     verb->callback([arguments, &run] {
         run = [arguments] {
+            if (arguments->time.output.empty() && arguments->time.totals.empty())
+                throw InputError("time: nothing to do: expected -o DIR or --totals FILE");
             Configuration& configuration = arguments->time.configuration;
             if (!arguments->config.empty()) read_config_file(arguments->config, configuration);
             for (const std::string& setting : arguments->settings)

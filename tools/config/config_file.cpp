@@ -1,6 +1,7 @@
 #include "tools/config/config_file.h"
 
 #include "model/base/input_error.h"
+#include "tools/config/config_text.h"
 #include "tools/config/nearest_name.h"
 #include "tools/config/preset.h"
 
@@ -189,8 +190,23 @@ void read_config_file(const std::string& path, Configuration& configuration) {
     apply(parse(text, path), path, configuration);
 }
 
+void apply_text(const std::string& text, const std::string& source, Configuration& configuration) {
+    apply(parse(text, source), source, configuration);
+}
+
 void apply_setting(const std::string& setting, Configuration& configuration) {
-    apply(parse(quote_choice(setting), "--set"), "--set", configuration);
+    apply_text(quote_choice(setting), "--set", configuration);
+}
+
+std::map<std::string, std::string> parameter_values(const Configuration& configuration) {
+    std::map<std::string, std::string> values;
+    Configuration::visit(configuration, [&](std::string_view group_name, const auto& group) {
+        std::remove_cvref_t<decltype(group)>::visit(
+            group, [&](std::string_view name, const auto& field, const ParameterInfo& info) {
+                values[fmt::format("{}.{}", group_name, name)] = written(field, info);
+            });
+    });
+    return values;
 }
 
 std::string to_toml(const Configuration& configuration) {

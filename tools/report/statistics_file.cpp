@@ -26,6 +26,18 @@ void write_statistics_file(const StatisticsReport& report, const std::string& fo
     file.commit();
 }
 
+void write_totals_file(const StatisticsReport& report, const std::string& path, bool is_stuck) {
+    if (path.empty()) return;
+    std::string text;
+    report.write([&text](std::string_view piece) {
+        if (text.empty()) text = piece;
+    });
+    WholeFile file(path);
+    file.write(is_stuck ? "{\n \"stuck\": true," : "{");
+    file.write(text.substr(1) + "\n}\n");
+    file.commit();
+}
+
 void remove_statistics_file(const std::string& folder) {
     std::error_code ignored;
     std::filesystem::remove(path_in(folder), ignored);

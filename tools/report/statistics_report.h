@@ -31,7 +31,7 @@ public:
     // `timed` counts with timing only.
     void add(const work::FrameFigures& frame, const TimedFigures& timed);
 
-    // The whole file so far.
+    // The whole file so far; all but the frames, and the end, is the first piece.
     void write(const TextSink& out) const;
 
     // A few lines for people.

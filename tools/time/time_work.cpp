@@ -1,6 +1,7 @@
 #include "tools/time/time_work.h"
 
 #include "model/timing/gpu_timing.h"
+#include "model/timing/machine_stuck.h"
 #include "model/work/work_file_reader.h"
 #include "tools/frames/progress.h"
 #include "tools/report/frame_meter.h"
@@ -14,13 +15,14 @@ namespace ffgpu::tools {
 
 std::string time_work(const TimeOptions& options) {
     work::WorkFileReader file(options.input);
-    make_folder(options.output);
+    if (!options.output.empty()) make_folder(options.output);
     std::optional<SeriesFile> series; // The machine uses it.
     timing::GpuTiming timing(options.configuration.timing);
     StatisticsReport report(options.configuration, true);
     FrameMeter meter(report, &timing);
     if (options.configuration.timing.series.interval_cycles > 0) series.emplace(timing);
     const auto write = [&] {
+        if (options.output.empty()) return;
         write_statistics_file(report, options.output);
         if (series) series->write(options.output);
     };
@@ -30,11 +32,16 @@ std::string time_work(const TimeOptions& options) {
             meter.add(frame);
             progress.show(frame.number);
         });
+    } catch (const timing::MachineStuck&) {
+        write();
+        write_totals_file(report, options.totals, true);
+        throw;
     } catch (const std::runtime_error&) {
-        write(); // What is done stays.
+        write(); // What is done stays. They are no totals.
         throw;
     }
     write();
+    write_totals_file(report, options.totals, false);
     return report.summary();
 }
 

@@ -10,8 +10,9 @@ namespace ffgpu::tools {
 
 struct TimeOptions {
     std::string input;
-    std::string output; // a folder
+    std::string output; // a folder; empty: none
     Configuration configuration;
+    std::string totals = {}; // a file for the sums over all frames; empty: none
 };
 
 // Returns a summary for people. Throws InputError; what was finished before is written.

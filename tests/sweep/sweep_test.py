@@ -1,0 +1,187 @@
+"""ffgpu sweep on this machine: what its table says, what is killed and resumed, what is refused."""
+import os
+import pathlib
+import random
+import re
+import signal
+import subprocess
+import time
+import unittest
+
+from sweep_tools import FFGPU, FRAMES, POINTS, SOURCE, SPACE, TRACE, SweepCase, timed
+
+
+def unit_costs():
+    text = (SOURCE / "docs/rtl_cost.md").read_text()
+    return {unit: int(luts) for unit, luts in re.findall(r"^\| (\w+) \| (\d+) \|", text, re.M)}
+
+
+class TableTest(SweepCase):
+    def test_the_table_is_what_was_enumerated_by_hand_and_runs_one_by_one_give(self):
+        self.swept("out")
+        rows = self.rows("out")
+        keys = ["texel_cache.sets", "texel_cache.ways", "raster.quads_per_cycle",
+                "raster.traversal"]
+        self.assertEqual([tuple(row[key] for key in keys) for row in rows], POINTS)
+        work = self.folder / "work.ffw"
+        subprocess.run([FFGPU, "replay", TRACE, *FRAMES, "--save-work", work], check=True,
+                       stderr=subprocess.DEVNULL)
+        for row in rows:
+            totals = timed(work, [f"{key}={row[key]}" for key in keys])
+            self.assertEqual(int(row["cycles"]), totals["total_cycles"])
+            self.assertEqual(int(row["texel_cache_misses"]), totals["texel_cache_misses"])
+            traffic = sum(value for name, value in totals.items()
+                          if re.fullmatch(r"memory_[a-z_]+_(read|written)_bytes", name))
+            self.assertEqual(int(row["memory_bytes"]), traffic)
+            self.assertEqual(row["frames"], "1")
+
+    def test_costs_and_fronts_equal_their_definitions(self):
+        self.swept("out")
+        rows, luts = self.rows("out"), unit_costs()
+        # The first machine: 16 x 1 lines of 64 bytes, depth and colour caches of 64 x 4.
+        pipe = sum(luts.get(unit, 0) for unit in [
+            "apply_coverage", "depth_plane", "color_sum", "fog", "alpha_test", "stencil_depth",
+            "blend", "quad_interlock", "texture_environment"])
+        pipe += 9 * luts["attribute_plane"] + 4 * luts["reciprocal"]
+        pipe += 4 * luts["filter_tree"] + 16 * luts["texel_decode"]
+        bits = (16 + 2 * 64 * 4) * (64 * 8 + 32)
+        self.assertEqual(int(rows[0]["cost"]), pipe + luts["tile_walker"] + bits // 16)
+        for price, flag in [("memory_bytes", "best_by_bytes"), ("cost", "best_by_cost")]:
+            for row in rows:
+                own = (int(row["cycles"]), int(row[price]))
+                others = [(int(other["cycles"]), int(other[price])) for other in rows]
+                beaten = any(o != own and o[0] <= own[0] and o[1] <= own[1] for o in others)
+                self.assertEqual(row[flag], "0" if beaten else "1")
+        for kind in ["bytes", "cost"]:
+            svg = (self.folder / "out" / f"pareto_{kind}_corridor.svg").read_text()
+            self.assertEqual(svg.count("<circle"), len(POINTS))
+
+    def test_random_samples_are_of_their_seed_and_a_larger_space_makes_only_what_is_new(self):
+        space = ("[random]\nsamples = 3\nseed = {}\n"
+                 "axes.texel_cache.sets = {{ from = 1, to = 256, powers_of_two = true }}\n")
+        first = self.swept("out", space=space.format(1))
+        self.assertEqual(self.swept("again", space=space.format(1)), first)
+        self.assertNotEqual(self.swept("other", space=space.format(2)), first)
+        before = self.results("out")
+        self.swept("out", space=space.format(1).replace("samples = 3", "samples = 6"))
+        after = self.results("out")
+        self.assertGreater(len(after), len(before))
+        self.assertEqual({file: after[file] for file in before}, before)
+
+    def test_a_work_file_is_timed_as_it_is_and_two_traces_have_rows_of_their_own(self):
+        work = self.folder / "kept.ffw"
+        subprocess.run([FFGPU, "replay", TRACE, *FRAMES, "--save-work", work], check=True,
+                       stderr=subprocess.DEVNULL)
+        self.swept("out", traces=[work], frames=[])
+        self.assertEqual(list((self.folder / "out/work").iterdir()), [])
+        cycles = [row["cycles"] for row in self.rows("out")]
+        self.swept("both", traces=[TRACE, SOURCE / "traces/chrome.trace"])
+        self.assertEqual([row["cycles"] for row in self.rows("both")][:len(POINTS)], cycles)
+        self.assertEqual({row["trace"] for row in self.rows("both")}, {"corridor", "chrome"})
+
+
+def process_of(name, folder):
+    """Processes of this program that work in the folder."""
+    found = []
+    for entry in pathlib.Path("/proc").iterdir():
+        try:
+            words = (entry / "cmdline").read_bytes().split(b"\0")
+        except OSError:
+            continue
+        if len(words) > 1 and name in words[:2] and any(str(folder).encode() in w for w in words):
+            found.append(int(entry.name))
+    return found
+
+
+class KillTest(SweepCase):
+    def kill_and_resume(self, kind, moment):
+        output = "killed_%s_%d" % (kind, int(1e6 * moment))
+        sweep = subprocess.Popen(self.command(output), stderr=subprocess.DEVNULL)
+        time.sleep(moment)
+        victims = [sweep.pid]
+        if kind == "job":
+            victims = process_of(b"time", self.folder / output) or victims
+        for victim in victims:
+            os.kill(victim, signal.SIGKILL)
+        sweep.wait()
+        finished = self.results(output)
+        table = self.swept(output)
+        after = self.results(output)
+        # Jobs that were under way may have ended meanwhile; those that had are not made again.
+        self.assertEqual({file: after[file] for file in finished}, finished)
+        left = [file for file in (self.folder / output).rglob("*") if ".part" in file.name]
+        self.assertEqual(left, [])
+        return table
+
+    def test_killed_at_any_moment_and_run_again_the_table_is_that_of_one_run(self):
+        begin = time.monotonic()
+        whole = self.swept("whole")
+        duration = time.monotonic() - begin
+        choose = random.Random(int(os.environ.get("FFGPU_SWEEP_SEED", "10")))
+        for run in range(int(os.environ.get("FFGPU_SWEEP_KILLS", "3"))):
+            kind = ["sweep", "job"][run % 2]
+            moment = choose.uniform(0.1, 1) * duration
+            with self.subTest(kind=kind, moment=moment):
+                self.assertEqual(self.kill_and_resume(kind, moment), whole)
+
+    def test_a_finished_sweep_does_nothing_again(self):
+        table = self.swept("out")
+        before = self.results("out")
+        self.assertEqual(self.swept("out"), table)
+        self.assertEqual(self.results("out"), before)
+
+
+class RefusalTest(SweepCase):
+    def test_a_space_that_is_none_is_one_line_with_file_and_line(self):
+        for space, line, words in [
+                ("[grid]\ntexel_cache.ways = []\n", 2, ["texel_cache.ways", "no value"]),
+                ("[grid]\ntexel_cache.ways = { from = 4, to = 2 }\n", 2, ["no value"]),
+                ("[grid]\n\ntexel_cache.wais = [1]\n", 3, ["texel_cache.ways"]),
+                ("[grid]\ntexel_cache.ways = [1, 0]\n", 2, ["1 to 65536"]),
+                ("[grid]\ntexel_cache.ways = 4\n", 2, ["[1, 2, 4]"]),
+                ("[fixed]\ntexel_cache.ways = 1\n[grit]\na.b = [1]\n", 3, ["grit"]),
+                ("[random]\nsamples = 0\naxes.texel_cache.ways = [1]\n", 1, ["samples"]),
+                ("[grid\n", 1, [])]:
+            with self.subTest(space=space):
+                self.assert_refused(self.sweep("out", space=space), ".toml:%d:" % line, *words)
+        self.assert_refused(self.sweep("out", space=""), "no point")
+        self.assertFalse((self.folder / "out/results.csv").exists())
+
+    def test_a_work_file_of_a_newer_version_and_a_damaged_trace_lose_nothing(self):
+        table = self.swept("out")
+        before = self.results("out")
+        newer = self.folder / "newer.ffw"
+        newer.write_bytes(b"FFGPUWRK" + (99).to_bytes(4, "little") + bytes(64))
+        self.assert_refused(self.sweep("out", traces=[newer], frames=[]), "newer.ffw", "99")
+        damaged = self.folder / "damaged.trace"
+        damaged.write_bytes(TRACE.read_bytes()[:20000])
+        self.assert_refused(self.sweep("out", traces=[TRACE, damaged]), "damaged.trace",
+                            "results are missing")
+        self.assertEqual({file: self.results("out")[file] for file in before}, before)
+        self.assertEqual(self.swept("out"), table)
+
+    def test_a_full_disk_is_one_line_and_loses_nothing(self):
+        small = self.folder / "small"
+        small.mkdir()
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=400k", "tmpfs", small], check=False,
+                          stderr=subprocess.DEVNULL).returncode != 0:
+            self.skipTest("no file system of its own can be mounted here")
+        self.addCleanup(subprocess.run, ["umount", "-l", str(small)], check=False)
+        filler = small / "filler"
+        filler.write_bytes(bytes(250 << 10))
+        self.assert_refused(self.sweep("small/out"), "No space left on device")
+        finished = self.results("small/out")
+        filler.unlink()
+        self.assertEqual(self.swept("small/out"), self.swept("roomy"))
+        after = self.results("small/out")
+        self.assertEqual({file: after[file] for file in finished}, finished)
+
+    def test_another_versions_folder_is_refused(self):
+        self.swept("out")
+        plan = self.folder / "out/plan.json"
+        plan.write_text(plan.read_text().replace('"ffgpu": "', '"ffgpu": "9'))
+        self.assert_refused(self.sweep("out"), "another version")
+
+
+if __name__ == "__main__":
+    unittest.main()

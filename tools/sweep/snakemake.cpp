@@ -1,0 +1,168 @@
+#include "tools/sweep/snakemake.h"
+
+#include "model/base/input_error.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace ffgpu::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int NotThere = 127; // as a shell says it
+constexpr std::string_view Complaint = "ffgpu: ", FullDisk = "No space left on device";
+
+std::vector<std::string> command_line(const FlowOptions& options) {
+    const fs::path flow = find_flow_folder();
+    std::vector<std::string> words{"snakemake",
+                                   "--snakefile",
+                                   flow / "Snakefile",
+                                   "--directory",
+                                   options.folder,
+                                   "--keep-going",
+                                   "--keep-incomplete", // Files come to their names whole.
+                                   "--ignore-incomplete",
+                                   "--nolock", // The sweep has a lock of its own.
+                                   "--rerun-triggers",
+                                   "mtime",
+                                   "--drop-metadata",
+                                   "--nocolor"};
+    if (options.profile.empty()) {
+        words.insert(words.end(),
+                     {"--cores", options.cores == 0 ? "all" : std::to_string(options.cores)});
+    } else {
+        const fs::path own = flow / options.profile;
+        words.insert(
+            words.end(),
+            {"--profile", fs::exists(own / "config.yaml") ? own.string() : options.profile});
+    }
+    return words;
+}
+
+[[noreturn]] void become(const std::vector<std::string>& words, int output) {
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM); // A sweep that is killed takes Snakemake along.
+    ::dup2(output, STDOUT_FILENO);
+    ::dup2(output, STDERR_FILENO);
+    std::vector<char*> pointers;
+    for (const std::string& word : words)
+        pointers.push_back(const_cast<char*>(word.c_str()));
+    pointers.push_back(nullptr);
+    ::execvp(pointers[0], pointers.data());
+    ::_exit(NotThere);
+}
+
+class Listener {
+public:
+    explicit Listener(std::size_t jobs)
+        : jobs_(jobs)
+        , on_terminal_(::isatty(STDERR_FILENO) == 1) {}
+    ~Listener() {
+        if (on_terminal_) std::fputs("\r\033[K", stderr);
+    }
+    Listener(const Listener&) = delete;
+    Listener& operator=(const Listener&) = delete;
+
+    void hear(const std::string& line) {
+        const std::size_t at = line.find(Complaint);
+        if (at != std::string::npos && line.find("ffgpu: warning") == std::string::npos) {
+            const std::string complaint = line.substr(at + Complaint.size());
+            if (std::find(complaints.begin(), complaints.end(), complaint) == complaints.end())
+                complaints.push_back(complaint);
+        } else if (line.find(FullDisk) != std::string::npos)
+            full_disk = true; // Snakemake's own
+        unsigned done = 0, all = 0;
+        if (on_terminal_ && std::sscanf(line.c_str(), "%u of %u steps", &done, &all) == 2)
+            std::fprintf(stderr, "\r%u of %u jobs, %zu results to make\033[K", done, all, jobs_);
+    }
+
+    std::vector<std::string> complaints;
+    bool full_disk = false;
+
+private:
+    std::size_t jobs_;
+    bool on_terminal_;
+};
+
+void listen(int input, Listener& listener, const fs::path& log) {
+    std::ofstream copy(log);
+    std::FILE* const stream = ::fdopen(input, "r");
+    std::string line;
+    for (int c = std::fgetc(stream); c != EOF; c = std::fgetc(stream)) {
+        if (c != '\n') {
+            line += static_cast<char>(c);
+            continue;
+        }
+        copy << line << std::endl;
+        listener.hear(line);
+        line.clear();
+    }
+    std::fclose(stream);
+}
+
+// What jobs elsewhere complained of.
+void read_logs(const fs::path& folder, Listener& listener) {
+    std::error_code none;
+    std::vector<fs::path> logs;
+    for (const auto& entry : fs::directory_iterator(folder, none))
+        if (entry.path().filename().string().starts_with("slurm-")) logs.push_back(entry.path());
+    std::sort(logs.begin(), logs.end());
+    for (const fs::path& path : logs) {
+        std::ifstream log(path);
+        for (std::string line; std::getline(log, line);)
+            listener.hear(line);
+    }
+}
+
+} // namespace
+
+fs::path find_flow_folder() {
+    const fs::path above = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
+    for (const char* const place : {FFGPU_INSTALLED_FLOW, FFGPU_BUILT_FLOW})
+        if (fs::exists(above / place / "Snakefile")) return above / place;
+    throw InputError("sweep: ffgpu's Snakefile is neither in " +
+                     (above / FFGPU_INSTALLED_FLOW).string() + " nor in " +
+                     (above / FFGPU_BUILT_FLOW).string());
+}
+
+std::vector<std::string> run_flow(const FlowOptions& options) {
+    const std::vector<std::string> words = command_line(options);
+    const fs::path logs = options.folder / "log";
+    std::error_code ignored;
+    fs::remove_all(logs, ignored); // of the run before
+    fs::create_directories(logs, ignored);
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0)
+        throw InputError(std::string("sweep: no pipe: ") + std::strerror(errno));
+    const pid_t child = ::fork();
+    if (child < 0) throw InputError(std::string("sweep: no process: ") + std::strerror(errno));
+    if (child == 0) become(words, ends[1]);
+    ::close(ends[1]);
+    Listener listener(options.jobs);
+    listen(ends[0], listener, logs / "snakemake.txt");
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == NotThere)
+        throw InputError("sweep: snakemake is not installed (Debian: apt install snakemake)");
+    if (!options.profile.empty()) read_logs(logs, listener);
+    if (listener.full_disk && listener.complaints.empty())
+        listener.complaints.push_back(fmt::format("{}: {}", options.folder.string(), FullDisk));
+    if (WIFSIGNALED(status) && listener.complaints.empty())
+        listener.complaints.push_back(
+            fmt::format("Snakemake was ended by signal {}", WTERMSIG(status)));
+    return listener.complaints;
+}
+
+} // namespace ffgpu::tools

@@ -1,0 +1,26 @@
+// Runs Snakemake on the flow of a sweep and listens to what goes wrong in its jobs.
+
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ffgpu::tools {
+
+struct FlowOptions {
+    std::filesystem::path folder; // of the sweep
+    std::string profile;          // "slurm", or one that Snakemake finds; empty: on this machine
+    unsigned cores = 0;           // of this machine; 0: all
+    std::size_t jobs = 0;         // that are missing, for the progress line
+};
+
+// Where the rules and the profiles lie, in an installation or in the build tree.
+std::filesystem::path find_flow_folder();
+
+// Returns when nothing more can be done: the lines of ffgpu's own complaints, each once. Throws
+// InputError where Snakemake is not installed.
+std::vector<std::string> run_flow(const FlowOptions& options);
+
+} // namespace ffgpu::tools
