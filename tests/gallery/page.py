@@ -9,6 +9,7 @@ import string
 import pictures
 
 FOLDER = pathlib.Path(__file__).resolve().parent / "page"
+COMMON = FOLDER.parents[2] / "tools" / "page" / "web" # what all pages of ffgpu share
 
 # Comments, strings, GL's functions and GL's tokens of an escaped C++ source, the first that matches.
 TOKENS = re.compile(r"(?P<comment>//[^\n]*)|(?P<text>&quot;.*?&quot;)|(?P<call>\bglu?[A-Z]\w*)|(?P<token>\bGL_\w+)"
@@ -118,8 +119,8 @@ def write(techniques, strip):
     template = string.Template((FOLDER / "page.html").read_text())
     held = sum(t["found"]["holds"] and not t["broken"]["holds"] for t in techniques)
     return template.substitute(
-        style=(FOLDER / "page.css").read_text(),
-        script=(FOLDER / "page.js").read_text(),
+        style=(COMMON / "page.css").read_text(),
+        script=(COMMON / "theme.js").read_text() + (FOLDER / "page.js").read_text(),
         held=held,
         count=len(techniques),
         overview="".join(map(overview_row, techniques)),

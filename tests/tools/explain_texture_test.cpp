@@ -207,7 +207,7 @@ TEST_CASE("the page of a region holds each pixel's history and colour") {
     const std::string begin = "id=\"data\">";
     const std::size_t from = page.find(begin) + begin.size();
     const auto data = nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
-    CHECK(data["title"] == "a <title>");
+    CHECK(page.find("<h1>a &lt;title></h1>") != std::string::npos);
     CHECK(data["colors"] == std::vector<std::string>{"ff0000", "00ff00"});
     for (std::size_t i = 0; i < 2; ++i) {
         std::string text;
@@ -215,7 +215,7 @@ TEST_CASE("the page of a region holds each pixel's history and colour") {
             text += data["lines"][line].get<std::string>() + '\n';
         CHECK(text == history_text(histories[i]));
     }
-    CHECK(page.find("http") == std::string::npos); // Nothing is asked of a network.
+    CHECK(page.find("://") == std::string::npos); // Nothing is asked of a network.
 }
 
 TEST_CASE("ffgpu explain refuses what it cannot explain, and says why") {

@@ -73,8 +73,17 @@ TEST_CASE("zsh and fish understand what is for them") {
 
 TEST_CASE("manual pages are read without a complaint and hold every option") {
     if (!is_there("groff")) return;
-    for (const std::string verb :
-         {"", "replay", "run", "compare", "config", "time", "info", "dump", "explain", "presets"}) {
+    for (const std::string verb : {"",
+                                   "replay",
+                                   "run",
+                                   "compare",
+                                   "config",
+                                   "time",
+                                   "info",
+                                   "dump",
+                                   "explain",
+                                   "report",
+                                   "presets"}) {
         INFO(verb);
         const TemporaryFile page(output_of(verb.empty() ? std::vector<std::string>{"manual"}
                                                         : std::vector<std::string>{"manual", verb}),

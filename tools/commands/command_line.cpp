@@ -78,6 +78,7 @@ int run_command_line(int count, const char* const* arguments, const char* versio
     add_replay_command(application, run);
     add_run_command(application, run);
     add_time_command(application, run);
+    add_report_command(application, run);
     add_cache_command(application, run);
     add_compare_command(application, run);
     add_check_command(application, run);

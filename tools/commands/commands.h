@@ -14,6 +14,7 @@ namespace ffgpu::tools {
 using Run = std::function<int()>;
 
 void add_replay_command(CLI::App& application, Run& run);
+void add_report_command(CLI::App& application, Run& run);
 void add_time_command(CLI::App& application, Run& run);
 void add_run_command(CLI::App& application, Run& run);
 void add_cache_command(CLI::App& application, Run& run);

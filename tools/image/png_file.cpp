@@ -54,18 +54,39 @@ Image read_png(const std::string& path) {
     return image;
 }
 
-void write_png(const std::string& path, const Image& image) {
+PngSize png_size(const std::string& path) {
+    constexpr std::size_t Signature = 8, Size = 16; // of the header's fields
+    std::ifstream file(path, std::ios::binary);
+    std::array<unsigned char, Size + 8> head{};
+    file.read(reinterpret_cast<char*>(head.data()), head.size());
+    if (!file || png_sig_cmp(head.data(), 0, Signature) != 0)
+        throw InputError(path + ": is no PNG");
+    const auto number = [&](std::size_t at) {
+        return static_cast<std::uint32_t>(head[at]) << 24 |
+               static_cast<std::uint32_t>(head[at + 1]) << 16 |
+               static_cast<std::uint32_t>(head[at + 2]) << 8 | head[at + 3];
+    };
+    return {number(Size), number(Size + 4)};
+}
+
+std::string png_bytes(const Image& image) {
     Control control;
     control.width = image.width;
     control.height = image.height;
     control.format = PNG_FORMAT_RGB;
     control.flags = PNG_IMAGE_FLAG_FAST; // Writing must not take longer than drawing.
-    std::vector<std::byte> bytes(PNG_IMAGE_PNG_SIZE_MAX(control));
+    std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(control), '\0');
     png_alloc_size_t size = bytes.size();
     if (!png_image_write_to_memory(&control, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr))
-        throw InputError(path + ": cannot be written: " + std::string(control.message));
+        throw InputError("a picture cannot be written: " + std::string(control.message));
+    bytes.resize(size);
+    return bytes;
+}
+
+void write_png(const std::string& path, const Image& image) {
+    const std::string bytes = png_bytes(image);
     WholeFile file(path);
-    file.write(std::span(bytes).first(size));
+    file.write(bytes);
     file.commit();
 }
 

@@ -90,6 +90,7 @@ WorkPipeline::Options Recording::pipeline_options() {
             .costs = needs_costs ? &heat_ : nullptr,
             .draw_table = options_.draw_table ? folder_.file("draws.csv") : "",
             .draw_notes = &notes_,
+            .draw_pixels = options_.draw_pixels ? folder_.file("draw_pixels.csv") : "",
             .on_frame = [this] { statistics_.frame_ended(); }};
 }
 
@@ -140,7 +141,8 @@ bool Recording::after_frame(const Frame& frame) {
                      .width = frame.picture.width,
                      .height = frame.picture.height,
                      .api_calls = frame.api_calls,
-                     .functional = counted_.take(gpu_.statistics())});
+                     .functional = counted_.take(gpu_.statistics())},
+                    frame.picture);
     if (!options_.heat.maps.empty()) pipeline_.drain();
     // Looking at the picture is no work of the machine's.
     gpu_.hide_from_work(true);

@@ -38,9 +38,10 @@ struct RecordingOptions {
     Configuration configuration;
     HeatMapOptions heat;
     std::set<View> views;
-    FrameRange draws;        // others cover nothing
-    unsigned steps = 0;      // a picture behind each so many draws of a frame; 0: none
-    bool draw_table = false; // draws.csv
+    FrameRange draws;         // others cover nothing
+    unsigned steps = 0;       // a picture behind each so many draws of a frame; 0: none
+    bool draw_table = false;  // draws.csv
+    bool draw_pixels = false; // draw_pixels.csv
     bool timing = false;
     bool work_values = false; // Work tells values, too.
     bool images = true;

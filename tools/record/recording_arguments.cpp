@@ -34,6 +34,7 @@ void visit_members(Arguments& arguments, Visitor&& member) {
     member("draws", arguments.draws);
     member("steps", arguments.steps);
     member("draw_table", arguments.draw_table);
+    member("draw_pixels", arguments.draw_pixels);
     member("capture", arguments.capture);
     member("save_work", arguments.save_work);
     member("work_values", arguments.work_values);
@@ -68,6 +69,7 @@ void add_draw_options(CLI::App& verb, RecordingArguments& arguments) {
         ->type_name("N")
         ->check(CLI::Range(1u, MaxSteps));
     verb.add_flag("--per-draw", arguments.draw_table, "draws.csv: a line a draw, clear and copy");
+    verb.add_flag("--draw-pixels", arguments.draw_pixels, "draw_pixels.csv: where each draw is");
 }
 
 void resolve_heat_maps(const RecordingArguments& arguments, HeatMapOptions& heat) {
@@ -85,9 +87,11 @@ void resolve_draws(const RecordingArguments& arguments, RecordingOptions& option
     if (!arguments.draws.empty()) options.draws = parse_frame_range(arguments.draws, "--draws");
     options.steps = arguments.steps;
     options.draw_table = arguments.draw_table;
-    const bool shows = !options.views.empty() || options.steps > 0 || options.draw_table;
+    options.draw_pixels = arguments.draw_pixels;
+    const bool shows =
+        !options.views.empty() || options.steps > 0 || options.draw_table || options.draw_pixels;
     if (shows && arguments.output.empty())
-        throw InputError("--view, --steps and --per-draw need -o DIR");
+        throw InputError("--view, --steps, --per-draw and --draw-pixels need -o DIR");
 }
 
 } // namespace
@@ -96,7 +100,7 @@ bool RecordingArguments::any() const {
     return !output.empty() || !capture.empty() || !save_work.empty() || !config.empty() ||
            !settings.empty() || !frames.empty() || !heat_maps.empty() || threads || timing ||
            no_images || reference || work_values || !views.empty() || !draws.empty() || steps > 0 ||
-           draw_table;
+           draw_table || draw_pixels;
 }
 
 void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {

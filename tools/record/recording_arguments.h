@@ -24,6 +24,7 @@ struct RecordingArguments {
     std::string views, draws;
     unsigned steps = 0;
     bool draw_table = false;
+    bool draw_pixels = false;
     bool work_values = false;
     std::vector<std::string> settings;
     std::optional<std::uint32_t> threads;

@@ -9,6 +9,8 @@ WorkPipeline::WorkPipeline(const Options& options, StatisticsReport& report)
     , timing_(options.timing ? std::make_unique<timing::GpuTiming>(*options.timing) : nullptr)
     , file_(options.save_work.empty() ? nullptr
                                       : std::make_unique<work::WorkFileWriter>(options.save_work))
+    , draw_pixels_(options.draw_pixels.empty() ? nullptr
+                                               : std::make_unique<DrawPixels>(options.draw_pixels))
     , meter_(report, timing_.get())
     , on_frame_(options.on_frame)
     , assembler_(readers_) {
@@ -17,23 +19,25 @@ WorkPipeline::WorkPipeline(const Options& options, StatisticsReport& report)
     if (file_) readers_.add(*file_);
     if (table_) readers_.add(*table_);
     if (table_ && timing_) timing_->set_quad_observer(table_.get());
+    if (draw_pixels_) readers_.add(*draw_pixels_);
     if (timing_ && options.costs)
         timing_->set_on_retire([costs = options.costs](const timing::QuadRetired& quad) {
             costs->quad_retired(quad);
         });
-    if (timing_ || file_ || table_) thread_.emplace(assembler_);
+    if (timing_ || file_ || table_ || draw_pixels_) thread_.emplace(assembler_);
 }
 
-void WorkPipeline::frame(const work::FrameFigures& figures) {
-    if (!thread_) return add(figures);
+void WorkPipeline::frame(const work::FrameFigures& figures, const Surface& shown) {
+    if (!thread_) return add(figures, shown);
     thread_->check_failure();
-    thread_->post([this, figures] { add(figures); });
+    thread_->post([this, figures, shown] { add(figures, shown); });
 }
 
-void WorkPipeline::add(const work::FrameFigures& figures) {
+void WorkPipeline::add(const work::FrameFigures& figures, const Surface& shown) {
     if (file_) file_->frame(figures);
     const std::optional<timing::FrameTiming> timed = meter_.add(figures);
     if (table_) table_->write(figures.number, timed ? &*timed : nullptr);
+    if (draw_pixels_) draw_pixels_->frame(figures.number, shown);
     on_frame_();
 }
 
@@ -49,6 +53,7 @@ void WorkPipeline::finish() {
     drain();
     if (file_) file_->finish();
     if (table_) table_->finish();
+    if (draw_pixels_) draw_pixels_->finish();
 }
 
 } // namespace ffgpu::tools

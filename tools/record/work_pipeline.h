@@ -10,6 +10,7 @@
 #include "model/work/work_file_writer.h"
 #include "tools/draws/draw_table.h"
 #include "tools/heatmap/heat_recorder.h"
+#include "tools/record/draw_pixels.h"
 #include "tools/record/work_fan_out.h"
 #include "tools/report/frame_meter.h"
 #include "tools/report/series_file.h"
@@ -29,6 +30,7 @@ public:
         HeatRecorder* costs = nullptr;                // of quads; needs timing; read after drain()
         std::string draw_table{};                     // the path of draws.csv; empty: none
         DrawNotes* draw_notes = nullptr;              // for it
+        std::string draw_pixels{};                    // the path of draw_pixels.csv; empty: none
         std::function<void()> on_frame = [] {};       // Its figures are in the report.
     };
 
@@ -39,7 +41,7 @@ public:
     WorkSink* sink() { return thread_ ? &*thread_ : nullptr; }
 
     // The frame's work is handed over. Throws what went wrong in earlier frames.
-    void frame(const work::FrameFigures& figures);
+    void frame(const work::FrameFigures& figures, const Surface& shown);
 
     // Returns when all is read, and counted in the report. Throws what went wrong.
     void drain();
@@ -49,12 +51,13 @@ public:
     void write_series(const std::string& folder) const;
 
 private:
-    void add(const work::FrameFigures& figures);
+    void add(const work::FrameFigures& figures, const Surface& shown);
 
     std::optional<SeriesFile> series_;
     std::unique_ptr<DrawTable> table_;
     std::unique_ptr<timing::GpuTiming> timing_; // tells series_ and table_
     std::unique_ptr<work::WorkFileWriter> file_;
+    std::unique_ptr<DrawPixels> draw_pixels_;
     FrameMeter meter_;
     std::function<void()> on_frame_;
     CommandFanOut readers_;

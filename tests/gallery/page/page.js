@@ -1,20 +1,5 @@
 "use strict";
 const sections = [...document.querySelectorAll("section")];
-const theme = document.getElementById("theme");
-const systemDark = matchMedia("(prefers-color-scheme: dark)");
-
-function isDark() {
-  const chosen = document.documentElement.dataset.theme;
-  return chosen ? chosen === "dark" : systemDark.matches;
-}
-function nameOther() { theme.textContent = isDark() ? "Light" : "Dark"; }
-theme.addEventListener("click", () => {
-  document.documentElement.dataset.theme = isDark() ? "light" : "dark";
-  nameOther();
-});
-systemDark.addEventListener("change", nameOther);
-nameOther();
-
 // The last section that begins above the middle of the window; -1 before the first.
 function current() {
   return sections.findLastIndex((section) => section.getBoundingClientRect().top < innerHeight / 3);

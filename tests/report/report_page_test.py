@@ -1,0 +1,230 @@
+#!/usr/bin/env python3
+"""The page of `ffgpu report` in a browser: every chart is drawn, the table sorts, a draw shows its pixels, nothing is
+asked of a network. Exit status 77 where there is no Chromium. With a folder as argument it leaves screenshots there."""
+
+import pathlib
+import re
+import sys
+import unittest
+
+import browser
+import runs
+
+DESKTOP, PHONE = {"width": 1280, "height": 900}, {"width": 390, "height": 844, "is_phone": True}
+
+# Of each chart: how many of its canvas' pixels have a colour that a series has.
+DRAWN = """[...document.querySelectorAll('.chart canvas')].map(canvas => {
+  const chart = Chart.getChart(canvas), colors = chart.data.datasets.map(one => one.backgroundColor);
+  const {width, height} = canvas, dots = canvas.getContext('2d').getImageData(0, 0, width, height).data;
+  const wanted = new Set(colors.map(color => parseInt(color.slice(1), 16)));
+  let count = 0;
+  for (let i = 0; i < dots.length; i += 4)
+    count += dots[i + 3] === 255 && wanted.has(dots[i] << 16 | dots[i + 1] << 8 | dots[i + 2]);
+  return {title: canvas.closest('figure').querySelector('figcaption').textContent, count,
+          legend: canvas.closest('figure').querySelectorAll('.keys .key').length,
+          units: Object.values(chart.scales).some(scale => scale.options.title.display && scale.options.title.text)};
+})"""
+OVERLAY = """[...document.querySelectorAll('.over')].map(canvas => {
+  const dots = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+  const counts = {w: 0, k: 0};
+  for (let i = 0; i < dots.length; i += 4) {
+    if (dots[i + 3] !== 0x90) continue;
+    if (dots[i] > 240 && dots[i + 1] < 60) ++counts.w;
+    if (dots[i] > 240 && dots[i + 1] > 160) ++counts.k;
+  }
+  return counts;
+})"""
+CELLS = """(column => [...document.querySelectorAll('#draw-table tbody tr')].map(row => row.cells[column].textContent))"""
+HEADS = "[...document.querySelectorAll('#draw-table thead th')].map(head => head.textContent)"
+
+
+def value(text):
+    digits = re.sub(r"[^0-9.\-]", "", text.replace("\u2212", "-"))
+    return float(digits) if digits else 0.0
+
+
+def luminance(color):
+    parts = [int(part) / 255 for part in re.findall(r"\d+", color)[:3]]
+    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+class PageTest(unittest.TestCase):
+    pictures = None
+
+    @classmethod
+    def setUpClass(cls):
+        place = runs.folder()
+        folder = place.__enter__()
+        cls.addClassCleanup(place.__exit__, None, None, None)
+        cls.run_folder = runs.full_run(folder / "four_ways")
+        runs.ffgpu("cache", runs.CORRIDOR, "--frames", "2-2", "-o", cls.run_folder, "--line", "64")
+        cls.page = runs.report(cls.run_folder)
+        other = runs.full_run(folder / "one_way", "texel_cache.ways=1")
+        cls.difference = runs.report(cls.run_folder, other, output="difference.html")
+        cls.data = runs.data_of(cls.page)["runs"][0]
+        program = browser.Browser()
+        cls.browser = program.__enter__()
+        cls.addClassCleanup(program.__exit__, None, None, None)
+
+    def setUp(self):
+        self.browser.complaints.clear()
+        self.browser.requests.clear()
+
+    def tearDown(self):
+        self.assertEqual(self.browser.complaints, [])
+        for url in self.browser.requests:
+            self.assertRegex(url, "^(file|data):")
+
+    def open(self, page):
+        """At its first frame."""
+        self.browser.open(page, **DESKTOP)
+        self.browser.run("select({frame: 0})")
+        self.browser.settle()
+
+    def leave(self, name):
+        if self.pictures:
+            self.browser.picture(pathlib.Path(self.pictures) / f"{name}.png")
+
+    def test_every_chart_is_drawn_with_units_at_each_size_and_look(self):
+        for page, charts in ((self.page, 10), (self.difference, 11)):
+            for size, name in ((DESKTOP, "desktop"), (PHONE, "phone")):
+                for dark in (False, True):
+                    with self.subTest(page=page.name, size=name, dark=dark):
+                        self.browser.open(page, dark=dark, **size)
+                        drawn = self.browser.run(DRAWN)
+                        self.assertEqual(len(drawn), charts)
+                        for chart in drawn:
+                            self.assertGreater(chart["count"], 100, chart["title"])
+                            self.assertTrue(chart["units"] and chart["legend"] > 0, chart["title"])
+                        self.assertLessEqual(self.browser.run("document.documentElement.scrollWidth"), size["width"])
+                        self.leave(f"{page.stem}_{name}_{'dark' if dark else 'light'}")
+
+    def test_text_is_readable_in_light_and_dark(self):
+        for dark in (False, True):
+            self.browser.open(self.page, dark=dark, **DESKTOP)
+            paper = luminance(self.browser.run("getComputedStyle(document.body).backgroundColor"))
+            self.assertEqual(paper < 0.1, dark)
+            for element in ("body", "caption", "a", ".note", ".tile span"):
+                ink = luminance(self.browser.run(f"getComputedStyle(document.querySelector('{element}')).color"))
+                least, most = sorted((paper, ink))
+                self.assertGreater((most + 0.05) / (least + 0.05), 4.5, element)
+            before = self.browser.run("Chart.defaults.color")
+            self.browser.run("document.getElementById('theme').click()")
+            self.assertNotEqual(self.browser.run("Chart.defaults.color"), before)
+
+    def test_the_table_of_draws_sorts_by_each_column(self):
+        self.open(self.page)
+        heads = self.browser.run(HEADS)
+        self.assertEqual(len(self.data["commands"][0]["cycles"]), len(self.browser.run(f"{CELLS}(0)")))
+        for column, head in enumerate(heads):
+            for order in ("descending", "ascending") if "waits" not in head else ("ascending", "descending"):
+                self.browser.run(f"document.querySelectorAll('#draw-table thead button')[{column}].click()")
+                if column == heads.index("cycles") and order == "descending" and self.browser.run(
+                        f"document.querySelectorAll('#draw-table th')[{column}].ariaSort") != order:
+                    self.browser.run(f"document.querySelectorAll('#draw-table thead button')[{column}].click()")
+                self.assertEqual(self.browser.run(
+                    f"document.querySelectorAll('#draw-table thead th')[{column}].getAttribute('aria-sort')"), order)
+                shown = self.browser.run(f"{CELLS}({column})")
+                values = shown if "waits" in head else list(map(value, shown))
+                if head != "command":
+                    self.assertEqual(values, sorted(values, reverse=order == "descending"), head)
+        cycles = list(map(value, self.browser.run(f"{CELLS}({heads.index('cycles')})")))
+        self.assertEqual(sum(cycles), self.data["timing"]["total_cycles"][0])
+
+    def test_the_table_of_draws_filters(self):
+        self.open(self.page)
+        self.browser.run("""{ const find = document.getElementById('find'); find.value = 'clear';
+                              find.dispatchEvent(new Event('input')); }""")
+        names = self.browser.run(f"{CELLS}(0)")
+        self.assertTrue(names and all(name == "clear" for name in names))
+        self.browser.run("""{ const find = document.getElementById('find'); find.value = 'no such thing';
+                              find.dispatchEvent(new Event('input')); }""")
+        self.assertEqual(self.browser.run(f"{CELLS}(0)"), [])
+
+    def counts_of(self, entry):
+        pixels = re.findall(r"([nkw])(\d+)", self.data["pixels"][0][entry][4])
+        return {letter: sum(int(count) for kind, count in pixels if kind == letter) for letter in "wk"}
+
+    def test_a_click_on_a_draw_shows_its_pixels_and_one_on_a_pixel_its_draw(self):
+        self.open(self.page)
+        draws = [entry for entry, box in enumerate(self.data["pixels"][0]) if box]
+        for entry in draws[:3]:
+            number = self.data["commands"][0]["draw"][entry]
+            self.browser.run(f"""[...document.querySelectorAll('#draw-table .pick')]
+                .find(pick => pick.textContent === 'draw {number}').closest('tr').cells[1].click()""")
+            self.browser.settle()
+            self.assertEqual(self.browser.run(OVERLAY), [self.counts_of(entry)])
+            self.assertEqual(self.browser.run("""[...document.querySelectorAll('.pick[aria-pressed=true]')]
+                .map(pick => pick.textContent)"""), [f"draw {number}"])
+        self.leave("draw_picked")
+        left, top, width, _, pixels = self.data["pixels"][0][draws[-1]]
+        before = re.match("n(\\d+)", pixels)
+        at = int(before.group(1)) if before else 0
+        x, y = left + at % width + 0.5, top + at // width + 0.5
+        where = self.browser.run("""(() => { const over = document.querySelector('.over');
+            over.scrollIntoView(); const box = over.getBoundingClientRect();
+            return [box.left, box.top, box.width / over.width]; })()""")
+        self.browser.click(where[0] + x * where[2], where[1] + y * where[2])
+        self.browser.settle()
+        self.assertEqual(self.browser.run(OVERLAY), [self.counts_of(draws[-1])])
+
+    def test_all_of_it_works_from_the_keyboard(self):
+        self.open(self.page)
+        self.browser.run("document.querySelector('input[type=range]').focus()")
+        self.browser.key("ArrowRight")
+        self.browser.settle()
+        shown = self.browser.run("document.querySelector('#frames figcaption').textContent")
+        self.assertTrue(shown.startswith(f"Frame {self.data['frames'][1]['frame']},"), shown)
+        self.browser.run("document.querySelector('#draw-table .pick').focus()")
+        self.browser.key("Enter")
+        self.browser.settle()
+        self.assertEqual(self.browser.run("document.querySelectorAll('.pick[aria-pressed=true]').length"), 1)
+        self.browser.run("document.querySelector('input[type=radio]:checked').focus()")
+        before = self.browser.run("document.querySelector('.picture').ariaLabel")
+        self.browser.key("ArrowRight")
+        self.browser.settle()
+        self.assertNotEqual(self.browser.run("document.querySelector('.picture').ariaLabel"), before)
+        self.assertFalse(self.browser.run("document.querySelector('.legend').hidden"))
+
+    def test_a_screen_reader_finds_names_headings_and_descriptions(self):
+        for page in (self.page, self.difference):
+            self.open(page)
+            nodes = self.browser.call("Accessibility.getFullAXTree")["nodes"]
+            roles = {"button", "link", "slider", "combobox", "searchbox", "radio", "image", "img", "columnheader"}
+            named = [(node["role"]["value"], node.get("name", {}).get("value", "")) for node in nodes
+                     if not node["ignored"] and node["role"]["value"] in roles]
+            self.assertEqual([role for role, name in named if not name.strip()], [])
+            self.assertLessEqual({"button", "link", "slider", "combobox", "searchbox", "radio"},
+                                 {role for role, _ in named})
+            levels = self.browser.run("[...document.querySelectorAll('h1, h2, h3')].map(one => one.tagName)")
+            self.assertEqual((levels[0], levels.count("H1")), ("H1", 1))
+            self.assertEqual(self.browser.run("""[...document.querySelectorAll('canvas')].filter(canvas =>
+                !canvas.ariaLabel && canvas.ariaHidden !== 'true' && !canvas.hidden).length"""), 0)
+
+    def test_the_numbers_of_a_chart_are_there_as_a_table(self):
+        self.open(self.page)
+        self.browser.run("document.querySelector('.chart details').open = true")
+        self.browser.settle()
+        cells = self.browser.run("""[...document.querySelectorAll('#summary .chart details td')]
+            .map(cell => cell.textContent)""")
+        self.assertEqual(sum(map(value, cells)), sum(self.data["timing"]["total_cycles"]))
+
+    def test_two_runs_show_the_parameter_and_effects_by_size(self):
+        self.open(self.difference)
+        self.assertEqual(self.browser.run("""[...document.querySelectorAll('#parameters tbody tr')]
+            .map(row => [...row.cells].map(cell => cell.textContent))"""), [["texel_cache.ways", "4", "1"]])
+        effects = self.browser.run("""[...document.querySelectorAll('#effects tbody tr')]
+            .map(row => row.cells[1].textContent)""")
+        sizes = [abs(value(effect)) for effect in effects]
+        self.assertGreater(len(sizes), 5)
+        self.assertEqual(sizes, sorted(sizes, reverse=True))
+
+
+if __name__ == "__main__":
+    if not browser.find_program():
+        print("skipped: Chromium is not installed")
+        sys.exit(77)
+    if len(sys.argv) > 1 and not sys.argv[1].startswith("-"):
+        PageTest.pictures = sys.argv.pop(1)
+    unittest.main()

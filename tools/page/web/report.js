@@ -1,0 +1,13 @@
+"use strict";
+addSummary();
+addDifference();
+addFrames();
+addDraws();
+addTime();
+addUnits();
+addCaches();
+addMemory();
+addConfiguration();
+section("scope").addEventListener("change", (event) => select({ isAll: event.target.value === "all" }));
+if (!hasTiming) section("scope").parentElement.hidden = true;
+select({});
