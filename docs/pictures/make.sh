@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes docs/pictures/montage.png anew: four pictures that ffgpu draws from the traces in traces/.
-# Needs oiiotool (Debian package openimageio-tools).
+# Makes docs/pictures/montage.png anew: four pictures that ffgpu draws from the traces in traces/; and report.png.
+# Needs oiiotool (Debian package openimageio-tools), chromium and python3-pil.
 #
 #     docs/pictures/make.sh [build/tools/ffgpu]
 set -euo pipefail
@@ -18,3 +18,4 @@ for picture in corridor/frame_0004 light_maps/frame_0003 chrome/frame_0002 chrom
     panels+=("$folder/panel_${#panels[@]}.png")
 done
 oiiotool "${panels[@]}" --mosaic 2x2 -o "$root/docs/pictures/montage.png"
+FFGPU_BINARY="$ffgpu" "$root/docs/pictures/report_page.py"

@@ -11,6 +11,7 @@ import tempfile
 import time
 
 PROGRAMS = ("chromium", "chromium-browser", "google-chrome")
+KEYS = {"Enter": 13, "Tab": 9, " ": 32, "ArrowRight": 39, "ArrowLeft": 37}
 LONGEST = 60  # seconds that an answer may take
 
 
@@ -125,8 +126,7 @@ class Browser:
 
     def key(self, key, code=None):
         text = {"Enter": "\r", " ": " "}.get(key)
-        common = {"key": key, "code": code or key,
-                  "windowsVirtualKeyCode": {"Enter": 13, "Tab": 9, " ": 32, "ArrowRight": 39, "ArrowLeft": 37}.get(key, 0)}
+        common = {"key": key, "code": code or key, "windowsVirtualKeyCode": KEYS.get(key, 0)}
         self.call("Input.dispatchKeyEvent", type="keyDown", **common, **({"text": text} if text else {}))
         self.call("Input.dispatchKeyEvent", type="keyUp", **common)
 

@@ -40,7 +40,7 @@ TEST_CASE("bash completes verbs, options and values") {
                      "; COMP_WORDS=(" + words + "); COMP_CWORD=" + std::to_string(last) +
                      "; _ffgpu; echo \"${COMPREPLY[@]}\"'");
     };
-    CHECK(completed("ffgpu re", 1) == "replay\n");
+    CHECK(completed("ffgpu repl", 1) == "replay\n");
     CHECK(completed("ffgpu --ver", 1) == "--version\n");
     CHECK(completed("ffgpu replay --sw", 2) == "--swap\n");
     CHECK(completed("ffgpu replay --swap \"\"", 3) == "copy exchange\n");

@@ -2,6 +2,7 @@
 // What each command of the frame shown took and waited for: it sorts, filters, and a pick shows the
 // draw's pixels.
 const factColumns = first.facts?.columns ?? [];
+const CountedFacts = ["call", "vertices", "texel_cache_misses"];
 
 // The commands of a frame of a run, as objects; of two runs those of the other beside.
 function commandsOf(run, frame) {
@@ -115,11 +116,11 @@ function drawColumns() {
     value: (row) => row.frame,
     show: (row) => `${first.frames[row.frame].frame}`,
   };
-  const facts = factColumns.map((name, i) => ({
-    name: words(name),
-    isWord: true,
-    value: (row) => row.facts[i] ?? "",
-  }));
+  const facts = factColumns.map((name, i) =>
+    CountedFacts.includes(name)
+      ? counted(words(name), (row) => Number(row.facts[i] ?? 0))
+      : { name: words(name), isWord: true, value: (row) => row.facts[i] ?? "" },
+  );
   return [
     { name: "command", value: (row) => row.draw, show: drawName },
     ...(first.frames.length > 1 ? [frame] : []),

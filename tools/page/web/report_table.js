@@ -51,10 +51,7 @@ class SortedTable {
   sorted() {
     const { value } = this.columns[this.order.column],
       sign = this.order.isDescending ? -1 : 1;
-    const compare = (a, b) =>
-      typeof a === "string" || typeof b === "string"
-        ? String(a).localeCompare(String(b), "en", { numeric: true })
-        : a - b;
+    const compare = (a, b) => (a < b ? -1 : a > b ? 1 : 0);
     return [...this.rows].sort((a, b) => sign * compare(value(a), value(b)));
   }
 
