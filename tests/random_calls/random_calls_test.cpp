@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <random>
 
 #include <catch2/catch.hpp>
 
@@ -35,7 +36,9 @@ std::vector<std::uint8_t> run_program(const Registry& registry,
     FunctionalGpu device(config);
     OffscreenContext gl(device, {.width = Width, .height = Height});
     gl.make_current();
-    RandomWalk walk(registry, memory, seed);
+    RandomWalk walk(registry, memory, [random = std::mt19937(seed)]() mutable {
+        return static_cast<std::uint32_t>(random());
+    });
     walk.verbose = setting("FFGPU_RANDOM_VERBOSE", 0) != 0;
     for (unsigned i = 0; i < CallsInProgram; ++i)
         walk.step(gl.context());

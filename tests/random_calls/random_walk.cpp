@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <random>
 #include <tuple>
 #include <utility>
 

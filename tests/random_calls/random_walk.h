@@ -10,10 +10,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <random>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace ffgpu::gl {
@@ -34,10 +35,11 @@ struct WalkMemory {
 
 class RandomWalk {
 public:
-    RandomWalk(const Registry& registry, WalkMemory& memory, std::uint32_t seed)
+    // `numbers` gives the walk's choices: any numbers.
+    RandomWalk(const Registry& registry, WalkMemory& memory, std::function<std::uint32_t()> numbers)
         : registry_(registry)
         , memory_(memory)
-        , random_(seed) {}
+        , numbers_(std::move(numbers)) {}
 
     // A call of any command, or a primitive of some vertices.
     void step(Context& context);
@@ -61,7 +63,7 @@ private:
     template <class... Arguments>
     friend struct Caller;
 
-    unsigned below(unsigned limit) { return static_cast<unsigned>(random_() % limit); }
+    unsigned below(unsigned limit) { return numbers_() % limit; }
     bool one_in(unsigned n) { return below(n) == 0; }
 
     void call(Context& context, unsigned command);
@@ -78,7 +80,7 @@ private:
 
     const Registry& registry_;
     WalkMemory& memory_;
-    std::mt19937 random_;
+    std::function<std::uint32_t()> numbers_;
     std::vector<unsigned> accepted_ = std::vector<unsigned>(static_cast<unsigned>(Command::Count));
 };
 

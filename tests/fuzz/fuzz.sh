@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Builds the fuzz targets with clang's libFuzzer, AddressSanitizer and UndefinedBehaviorSanitizer, and
+# runs each for so many minutes.
+#
+#   tests/fuzz/fuzz.sh [MINUTES [TARGET ...]]
+#
+# Inputs that reach new code go to out/fuzz/TARGET; one that breaks ffgpu to out/fuzz/TARGET-crash-...
+# Exit status 0: nothing was found.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+readonly Minutes=${1:-1}
+shift || true
+targets=("$@")
+[ ${#targets[@]} -gt 0 ] || targets=(trace capture work_file configuration calls)
+readonly Build=${FFGPU_FUZZ_BUILD:-build-fuzz} Jobs=${FFGPU_JOBS:-$(nproc)}
+# An input allocates no more than this, whatever it claims (docs/security.md).
+readonly MemoryMiB=2048
+
+launcher=()
+command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+cmake -S . -B "$Build" -G Ninja "${launcher[@]}" -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+    -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" -DFFGPU_FUZZ=ON \
+    -DFFGPU_RTL=OFF -DFFGPU_SANITIZE=fuzzer-no-link,address,undefined >/dev/null
+cmake --build "$Build" -j "$Jobs" --target "${targets[@]/#/fuzz_}"
+
+status=0
+for target in "${targets[@]}"; do
+    mkdir -p "out/fuzz/$target"
+    log="out/fuzz/$target.log"
+    if ! "$Build/tests/fuzz/fuzz_$target" "out/fuzz/$target" "tests/fuzz/corpus/$target" \
+        -max_total_time=$((60 * Minutes)) -timeout=60 -rss_limit_mb=$MemoryMiB -max_len=65536 \
+        -print_final_stats=1 -artifact_prefix="out/fuzz/$target-" >"$log" 2>&1; then
+        status=1
+        tail -40 "$log"
+    fi
+    runs=$(sed -n 's/stat::number_of_executed_units: *//p' "$log")
+    printf '%s: %s executions in %s minutes%s\n' "$target" "${runs:-0}" "$Minutes" \
+        "$([ $status -eq 0 ] || echo ', see '"$log")"
+done
+exit $status
