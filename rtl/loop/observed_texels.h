@@ -51,7 +51,7 @@ public:
         quads.push_back(quad);
         samplings.push_back(sampling);
     }
-    void probe(unsigned lane, unsigned, const TexCoord&) override {
+    void probe(unsigned lane, unsigned, const TexCoord&, const ProbeWeights&) override {
         lane_ = lane;
         last_probe_ = ++probe_ == samplings.back().probes;
         if (last_probe_) probe_ = 0;

@@ -19,7 +19,7 @@ public:
         : quad_(quad)
         , requests_(to) {}
 
-    void probe(unsigned lane, unsigned, const TexCoord&) override {
+    void probe(unsigned lane, unsigned, const TexCoord&, const ProbeWeights&) override {
         probe_ = lane == lane_ ? probe_ + 1u : 1u;
         lane_ = lane;
         fine_ = true;
