@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -106,7 +107,7 @@ DrawPixelsOfRun pixels_of(const CsvTable& file, const RunFigures& figures, std::
     });
     DrawPixelsOfRun result;
     for (const auto& commands : figures.commands)
-        result.boxes.push_back(std::vector<nullptr_t>(commands.size()));
+        result.boxes.push_back(std::vector<std::nullptr_t>(commands.size()));
     const std::array columns{file.wanted_column("left"),
                              file.wanted_column("top"),
                              file.wanted_column("width"),
