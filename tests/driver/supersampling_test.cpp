@@ -259,6 +259,7 @@ TEST_CASE("Feedback tells a supersampled window's vertices once, where they are"
     const auto feedback = [](unsigned supersampling) {
         const Window window(supersampling);
         std::vector<GLfloat> values(1000, -1);
+        Window::draw(Centre); // The last picture's viewport is not the window's.
         FeedbackBuffer(1000, GL_3D, values.data());
         RenderMode(GL_FEEDBACK);
         Window::draw(Centre);
