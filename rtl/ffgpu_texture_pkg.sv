@@ -106,4 +106,17 @@ package ffgpu_texture_pkg;
   localparam logic [1:0] FoldClamp = 2'd2;
   localparam logic [1:0] FoldMirrorClamp = 2'd3;
 
+  // A block of 16 bytes that is wanted, and what stands there.
+  typedef struct packed {
+    logic        tag;
+    logic [9:0]  place;
+    logic [31:0] address;  // The lowest four bits do not matter.
+  } texel_read_t;
+  typedef struct packed {
+    logic         tag;
+    logic [9:0]   place;
+    logic         missed;
+    logic [127:0] block;
+  } texel_data_t;
+
 endpackage

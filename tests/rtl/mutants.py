@@ -104,7 +104,8 @@ def schemata(text, first, keep):
         before = text.rfind("\n", 0, match.start("body")) + 1
         skipped = ("localparam", "for (", "parameter", "typedef", "//", "genvar", ".Width", ".Most",
                    ".Pairs", ".Channel", ".Stage", ".QuotientBits", "clk_i", "rst_ni", "if (Stage",
-                   ".Lane", ".Element", ".Axis",
+                   ".Lane", ".Element", ".Axis", ".Depth", ".SetBits", ".WayBits", ".NumberWidth",
+                   ".FillBits", ".LineBits",
                    "if (side", "MostInside")
         is_output = re.search(r"\.\w+_o\s*\($", head)
         if is_output or any(word in text[before:match.end()] for word in skipped):

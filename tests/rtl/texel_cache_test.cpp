@@ -1,0 +1,107 @@
+// rtl/texel_cache.sv, before a memory that answers in any order, against the model's tags and the
+// memory's closed form.
+
+#include "Vtexel_cache_loop.h"
+#include "model/work/tag_array.h"
+#include "tests/rtl/bench/unit_bench.h"
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::rtl {
+namespace {
+
+struct TexelRead {
+    bool tag = false;
+    std::uint16_t place = 0;
+    std::uint32_t address = 0;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field("tag", self.tag, 1);
+        field("place", self.place, 10);
+        field("address", self.address, 32);
+    }
+};
+
+struct TexelData {
+    bool tag = false;
+    std::uint16_t place = 0;
+    bool missed = false;
+    std::array<std::uint32_t, 4> block{};
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        field("tag", self.tag, 1);
+        field("place", self.place, 10);
+        field("missed", self.missed, 1);
+        visit_lanes(field, "block", self.block, 32);
+    }
+};
+
+struct TexelCache {
+    static constexpr const char* Name = "texel_cache";
+    static constexpr std::uint64_t ShortItems = 150000, LongItems = 10000000;
+    static constexpr std::uint32_t Sets = 4, Ways = 4, LineBits = 6; // as in texel_cache_loop.sv
+
+    using Dut = Vtexel_cache_loop;
+    using State = NoState;
+    using Input = TexelRead;
+    using Output = TexelData;
+
+    static void set_tag(TexelRead& read, unsigned tag) { read.tag = tag != 0; }
+    static State random_state(Random&) { return {}; }
+
+    // Steps through an image, lines that come again soon or late, and lines far away.
+    TexelRead random_input(Random& random, const State&) {
+        if (random.one_in(50)) at_ = random.word();
+        if (random.one_in(6)) at_ += (random.below(9) - 4) << (LineBits + random.below(4));
+        at_ += 16 * (random.below(3) - 1);
+        const std::uint32_t address =
+            random.one_in(3) ? 0x4000 + (random.below(24) << LineBits) + random.below(64) : at_;
+        return {.place = static_cast<std::uint16_t>(random.below(1024)), .address = address};
+    }
+
+    static void declare(Bins& bins) {
+        bins.declare("set", Sets);
+        bins.declare("block", 4);
+        bins.declare("hit, miss in an empty place, miss that evicts", 3);
+        bins.declare("hit in a line that was used last, earlier", 2);
+    }
+    void cover(Bins& bins, const State&, const TexelRead& read) {
+        bins.hit("set", read.address >> LineBits & (Sets - 1));
+        bins.hit("block", read.address >> 4 & 3);
+        bins.hit("hit, miss in an empty place, miss that evicts", !missed_ ? 0 : evicted_ ? 2 : 1);
+        const std::uint32_t line = read.address >> LineBits;
+        if (!missed_) bins.hit("hit in a line that was used last, earlier", line != last_);
+        last_ = line;
+    }
+
+    void reset() { tags_ = work::TagArray(Sets, Ways); }
+    void expect(const State&, const TexelRead& read, std::vector<TexelData>& outputs) {
+        const std::uint32_t line = read.address >> LineBits;
+        work::TagArray::Line* const found = tags_.find(line);
+        missed_ = found == nullptr;
+        if (found) {
+            tags_.use(*found);
+        } else {
+            work::TagArray::Evicted evicted;
+            tags_.replace(line, evicted);
+            evicted_ = evicted.number != work::TagArray::Empty;
+        }
+        TexelData data{.tag = read.tag, .place = read.place, .missed = missed_};
+        for (std::uint32_t i = 0; i < 4; ++i)
+            data.block[i] = ((read.address & ~15u) + 4 * i) * 0x9e3779b1u;
+        outputs.push_back(data);
+    }
+
+private:
+    work::TagArray tags_{Sets, Ways};
+    std::uint32_t at_ = 0, last_ = 0;
+    bool missed_ = false, evicted_ = false;
+};
+using Unit = TexelCache;
+
+} // namespace
+} // namespace ffgpu::rtl
+
+#include "tests/rtl/bench/unit_tests.inl"
