@@ -67,6 +67,7 @@ class PythonTest(unittest.TestCase):
         self.assertGreaterEqual(len(by_hand), 4)
         for (draw, unit), count in by_hand.items():
             self.assertEqual(moved.loc[draw, unit], count)
+        self.assertEqual(int(moved.to_numpy().sum()), sum(by_hand.values()))
         self.assertTrue((table.fragments / table.cycles
                          <= roofs(self.run_folder)["fragments_per_cycle"]).all())
 
