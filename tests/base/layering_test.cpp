@@ -318,8 +318,18 @@ TEST_CASE("includes point down only") {
 // Otherwise an include could point anywhere unseen.
 TEST_CASE("files of the layers are sources, and their includes name paths from the root") {
     const fs::path root = FFGPU_SOURCE_DIR;
-    const std::set<std::string> others{
-        ".txt", ".py", ".in", ".map", ".sh", ".css", ".js", ".html", ".sv", ".vlt"};
+    const std::set<std::string> others{".txt",
+                                       ".py",
+                                       ".in",
+                                       ".map",
+                                       ".sh",
+                                       ".css",
+                                       ".js",
+                                       ".html",
+                                       ".sv",
+                                       ".vlt",
+                                       ".smk",
+                                       ".yaml"};
     for (const std::string& part : Parts)
         for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
             if (!entry.is_regular_file()) continue;

@@ -16,6 +16,8 @@ SMALL = "[grid]\ntexel_cache.ways = [1, 2, 4]\n"
 class SlurmTest(SweepCase):
     def setUp(self):
         super().setUp()
+        if not os.environ.get("FFGPU_SLURM"):
+            self.skipTest("FFGPU_SLURM is not set: ./dev slurm runs it, which takes minutes")
         reason = slurm_cluster.missing()
         if reason:
             self.skipTest(reason)

@@ -103,7 +103,9 @@ std::string texture_text(const FragmentNote& fragment, const TextureNote& textur
         for (const probed::LevelFilter& filter : probe.levels)
             text += filter_text(fragment, texture.unit, filter);
         if (probe.levels.size() > 1)
-            text += fmt::format("       of all of it {}\n", color_text(probe.probe.color));
+            text += fmt::format("       of {} {}\n",
+                                probe.levels[0].along_x_count > 0 ? "both levels" : "all of it",
+                                color_text(probe.probe.color));
     }
     return text + fmt::format("     sample {}\n", color_text(texture.color));
 }

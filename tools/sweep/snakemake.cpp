@@ -28,7 +28,7 @@ std::vector<std::string> command_line(const FlowOptions& options) {
     const fs::path flow = find_flow_folder();
     std::vector<std::string> words{"snakemake",
                                    "--snakefile",
-                                   flow / "Snakefile",
+                                   flow / "sweep.smk",
                                    "--directory",
                                    options.folder,
                                    "--keep-going",
@@ -130,8 +130,8 @@ void read_logs(const fs::path& folder, Listener& listener) {
 fs::path find_flow_folder() {
     const fs::path above = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
     for (const char* const place : {FFGPU_INSTALLED_FLOW, FFGPU_BUILT_FLOW})
-        if (fs::exists(above / place / "Snakefile")) return above / place;
-    throw InputError("sweep: ffgpu's Snakefile is neither in " +
+        if (fs::exists(above / place / "sweep.smk")) return above / place;
+    throw InputError("sweep: ffgpu's sweep.smk is neither in " +
                      (above / FFGPU_INSTALLED_FLOW).string() + " nor in " +
                      (above / FFGPU_BUILT_FLOW).string());
 }
