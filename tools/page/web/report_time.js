@@ -4,7 +4,8 @@
 function timeViews() {
   const views = {
     bottleneck: {
-      text: "what the machine waits for",
+      text: "what the machine waits for, frame by frame",
+      isOfFrames: true, // What a frame waited for is known at its end.
       unit: "% of cycles",
       parts: resources.map((name) => [`bottleneck_${name}_cycles`, words(name), colorOf(resources, name)]),
     },
@@ -38,13 +39,13 @@ function timeViews() {
   return views;
 }
 // Counters over time: intervals of the series, or frames. Both have their cycles.
-function timeSource(run) {
-  if (!run.series)
+function timeSource(run, view) {
+  if (!run.series || view.isOfFrames)
     return { cycles: run.timing.total_cycles, columns: run.timing, frame: run.frames.map((_, i) => i) };
   return run.series;
 }
 function timeSeries(run, view) {
-  const source = timeSource(run),
+  const source = timeSource(run, view),
     labels = [],
     kept = [];
   let at = 0;
@@ -76,7 +77,7 @@ function timeChart(parent, view, run, i) {
     show: (value) => number(value, 1),
     title: `Over time: ${view.text}${isPair ? `, ${runNames[i]}` : ""}`,
     compute: () => timeSeries(run, view),
-    describe: () => `${view.unit} in ${number(timeSource(run).cycles.length)} intervals`,
+    describe: () => `${view.unit} in ${number(timeSource(run, view).cycles.length)} intervals`,
   });
 }
 function addTime() {
@@ -91,7 +92,10 @@ function addTime() {
     made = runs.map((run, i) => timeChart(box, views[key], run, i));
   };
   const options = Object.entries(views).map(([key, view]) => [key, view.text]);
-  parent.append(controls(choice("Shown", options, show)), box);
-  show("bottleneck");
+  const picker = controls(choice("Shown", options, show));
+  parent.append(picker, box);
+  const first = runs.some((run) => run.series) ? "busy" : "bottleneck";
+  picker.querySelector("select").value = first;
+  show(first);
   addNotes(parent, "series");
 }
