@@ -1,6 +1,7 @@
 #include "model/gpu/thread_pool.h"
 
 #include "model/base/float_environment.h"
+#include "model/base/thread_without_signals.h"
 
 #include <utility>
 
@@ -8,7 +9,7 @@ namespace ffgpu {
 
 ThreadPool::ThreadPool(unsigned threads) {
     for (unsigned worker = 1; worker < threads; ++worker)
-        workers_.emplace_back([this, worker] { work(worker); });
+        workers_.push_back(thread_without_signals([this, worker] { work(worker); }));
 }
 
 ThreadPool::~ThreadPool() {

@@ -1,27 +1,14 @@
 #include "model/work/job_thread.h"
 
-#include <csignal>
+#include "model/base/thread_without_signals.h"
+
 #include <utility>
 
 namespace ffgpu::work {
-namespace {
-
-// Signals are the drawing thread's: a program's handlers do not run on a thread that it does not
-// know.
-std::thread without_signals(std::function<void()> run) {
-    sigset_t all, before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
-    std::thread thread(std::move(run));
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    return thread;
-}
-
-} // namespace
 
 JobThread::JobThread(std::size_t most_weight)
     : most_weight_(most_weight)
-    , thread_(without_signals([this] { work(); })) {}
+    , thread_(thread_without_signals([this] { work(); })) {}
 
 JobThread::~JobThread() {
     {

@@ -1,11 +1,13 @@
 #include "tools/image/image_writer.h"
 
+#include "model/base/thread_without_signals.h"
+
 #include <utility>
 
 namespace ffgpu::tools {
 
 ImageWriter::ImageWriter()
-    : thread_([this] { run(); }) {}
+    : thread_(thread_without_signals([this] { run(); })) {}
 
 ImageWriter::~ImageWriter() {
     {

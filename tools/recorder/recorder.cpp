@@ -5,6 +5,7 @@
 
 #include "driver/window_system/build_id.h"
 #include "model/base/input_error.h"
+#include "model/base/thread_without_signals.h"
 #include "model/timing/machine_stuck.h"
 #include "tools/commands/warn.h"
 #include "tools/record/recording_arguments.h"
@@ -59,7 +60,7 @@ public:
         recording_->before_frame(0);
         catch_signal(SIGINT);
         catch_signal(SIGTERM);
-        std::thread([this, in_turn] {
+        thread_without_signals([this, in_turn] {
             signal_came.acquire();
             std::this_thread::sleep_for(Patience);
             in_turn([this] { end_by_signal(interrupted); });
@@ -135,6 +136,10 @@ private:
     void end_by_signal(int signal) {
         finish();
         std::signal(signal, SIG_DFL);
+        sigset_t own; // A thread of the recorder takes none.
+        sigemptyset(&own);
+        sigaddset(&own, signal);
+        pthread_sigmask(SIG_UNBLOCK, &own, nullptr);
         std::raise(signal);
     }
 

@@ -1,6 +1,7 @@
 #include "tools/recorder/run_watch.h"
 
-#include <thread>
+#include "model/base/thread_without_signals.h"
+
 #include <utility>
 
 #include <fcntl.h>
@@ -16,7 +17,7 @@ void on_lost_run(const std::string& settings_path, std::function<void()> lost) {
         if (file >= 0) ::close(file);
         return;
     }
-    std::thread([file, settings_path, lost = std::move(lost)] {
+    thread_without_signals([file, settings_path, lost = std::move(lost)] {
         while (::flock(file, LOCK_SH) != 0) {
         }
         ::close(file);
