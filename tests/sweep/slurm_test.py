@@ -17,7 +17,7 @@ class SlurmTest(SweepCase):
     def setUp(self):
         super().setUp()
         if not os.environ.get("FFGPU_SLURM"):
-            self.skipTest("FFGPU_SLURM is not set: ./dev slurm runs it, which takes minutes")
+            self.skipTest("FFGPU_SLURM is not set: ./dev sweep_kills runs it, which takes minutes")
         reason = slurm_cluster.missing()
         if reason:
             self.skipTest(reason)
