@@ -14,8 +14,8 @@ std::uint32_t packed(const probed::Rgba& color) {
 }
 
 std::uint32_t packed(const ColorPlanes& planes, unsigned lane) {
-    return planes.r[lane] | planes.g[lane] << 8 | planes.b[lane] << 16 |
-           std::uint32_t{planes.a[lane]} << 24;
+    return std::uint32_t{planes.r[lane]} | std::uint32_t{planes.g[lane]} << 8 |
+           std::uint32_t{planes.b[lane]} << 16 | std::uint32_t{planes.a[lane]} << 24;
 }
 
 // A bit a sample.
