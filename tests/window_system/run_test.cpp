@@ -67,6 +67,8 @@ TEST_CASE("programs one after the other: the first with a frame is recorded") {
     CHECK(count_of(run.text, "draws too, and is not recorded") == 1);
 }
 
+// ThreadSanitizer puts a handler off until the wait in poll() is over, which here it never is.
+#ifndef __SANITIZE_THREAD__
 TEST_CASE("Ctrl-C while the program waits for events keeps its statistics") {
     Display* const display = tests::XServer::display();
     if (!display) return;
@@ -81,6 +83,7 @@ TEST_CASE("Ctrl-C while the program waits for events keeps its statistics") {
     text << file.rdbuf();
     CHECK(count_of(text.str(), "\"frame_count\": 10") == 1);
 }
+#endif
 
 TEST_CASE("Ctrl-C ends a replay behind a frame, with its statistics") {
     const OutputFolder out;
