@@ -33,7 +33,8 @@ cmake --build "$Build" -j "$Jobs"
 
 export ASAN_OPTIONS=${ASAN_OPTIONS:-strict_string_checks=1:detect_stack_use_after_return=1}
 export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
-export TSAN_OPTIONS=${TSAN_OPTIONS:-halt_on_error=1:second_deadlock_stack=1}
+# Tests fork hundreds of children: ThreadSanitizer would have each of them sleep for a second.
+export TSAN_OPTIONS=${TSAN_OPTIONS:-halt_on_error=1:second_deadlock_stack=1:atexit_sleep_ms=20}
 # ThreadSanitizer's map of the memory has no place for libraries that the kernel put just anywhere.
 [ "$sanitizers" = thread ] && [ -z "${FFGPU_FIXED_ADDRESSES:-}" ] &&
     FFGPU_FIXED_ADDRESSES=1 exec setarch --addr-no-randomize tests/sanitize/sanitize.sh --thread ${short:+--short} "$Build"

@@ -33,7 +33,9 @@ constexpr int CannotRun = 127; // the shell's status for it
 volatile std::sig_atomic_t child = 0;
 
 void pass_on(int signal) {
+    const int errno_of_the_interrupted = errno;
     if (child > 0) ::kill(child, signal);
+    errno = errno_of_the_interrupted;
 }
 
 // The terminal sends Ctrl-C to the program as well; what somebody sent to us alone it has to be

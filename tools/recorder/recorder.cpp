@@ -12,6 +12,7 @@
 #include "tools/recorder/guarded_device.h"
 #include "tools/recorder/run_watch.h"
 
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -30,7 +31,9 @@ namespace {
 constexpr int BadInput = 2;
 constexpr auto Patience = std::chrono::seconds(2);
 
-volatile std::sig_atomic_t interrupted = 0; // the signal that came
+// The signal that came. A handler and a thread write it.
+std::atomic<int> interrupted{0};
+static_assert(std::atomic<int>::is_always_lock_free);
 std::binary_semaphore signal_came{0};
 
 // Ctrl-C: the frame that is being drawn is the last. Where the program draws none for a while, or
