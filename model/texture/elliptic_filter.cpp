@@ -60,10 +60,9 @@ Rgba filter_elliptic(const TextureUnit& unit,
     const std::array<float, 2> coords{fragment.coord.s, fragment.coord.t};
     std::array<std::int32_t, 2> from_centre{}, first{}, last{};
     for (unsigned axis = 0; axis < 2; ++axis) {
-        from_centre[axis] = texel_position(unit.linear_rules[axis].fold,
-                                           coords[axis],
-                                           level_extent(unit, axis, level)) -
-                            128;
+        from_centre[axis] =
+            texel_position(unit.sampler.wrap[axis], coords[axis], level_extent(unit, axis, level)) -
+            128;
         first[axis] = (from_centre[axis] - ellipse.half[axis]) >> 8;
         last[axis] = (from_centre[axis] + ellipse.half[axis]) >> 8;
     }

@@ -16,7 +16,7 @@
 //     n = min(floor(2 major / minor - 1 + 1/2), probes)
 //     minor = 2 major / (n + 1) where n is less than 2 major / minor - 1
 //     level = log2 minor,  step = 2 (major - minor) / (n - 1)
-//     probe i at (i - (n - 1) / 2) step,  weight exp(-2 d^2),  d its distance over major
+//     probe i at (i - (n - 1) / 2) step,  weight 2^(-6 d^2),  d its distance over major
 
 #include "model/texture/gaussian_weights.h"
 #include "model/texture/probe_filter.h"

@@ -1,5 +1,15 @@
-// The Gaussian of the elliptic filter and of Feline, which is its form in hardware: exp(-2 d^2) at
+// The Gaussian of the elliptic filter and of Feline, which is its form in hardware: 2^(-6 d^2) at
 // the distance d from the ellipse's centre, 1 at its edge.
+//
+// Heckbert (1989, section 3.5) leaves the width open: a resampling filter's variance is that of the
+// pixel's prefilter, carried to the texture, and that of the reconstruction of texels; the ellipse
+// has both by its "+ 1". What is to be met here is the mean over a pixel and over texels that are
+// squares, so the Gaussian of unit area is the one nearest to a box of width 1 in the mean square:
+//
+//     d/dv of the integral of (box - gaussian of variance v)^2 = 0  <=>  exp(-1 / 8v) = 2^(-3/2)
+//     v = 1 / (12 ln 2) = 0.120,  exp(-d^2 / 2v) = exp(-6 ln 2 d^2) = 2^(-6 d^2)
+//
+// exp(-2 d^2), as one often sees, has v = 1/4, more than the pixel's own 1/12 three times.
 
 #pragma once
 
@@ -11,9 +21,9 @@ namespace ffgpu {
 
 constexpr unsigned WeightSteps = 128;
 
-// round(255 exp(-2 k / 128))
+// round(255 2^(-6 k / 128))
 constexpr auto GaussianWeights = [] {
-    constexpr double Step = 0.98449643700540845; // exp(-2 / 128)
+    constexpr double Step = 0.96803079971393136; // 2^(-6 / 128)
     std::array<std::uint32_t, WeightSteps> table{};
     double value = 255;
     for (std::uint32_t& weight : table) {

@@ -6,61 +6,86 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace ffgpu {
 namespace {
 
 using Sums = std::array<std::uint64_t, 4>; // by channel
 
-// A part of the box along one axis: from .. to within the image, in 256ths of a texel.
+// Along one axis, from .. to within the image, in 256ths of a texel.
 struct Interval {
     std::int32_t from = 0, to = 0;
 
     std::int32_t length() const { return to - from; }
 };
 
-// At most two parts: a box is no longer than the image, so it crosses one edge.
-struct Intervals {
-    std::array<Interval, 2> parts;
-    unsigned count = 0;
+// Texels, and how much of the box they stand for: their own length, but that an edge's texel stands
+// for all that lies beyond it.
+struct Part {
+    Interval texels;
+    std::int32_t covers = 0; // 256ths of a texel
+};
 
-    void add(std::int32_t from, std::int32_t to) {
-        if (from < to) parts[count++] = {from, to};
+// A box along one axis. Two parts at most: it is no longer than the image, so it crosses one edge.
+// What they leave of it is border.
+struct BoxParts {
+    std::array<Part, 2> parts;
+    unsigned count = 0;
+    std::int32_t width = 0;
+
+    void add(const Interval& texels) {
+        if (texels.length() > 0) parts[count++] = {texels, texels.length()};
+    }
+    void add_edge(std::int32_t first_texel, std::int32_t covers) {
+        if (covers > 0) parts[count++] = {{first_texel, first_texel + 256}, covers};
     }
 };
 
 // The part of the box in the image's repetition number `period`, of `length` 256ths of a texel.
 void add_period(
-    Intervals& intervals, Interval box, std::int32_t period, std::int32_t length, bool mirrored) {
+    BoxParts& parts, Interval box, std::int32_t period, std::int32_t length, bool mirrored) {
     const std::int32_t from = std::max(box.from - period * length, 0);
     const std::int32_t to = std::min(box.to - period * length, length);
-    if (mirrored && period % 2 != 0) return intervals.add(length - to, length - from);
-    intervals.add(from, to);
+    if (mirrored && period % 2 != 0) return parts.add({length - to, length - from});
+    parts.add({from, to});
 }
 
-// What the pixel covers, one texel at least, around the coordinate. Beyond a clamped edge there is
-// nothing.
-Intervals box_along(const TextureUnit& unit, unsigned axis, float s, const QuadSampling& quad) {
+void add_repeated(BoxParts& parts, const Interval& box, std::int32_t length, bool mirrored) {
+    const std::int32_t first = box.from < 0 ? -1 : box.from / length;
+    for (std::int32_t period = first; period <= first + 1; ++period)
+        add_period(parts, box, period, length, mirrored);
+}
+
+// Below 0 a mirrored coordinate comes back; what is not said here is border.
+void add_clamped(BoxParts& parts, const Interval& box, std::int32_t length, Wrap wrap) {
+    const bool edge = wrap == Wrap::ClampToEdge || wrap == Wrap::MirrorClampToEdge;
+    parts.add({std::max(box.from, 0), std::min(box.to, length)});
+    if (wrap_rule(wrap, true).fold == Fold::MirrorClamp)
+        parts.add({std::max(-box.to, 0), std::min(-box.from, length)});
+    else if (edge)
+        parts.add_edge(0, std::min(-box.from, parts.width));
+    if (edge) parts.add_edge(length - 256, std::min(box.to - length, parts.width));
+}
+
+// What the pixel covers, one texel at least, around the coordinate.
+BoxParts box_along(const TextureUnit& unit, unsigned axis, float s, const QuadSampling& quad) {
     const std::int32_t length = 256 * unit.size[axis];
     const float covered = std::max(std::fabs(quad.steps.x[axis]), std::fabs(quad.steps.y[axis]));
     const float texels =
         std::clamp(covered * unit.density[axis], 1.0f, static_cast<float>(unit.size[axis]));
-    const std::int32_t width = round_to_int(texels * 256);
 
-    const Fold fold = unit.linear_rules[axis].fold;
-    const bool repeats = fold == Fold::Repeat || fold == Fold::Mirror;
-    std::int32_t at = texel_position(fold, s, unit.size[axis]);
-    if (!repeats) at = std::clamp(at, 0, length);
-    const Interval box{at - width / 2, at - width / 2 + width};
-    Intervals result;
-    if (!repeats) {
-        result.add(std::max(box.from, 0), std::min(box.to, length));
-        return result;
-    }
-    const std::int32_t first = box.from < 0 ? -1 : box.from / length;
-    for (std::int32_t period = first; period <= first + 1; ++period)
-        add_period(result, box, period, length, fold == Fold::Mirror);
-    return result;
+    const Wrap wrap = unit.sampler.wrap[axis];
+    BoxParts parts{.parts = {}, .width = round_to_int(texels * 256)};
+    const bool mirrored = wrap_rule(wrap, true).fold == Fold::MirrorClamp;
+    const std::int32_t at = texel_position(wrap, s, unit.size[axis]);
+    const std::int32_t from = (mirrored ? std::abs(at) : at) - parts.width / 2;
+    const Interval box{from, from + parts.width};
+    if (wrap == Wrap::Repeat || wrap == Wrap::MirroredRepeat)
+        add_repeated(parts, box, length, wrap == Wrap::MirroredRepeat);
+    else
+        add_clamped(parts, box, length, wrap);
+    return parts;
 }
 
 class SummedAreaTable {
@@ -69,8 +94,40 @@ public:
         : unit_(unit)
         , witness_(witness) {}
 
-    // Of the rectangle, in units of 2^-16: 64 bits hold the sums of the corners modulo 2^48.
-    Sums over(Interval x, Interval y) const {
+    // Of the box's part, in units of 2^-16. A texel that stands for more than itself has a sum that
+    // is a multiple of 256.
+    Sums over(const Part& x, const Part& y) const {
+        Sums sums = over(x.texels, y.texels);
+        for (const Part& part : {x, y})
+            if (part.covers != part.texels.length())
+                for (std::uint64_t& sum : sums)
+                    sum = sum / 256 * static_cast<std::uint64_t>(part.covers);
+        return sums;
+    }
+
+    // Of a border's part of so many units.
+    Sums over_border(std::uint64_t area) const {
+        constexpr std::uint16_t Border = TexelAccess::BorderTexel;
+        witness_.tell({.lane = static_cast<std::uint16_t>(witness_.lane),
+                       .level = 0,
+                       .linear = 0,
+                       .x0 = Border,
+                       .x1 = Border,
+                       .y0 = Border,
+                       .y1 = Border,
+                       .layer0 = 0,
+                       .layer1 = 0},
+                      {AxisTexels{-1, -1, 0}, AxisTexels{-1, -1, 0}, AxisTexels{}});
+        const Rgba color = read_stored_texel(unit_, {Border, Border}, witness_.observer);
+        Sums sums{};
+        for (unsigned channel = 0; channel < 4; ++channel)
+            sums[channel] = color[channel] * area;
+        return sums;
+    }
+
+private:
+    // 64 bits hold the sums of the corners modulo 2^48.
+    Sums over(const Interval& x, const Interval& y) const {
         const Sums corners[]{
             below(x.to, y.to), below(x.from, y.to), below(x.to, y.from), below(x.from, y.from)};
         Sums sums{};
@@ -81,7 +138,6 @@ public:
         return sums;
     }
 
-private:
     // The integral from the first texel's corner to (x, y): between the table's words it is
     // bilinear.
     Sums below(std::int32_t x, std::int32_t y) const {
@@ -150,19 +206,25 @@ Rgba filter_summed_area(const TextureUnit& unit,
                         const SampledFragment& fragment,
                         const QuadSampling& quad,
                         const FilterWitness& witness) {
-    const Intervals x = box_along(unit, 0, fragment.coord.s, quad);
-    const Intervals y = box_along(unit, 1, fragment.coord.t, quad);
+    const BoxParts x = box_along(unit, 0, fragment.coord.s, quad);
+    const BoxParts y = box_along(unit, 1, fragment.coord.t, quad);
     const SummedAreaTable table(unit, witness);
+    const auto area_of = [](std::int32_t width, std::int32_t height) {
+        return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    };
+    const std::uint64_t area = area_of(x.width, y.width);
+    std::uint64_t border = area;
     Sums sum{};
-    std::uint64_t area = 0;
+    const auto add = [&sum](const Sums& part) {
+        for (unsigned channel = 0; channel < 4; ++channel)
+            sum[channel] += part[channel];
+    };
     for (unsigned j = 0; j < y.count; ++j)
         for (unsigned i = 0; i < x.count; ++i) {
-            const Sums part = table.over(x.parts[i], y.parts[j]);
-            for (unsigned channel = 0; channel < 4; ++channel)
-                sum[channel] += part[channel];
-            area += static_cast<std::uint64_t>(x.parts[i].length()) *
-                    static_cast<std::uint64_t>(y.parts[j].length());
+            add(table.over(x.parts[i], y.parts[j]));
+            border -= area_of(x.parts[i].covers, y.parts[j].covers);
         }
+    if (border != 0) add(table.over_border(border));
     Rgba color{};
     for (unsigned channel = 0; channel < 4; ++channel)
         color[channel] = static_cast<std::uint8_t>((sum[channel] + area / 2) / area);

@@ -109,7 +109,7 @@ Rgba filter_bicubic(const TextureUnit& unit,
     std::array<std::array<std::int32_t, 4>, 2> weights{};
     for (unsigned axis = 0; axis < 2; ++axis) {
         const std::int32_t from_centre =
-            texel_position(unit.linear_rules[axis].fold, coords[axis], unit.size[axis]) - 128;
+            texel_position(unit.sampler.wrap[axis], coords[axis], unit.size[axis]) - 128;
         first[axis] = (from_centre >> 8) - 1;
         weights[axis] = bicubic_weights(static_cast<std::uint32_t>(from_centre & 0xff));
     }

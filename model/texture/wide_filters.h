@@ -18,7 +18,8 @@
 //     Q = A U^2 + B U V + C V^2 < F,  A = vx^2 + vy^2 + 1,  B = -2 (ux vx + uy vy),
 //     C = ux^2 + uy^2 + 1,  F = A C - B^2 / 4
 //
-// and the texels in it are averaged with weights round(255 exp(-2 k / 128)), k = floor(128 Q / F).
+// and the texels in it are averaged with weights round(255 2^(-6 k / 128)), k = floor(128 Q / F);
+// gaussian_weights.h says why.
 // The level is that of anisotropic probes. A side of more than 32 texels counts as 32.
 //
 // Feline (McCormack and others 1999): that ellipse by probes of the mip map; feline_filter.cpp.

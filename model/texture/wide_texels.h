@@ -7,10 +7,13 @@
 #include "model/texture/texel_read.h"
 #include "model/texture/wrap.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
 namespace ffgpu {
+
+constexpr std::int32_t WidestFilter = 64; // texels of a level, but of a summed-area table's: size
 
 // The texel that stands for texel `index` of an axis: -1 and `size` are the border.
 constexpr std::int32_t wrapped_texel(Wrap wrap, std::int32_t index, std::int32_t size) {
@@ -44,12 +47,29 @@ constexpr std::int32_t wrapped_texel(Wrap wrap, std::int32_t index, std::int32_t
 }
 
 // A coordinate among the `size` texels of a level, with 8 fraction bits: brought near the image,
-// but not to its texels, which wrapped_texel() does. Repeat: 0 to size; mirrored: 0 to 2 size.
-constexpr std::int32_t texel_position(Fold fold, float s, std::int32_t size) {
-    const float scale = static_cast<float>(256 * size);
-    const float folded =
-        fold == Fold::Mirror ? 2 * fraction(s * 0.5f) : fold_coordinate(fold, s, 1);
-    return round_to_int(folded * scale);
+// but not to its texels, which wrapped_texel() does. Repeat: 0 to size; mirrored: 0 to 2 size;
+// clamped: no farther out than where any filter sees the edge alone.
+// GL_CLAMP alone says something of the coordinate: it is held in [0, 1] before texels are chosen
+// around it (GL 1.5, 3.8.7), so that far outside a filter takes half of its texels from the border.
+constexpr std::int32_t texel_position(Wrap wrap, float s, std::int32_t size) {
+    const std::int32_t length = 256 * size;
+    const auto scale = static_cast<float>(length);
+    const auto clamped = [&](std::int32_t low, std::int32_t high) {
+        return round_to_int(
+            std::clamp(s * scale, static_cast<float>(low), static_cast<float>(high)));
+    };
+    switch (wrap) {
+    case Wrap::Repeat:
+        return round_to_int(fraction(s) * scale);
+    case Wrap::MirroredRepeat:
+        return round_to_int(2 * fraction(s * 0.5f) * scale);
+    case Wrap::Clamp:
+        return clamped(0, length);
+    case Wrap::MirrorClamp:
+        return clamped(-length, length);
+    default:
+        return clamped(-2 * length - 256 * WidestFilter, 2 * length + 256 * WidestFilter);
+    }
 }
 
 // The coordinates' steps from a pixel to the next, in texels of a level.

@@ -15,7 +15,14 @@
 namespace ffgpu::test {
 namespace {
 
-constexpr Wrap Wraps[] = {Wrap::Repeat, Wrap::MirroredRepeat, Wrap::ClampToEdge};
+constexpr Wrap Wraps[] = {Wrap::Repeat,
+                          Wrap::MirroredRepeat,
+                          Wrap::Clamp,
+                          Wrap::ClampToEdge,
+                          Wrap::ClampToBorder,
+                          Wrap::MirrorClamp,
+                          Wrap::MirrorClampToEdge,
+                          Wrap::MirrorClampToBorder};
 
 TextureShape shape_of(std::uint32_t width, std::uint32_t height) {
     return {TextureKind::TwoD, Format::Rgba8, width, height, 1, 1, 0};
@@ -24,6 +31,7 @@ TextureShape shape_of(std::uint32_t width, std::uint32_t height) {
 Sampler sampler_of(TextureFilter filter, Wrap wrap) {
     Sampler sampler = linear_sampler(wrap);
     sampler.filter = filter;
+    sampler.border_color = rgba8(Picture{}.border);
     return sampler;
 }
 
@@ -45,11 +53,7 @@ TEST_CASE("Bicubic magnification is Keys' convolution") {
         for (int n = 0; n < 2000; ++n) {
             const Pixel pixel{place(random, 32), place(random, 16)};
             const Color color = sample_pixel(unit, pixel, nullptr);
-            // Clamped, the coordinate is; then come the texels around it.
-            const auto held = [&](double at, int size) {
-                return wrap == Wrap::ClampToEdge ? std::clamp(at, -double(size), 2.0 * size) : at;
-            };
-            const double u = held(pixel.u, 32) - 0.5, v = held(pixel.v, 16) - 0.5;
+            const double u = held(wrap, pixel.u, 32) - 0.5, v = held(wrap, pixel.v, 16) - 0.5;
             for (unsigned channel = 0; channel < 4; ++channel) {
                 double sum = 0;
                 for (int y = int(std::floor(v)) - 1; y <= int(std::floor(v)) + 2; ++y)
@@ -114,11 +118,11 @@ TEST_CASE("A rip-map's sample mixes the four images around the pixel's two sides
         const TextureUnit unit = memory.compile(sampler);
         REQUIRE(unit.filter == TextureFilter::RipMap);
         const auto bilinear = [&](unsigned i, unsigned j, const Pixel& pixel, unsigned channel) {
-            const auto held = [&](double at, int size) {
-                return wrap == Wrap::ClampToEdge ? std::clamp(at, 0.5, size - 0.5) : at;
+            const auto place_along = [&](double at, unsigned level, int size) {
+                return held(wrap, std::ldexp(at, -int(level)), size) - 0.5;
             };
-            const double u = held(std::ldexp(pixel.u, -int(i)), int(Width >> i)) - 0.5;
-            const double v = held(std::ldexp(pixel.v, -int(j)), int(Height >> j)) - 0.5;
+            const double u = place_along(pixel.u, i, int(Width >> i));
+            const double v = place_along(pixel.v, j, int(Height >> j));
             const int x = int(std::floor(u)), y = int(std::floor(v));
             const auto texel = [&](int dx, int dy) {
                 return images[i][j].at(wrap, x + dx, y + dy, channel);
@@ -191,18 +195,12 @@ TEST_CASE("A summed-area table gives the mean over the pixel's box") {
                               0,
                               (2 * below(random, 128 * Height) + 2) / 256.0};
             const Color color = sample_pixel(unit, pixel, nullptr);
-            double u = pixel.u, v = pixel.v;
-            if (wrap == Wrap::ClampToEdge) {
-                u = std::clamp(u, 0.0, double(Width));
-                v = std::clamp(v, 0.0, double(Height));
-            }
+            const double u = held(wrap, pixel.u, Width), v = held(wrap, pixel.v, Height);
             const double half_u = std::max(1.0, pixel.ux) / 2, half_v = std::max(1.0, pixel.vy) / 2;
             for (unsigned channel = 0; channel < 4; ++channel) {
                 double sum = 0, area = 0;
                 for (int y = int(std::floor(v - half_v)); y < v + half_v; ++y)
                     for (int x = int(std::floor(u - half_u)); x < u + half_u; ++x) {
-                        const bool inside = x >= 0 && x < Width && y >= 0 && y < Height;
-                        if (wrap == Wrap::ClampToEdge && !inside) continue;
                         const double part =
                             covered(u - half_u, u + half_u, x) * covered(v - half_v, v + half_v, y);
                         sum += part * picture.at(wrap, x, y, channel);
@@ -235,15 +233,16 @@ TEST_CASE("The elliptic filter is Heckbert's weighted average") {
             const double b = -2 * (pixel.ux * pixel.vx + pixel.uy * pixel.vy);
             const double c = pixel.ux * pixel.ux + pixel.uy * pixel.uy + 1;
             const double f = a * c - b * b / 4;
+            const double at_u = held(wrap, pixel.u, Width), at_v = held(wrap, pixel.v, Height);
             for (unsigned channel = 0; channel < 4; ++channel) {
                 double sum = 0, total = 0;
-                for (int y = int(pixel.v) - 20; y <= int(pixel.v) + 20; ++y)
-                    for (int x = int(pixel.u) - 20; x <= int(pixel.u) + 20; ++x) {
-                        const double u = x + 0.5 - pixel.u, v = y + 0.5 - pixel.v;
+                for (int y = int(at_v) - 20; y <= int(at_v) + 20; ++y)
+                    for (int x = int(at_u) - 20; x <= int(at_u) + 20; ++x) {
+                        const double u = x + 0.5 - at_u, v = y + 0.5 - at_v;
                         const double q = (a * u * u + b * u * v + c * v * v) / f;
                         if (q >= 1) continue;
-                        sum += std::exp(-2 * q) * picture.at(wrap, x, y, channel);
-                        total += std::exp(-2 * q);
+                        sum += std::exp2(-6 * q) * picture.at(wrap, x, y, channel);
+                        total += std::exp2(-6 * q);
                     }
                 worst = std::max(worst, std::fabs(sum / total - color[channel]));
             }

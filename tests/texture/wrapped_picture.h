@@ -5,16 +5,41 @@
 
 #include "tests/texture/texture_fixture.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
 
 namespace ffgpu::test {
 
+constexpr int BorderTexel = -1;
+
+inline bool clamps(Wrap wrap) {
+    return wrap != Wrap::Repeat && wrap != Wrap::MirroredRepeat;
+}
+
+// The texel that stands for texel `index` of an axis that is clamped.
+inline int clamped(Wrap wrap, int index, int size) {
+    const bool mirrors = wrap == Wrap::MirrorClamp || wrap == Wrap::MirrorClampToEdge ||
+                         wrap == Wrap::MirrorClampToBorder;
+    if (mirrors && index < 0) index = -1 - index;
+    if (index >= 0 && index < size) return index;
+    if (wrap == Wrap::ClampToEdge || wrap == Wrap::MirrorClampToEdge)
+        return index < 0 ? 0 : size - 1;
+    return BorderTexel;
+}
+
+// GL 1.5, 3.8.7: GL_CLAMP and its mirrored form hold the coordinate, here in texels, in the image.
+inline double held(Wrap wrap, double at, int size) {
+    if (wrap == Wrap::Clamp) return std::clamp(at, 0.0, double(size));
+    if (wrap == Wrap::MirrorClamp) return std::clamp(at, -double(size), double(size));
+    return at;
+}
+
 // The texel that stands for texel `index`: by walking there, step by step.
 inline int walked(Wrap wrap, int index, int size) {
     int at = 0, step = 1;
-    if (wrap == Wrap::ClampToEdge) return index < 0 ? 0 : index >= size ? size - 1 : index;
+    if (clamps(wrap)) return clamped(wrap, index, size);
     const int forward = index >= 0 ? 1 : -1;
     if (wrap == Wrap::Repeat) {
         for (int i = 0; i != index; i += forward)
@@ -37,15 +62,17 @@ inline int walked(Wrap wrap, int index, int size) {
 struct Picture {
     int width = 0, height = 0;
     std::vector<std::array<int, 4>> texels;
+    std::array<int, 4> border{200, 3, 77, 140};
 
     double at(Wrap wrap, int x, int y, unsigned channel) const {
         const int column = walked(wrap, x, width), row = walked(wrap, y, height);
+        if (column == BorderTexel || row == BorderTexel) return border[channel];
         return texels[static_cast<std::size_t>(row * width + column)][channel];
     }
 };
 
 inline Picture random_picture(Random& random, int width, int height) {
-    Picture picture{width, height, {}};
+    Picture picture{.width = width, .height = height, .texels = {}};
     for (int i = 0; i < width * height; ++i) {
         std::array<int, 4> texel{};
         for (int& channel : texel)
