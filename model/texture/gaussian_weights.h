@@ -1,7 +1,7 @@
 // The Gaussian of the elliptic filter and of Feline, which is its form in hardware: 2^(-6 d^2) at
 // the distance d from the ellipse's centre, 1 at its edge.
 //
-// Heckbert (1989, section 3.5) leaves the width open: a resampling filter's variance is that of the
+// Heckbert's theory (1989) holds for any width: a resampling filter's variance is that of the
 // pixel's prefilter, carried to the texture, and that of the reconstruction of texels; the ellipse
 // has both by its "+ 1". What is to be met here is the mean over a pixel and over texels that are
 // squares, so the Gaussian of unit area is the one nearest to a box of width 1 in the mean square:

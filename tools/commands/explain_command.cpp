@@ -25,7 +25,7 @@ constexpr unsigned MostRegionPixels = 4096;
 
 struct Arguments {
     ExplainOptions explain;
-    std::string pixel, region, output, footprint, config;
+    std::string frame, pixel, region, output, footprint, config;
     std::vector<std::string> settings;
     bool lower_left = false, json = false;
 };
@@ -48,6 +48,16 @@ std::vector<unsigned> numbers(const std::string& option, const std::string& text
         throw InputError(
             fmt::format("{} {}: expected {} numbers with commas between", option, text, count));
     return values;
+}
+
+std::uint64_t frame_number(const std::string& text) {
+    std::uint64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [next, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc() || next != end)
+        throw InputError(
+            fmt::format("--frame {}: expected a frame's number, counted from 0", text));
+    return number;
 }
 
 void write_file(const std::string& path, const std::string& text) {
@@ -114,6 +124,8 @@ int run_explain(Arguments& arguments) {
                          "--json nor --footprint");
     if (!has_region) numbers("--pixel", arguments.pixel, 2);
     ExplainOptions& options = arguments.explain;
+    options.frame = frame_number(arguments.frame);
+    if (!arguments.footprint.empty()) const WholeFile can_be_written(arguments.footprint);
     if (!arguments.config.empty()) read_config_file(arguments.config, options.configuration);
     for (const std::string& setting : arguments.settings)
         apply_setting(setting, options.configuration);
@@ -134,7 +146,7 @@ void add_explain_command(CLI::App& application, Run& run) {
     CLI::App* const verb = application.add_subcommand(
         "explain", "Tells the history of a pixel: each fragment and stage, test and texel");
     verb->add_option("input", options.input, "An apitrace file or a .ffc capture")->required();
-    verb->add_option("--frame", options.frame, "The frame, counted from 0")
+    verb->add_option("--frame", arguments->frame, "The frame, counted from 0")
         ->type_name("F")
         ->required();
     verb->add_option("--pixel", arguments->pixel, "The pixel, from the picture's upper left")
@@ -143,11 +155,16 @@ void add_explain_command(CLI::App& application, Run& run) {
         ->type_name("X,Y,W,H");
     verb->add_flag(
         "--lower-left", arguments->lower_left, "X,Y count from the lower left, as in GL");
+    const auto is_path = [](const std::string& path) {
+        return path.empty() ? "expected a file" : std::string();
+    };
     verb->add_option("-o,--output", arguments->output, "Write here, not to the terminal")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(is_path);
     verb->add_flag("--json", arguments->json, "As JSON");
     verb->add_option("--footprint", arguments->footprint, "Picture of the texels that were read")
-        ->type_name("F.png");
+        ->type_name("F.png")
+        ->check(is_path);
     verb->add_flag("--timing", options.timing, "With hits, misses and cycles of the timing model");
     verb->add_option("--config", arguments->config, "Parameters; ffgpu config prints them")
         ->type_name("F.toml");

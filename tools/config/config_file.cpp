@@ -195,6 +195,10 @@ void apply_text(const std::string& text, const std::string& source, Configuratio
 }
 
 void apply_setting(const std::string& setting, Configuration& configuration) {
+    const std::size_t equals = setting.find('=');
+    const bool has_both = setting.find_first_not_of(' ') < equals && equals < setting.size() &&
+                          setting.find_first_not_of(' ', equals + 1) < setting.size();
+    if (!has_both) throw InputError(fmt::format("--set {}: expected NAME=VALUE", setting));
     apply_text(quote_choice(setting), "--set", configuration);
 }
 

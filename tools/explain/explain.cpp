@@ -47,12 +47,15 @@ Surface ExplainedFrame::play() {
     device_->number_draws_from(source->prepare());
     std::uint64_t next = source->first_frame();
     if (options_.frame < next)
-        throw InputError(fmt::format("{}: begins with frame {}", options_.input, next));
+        throw InputError(fmt::format(
+            "--frame {}: {} begins with frame {}", options_.frame, options_.input, next));
     for (;;) {
         if (next == options_.frame)
             device_->start(static_cast<std::uint32_t>(next), from_trace_ ? &calls : nullptr);
         const std::optional<Frame> frame = source->next();
-        if (!frame) throw InputError(fmt::format("{}: ends before frame {}", options_.input, next));
+        if (!frame)
+            throw InputError(fmt::format(
+                "--frame {}: {} ends before frame {}", options_.frame, options_.input, next));
         if (frame->number == options_.frame) {
             gpu_->finish();
             return frame->picture;
