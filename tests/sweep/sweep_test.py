@@ -133,6 +133,37 @@ class KillTest(SweepCase):
         self.assertEqual(self.results("out"), before)
 
 
+class MakeOnceTest(SweepCase):
+    """make_once.sh, by which jobs make their files."""
+
+    def make(self, file, script):
+        once = SOURCE / "tools/sweep/flow/make_once.sh"
+        return subprocess.run([once, file, "sh", "-c", script, "sh"], check=False).returncode
+
+    def test_what_is_there_stays_and_nothing_runs(self):
+        file = self.folder / "result"
+        self.assertEqual(self.make(file, "echo first > $1"), 0)
+        before = file.stat()
+        ran = self.folder / "ran"
+        self.assertEqual(self.make(file, f"echo second > $1; touch {ran}"), 0)
+        self.assertEqual(file.read_text(), "first\n")
+        self.assertEqual(file.stat(), before)
+        self.assertFalse(ran.exists())
+
+    def test_what_comes_there_meanwhile_stays(self):
+        file = self.folder / "result"
+        self.assertEqual(self.make(file, f"echo other > {file}; echo own > $1"), 0)
+        self.assertEqual(file.read_text(), "other\n")
+        self.assertEqual(list(self.folder.iterdir()), [file])
+
+    def test_a_failure_leaves_nothing_and_a_stuck_machine_a_result(self):
+        file = self.folder / "result"
+        self.assertEqual(self.make(file, "echo half > $1; exit 2"), 2)
+        self.assertEqual(list(self.folder.iterdir()), [])
+        self.assertEqual(self.make(file, "echo stuck > $1; exit 3"), 0)
+        self.assertEqual(file.read_text(), "stuck\n")
+
+
 class RefusalTest(SweepCase):
     def test_a_space_that_is_none_is_one_line_with_file_and_line(self):
         for space, line, words in [

@@ -56,9 +56,20 @@ void remove_unfinished(const fs::path& folder) {
     for (const char* const part : {"work", "results", "points"})
         for (const auto& entry : fs::recursive_directory_iterator(folder / part, ignored)) {
             const std::string name = entry.path().filename().string();
-            if (name.find(".part") != std::string::npos || name.ends_with(".unfinished"))
-                fs::remove(entry.path(), ignored);
+            if (name.find(".part") != std::string::npos) fs::remove(entry.path(), ignored);
         }
+}
+
+// What Snakemake takes for its outputs (sweep.smk): of this run alone, and of the work that is
+// there.
+void renew_marks(const SweepPlan& plan) {
+    const fs::path marks = plan.folder / "marks";
+    std::error_code ignored;
+    fs::remove_all(marks, ignored);
+    make_folder((marks / "work").string());
+    for (const SweepTrace& trace : plan.traces)
+        if (!trace.is_work && fs::exists(plan.work(trace)))
+            write_whole(marks / "work" / trace.id, "");
 }
 
 void write_plots(const SweepPlan& plan, const std::vector<SweepRow>& rows) {
@@ -145,7 +156,10 @@ std::string sweep(const SweepOptions& options) {
     const FolderLock lock(plan.folder);
     const std::size_t missing = write_plan(plan, options.version);
     std::vector<std::string> complaints;
-    if (missing > 0) complaints = run_flow({plan.folder, options.profile, options.cores, missing});
+    if (missing > 0) {
+        renew_marks(plan);
+        complaints = run_flow({plan.folder, options.profile, options.cores, missing});
+    }
     const std::size_t still_missing = count_missing(plan);
     const UnitCosts units = read_unit_costs(find_flow_folder() / "rtl_cost.md");
     const std::vector<SweepRow> rows = read_results(plan, units);

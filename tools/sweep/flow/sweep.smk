@@ -1,37 +1,58 @@
 # The flow of `ffgpu sweep`: a functional run a trace, then a timing job a machine and trace.
 # plan.json says what is missing; each file comes to its name whole, by a rename.
+#
+# Snakemake removes the outputs of a job before it runs it, also of one that a cluster starts again
+# after it was done, and sets the times of those that it finds made. So its outputs are marks, empty
+# files; results and work files are make_once.sh's.
 import json
+import os
 
 with open("plan.json") as file:
     plan = json.load(file)
 
+once = os.path.join(workflow.basedir, "make_once.sh")
+
 localrules: all
 
 rule all:
-    input: ["results/%s.json" % job for job in plan["missing"]]
+    input: ["marks/results/%s" % job for job in plan["missing"]]
+
+def trace_of(wildcards):
+    return plan["traces"][wildcards.trace]
 
 def work_of(wildcards):
-    trace = plan["traces"][wildcards.trace]
+    trace = trace_of(wildcards)
     return trace["input"] if trace["is_work"] else "work/%s.ffw" % wildcards.trace
+
+# Whoever waits for a work file waits for its mark.
+def work_or_mark(wildcards):
+    trace = trace_of(wildcards)
+    return ancient(trace["input"] if trace["is_work"] else "marks/work/" + wildcards.trace)
 
 # What is wrong with a trace leaves no work behind, though replay would keep what came before it.
 rule work:
-    output: "work/{trace}.ffw"
+    output: "marks/work/{trace}"
     params:
+        once=once,
         program=plan["program"],
-        trace=lambda wildcards: plan["traces"][wildcards.trace]["input"],
+        work=work_of,
+        trace=lambda wildcards: trace_of(wildcards)["input"],
         frames=["--frames", plan["frames"]] if plan["frames"] else [],
     shell:
-        "{params.program:q} replay {params.trace:q} {params.frames:q} --save-work {output:q}.unfinished"
-        " && mv -f {output:q}.unfinished {output:q}"
+        "{params.once:q} {params.work:q} {params.program:q} replay {params.trace:q}"
+        " {params.frames:q} --save-work && touch {output:q}"
 
-# A machine that is stuck (status 3) is a result, too; `ffgpu time --totals` writes it.
+# A machine that is stuck is a result, too; `ffgpu time --totals` writes it.
 rule time:
     input:
-        work=lambda wildcards: ancient(work_of(wildcards)),
+        work=work_or_mark,
         point=ancient("points/{point}.toml"),
-    output: "results/{trace}/{point}.json"
-    params: program=plan["program"]
+    output: "marks/results/{trace}/{point}"
+    params:
+        once=once,
+        program=plan["program"],
+        work=work_of,
+        result="results/{trace}/{point}.json",
     shell:
-        "{params.program:q} time {input.work:q} --config {input.point:q} --totals {output:q}"
-        " 1>&2 || [ $? = 3 ]"
+        "{params.once:q} {params.result:q} {params.program:q} time {params.work:q}"
+        " --config {input.point:q} --totals 1>&2 && touch {output:q}"
