@@ -6,7 +6,7 @@
 #include "tests/support/temporary_file.h"
 #include "tests/system/trace_run.h"
 #include "tests/tools/tool.h"
-#include "tests/work/plain_cache.h"
+#include "tests/work/din_player.h"
 #include "tools/cache/cache_study.h"
 #include "tools/export/export.h"
 
@@ -50,35 +50,6 @@ void check_grammar(const std::vector<std::string>& lines, const char* grammar) {
     }
 }
 
-// As Dinero III reads it: 4 empties the cache.
-void play_din(const std::vector<std::string>& lines, test::PlainCache& cache) {
-    for (const std::string& line : lines) {
-        std::istringstream words(line);
-        int label = -1;
-        std::uint64_t address = 0;
-        words >> label >> std::hex >> address;
-        if (label == 4)
-            cache.flush();
-        else
-            cache.access(address / 64, label == 1);
-    }
-}
-
-// As Dinero IV does: c copies back, v forgets without; the whole cache where there is no size.
-void play_xdin(const std::vector<std::string>& lines, test::PlainCache& cache) {
-    bool copied = false; // by the record before, which goes with a v
-    for (const std::string& line : lines) {
-        std::istringstream words(line);
-        char label = 0;
-        std::uint64_t address = 0, size = 0;
-        words >> label >> std::hex >> address >> size;
-        if (label == 'r' || label == 'w') cache.access(address / 64, label == 'w');
-        if (label == 'v' && size == 0) cache.flush();
-        if (label == 'v' && size > 0) cache.overwrite(address / 64, !copied);
-        copied = label == 'c';
-    }
-}
-
 TEST_CASE("din in another program's cache has the misses and write-backs of the curves",
           "[export]") {
     std::mt19937 random(50);
@@ -104,7 +75,7 @@ TEST_CASE("din in another program's cache has the misses and write-backs of the 
                 INFO(name << ": client " << static_cast<int>(curve.client) << ", " << shape.sets
                           << "x" << shape.ways);
                 test::PlainCache cache(shape.sets, shape.ways);
-                texel ? play_din(lines, cache) : play_xdin(lines, cache);
+                texel ? test::play_din(lines, cache) : test::play_xdin(lines, cache);
                 const work::CacheCounts counts = curve.sums.counts(shape.sets, shape.ways);
                 CHECK(cache.counts.accesses == counts.accesses);
                 CHECK(cache.counts.misses == counts.misses);

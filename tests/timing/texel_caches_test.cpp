@@ -2,57 +2,17 @@
 // compressed textures, through the whole machine: against closed forms and against a simulation
 // that shares no code with it.
 
-#include "tests/timing/textured_draws.h"
+#include "tests/timing/picture_quads.h"
 
 #include <algorithm>
 #include <list>
 #include <map>
 #include <numeric>
-#include <set>
 
 #include <catch2/catch.hpp>
 
 namespace ffgpu::timing {
 namespace {
-
-constexpr unsigned Size = 256; // of the picture and its texture
-constexpr unsigned Tile = 8;   // of the traversal
-
-WorkBin picture(Format format = Format::Rgba8) {
-    WorkBin bin = make_bin(planar_scene(Size));
-    auto state = std::make_shared<Registers>(*bin.draws[0].state);
-    state->blend.write_mask = 0;
-    state->images[0].shape.format = format;
-    bin.draws[0].state = state;
-    return bin;
-}
-
-// The lines of 64 bytes (blocks of 4x4 texels) of each quad of the picture, in the order of the
-// traversal, from the coordinates alone: pixel (x, y) reads texels x, x + 1 and y, y + 1.
-struct QuadLines {
-    unsigned x = 0, y = 0;
-    std::vector<unsigned> lines;
-};
-std::vector<QuadLines> quads_in_order() {
-    std::vector<QuadLines> quads;
-    for (unsigned tile_y = 0; tile_y < Size; tile_y += Tile)
-        for (unsigned tile_x = 0; tile_x < Size; tile_x += Tile)
-            for (unsigned y = tile_y; y < tile_y + Tile; y += 2)
-                for (unsigned x = tile_x; x < tile_x + Tile; x += 2) {
-                    QuadLines quad{x, y, {}};
-                    for (unsigned lane = 0; lane < 4; ++lane)
-                        for (unsigned corner = 0; corner < 4; ++corner) {
-                            const unsigned u = (x + lane % 2 + corner % 2) % Size;
-                            const unsigned v = (y + lane / 2 + corner / 2) % Size;
-                            const unsigned line = v / 4 * (Size / 4) + u / 4;
-                            if (std::find(quad.lines.begin(), quad.lines.end(), line) ==
-                                quad.lines.end())
-                                quad.lines.push_back(line);
-                        }
-                    quads.push_back(quad);
-                }
-    return quads;
-}
 
 // A fully associative cache with LRU replacement.
 class PlainCache {
@@ -72,19 +32,6 @@ private:
     std::size_t lines_;
     std::list<unsigned> held_;
 };
-
-unsigned pipe_of(const QuadLines& quad, Distribution distribution, unsigned width, unsigned pipes) {
-    return (quad.y / width + (distribution == Distribution::Tiles ? quad.x / width : 0)) % pipes;
-}
-
-TimingConfig caches_machine(std::uint32_t pipes, Distribution distribution, std::uint32_t width) {
-    TimingConfig config = wide_machine(pipes);
-    config.fragment.distribution = distribution;
-    config.fragment.distribution_width = width;
-    config.texel_cache.per_pipe = true;
-    config.texel_cache.sets = 1;
-    return config;
-}
 
 std::string own(std::uint32_t pipe) {
     return "texel_cache_" + std::to_string(pipe);
@@ -115,38 +62,8 @@ TEST_CASE("Each pipe's cache misses as a plain cache does that sees the pipe's q
     }
 }
 
-TEST_CASE("P12: lines are fetched by several pipes, by scan lines more than by tiles") {
-    // H. Igehy, M. Eldridge, P. Hanrahan, Parallel Texture Caching, 1999: caches that never lose a
-    // line fetch each line once for each pipe that touches it.
-    constexpr std::uint64_t Unique = Size * Size / 16;
-    const std::vector<QuadLines> quads = quads_in_order();
-    const auto fetched = [&](Distribution distribution, std::uint32_t width, std::uint32_t pipes) {
-        TimingConfig config = caches_machine(pipes, distribution, width);
-        config.texel_cache.ways = Unique;
-        std::set<std::pair<unsigned, unsigned>> touched;
-        for (const QuadLines& quad : quads)
-            for (const unsigned line : quad.lines)
-                touched.insert({pipe_of(quad, distribution, width, pipes), line});
-        const std::uint64_t misses = run(config, picture()).at("texel_cache_misses");
-        CHECK(misses == touched.size());
-        return misses;
-    };
-    CHECK(fetched(Distribution::Tiles, 8, 1) == Unique);
-    std::uint64_t tiles_before = Unique, scanlines_before = Unique;
-    for (const std::uint32_t pipes : {2u, 4u, 8u, 16u}) {
-        const std::uint64_t tiles = fetched(Distribution::Tiles, 8, pipes);
-        const std::uint64_t scanlines = fetched(Distribution::Scanlines, 2, pipes);
-        CHECK(tiles > Unique);
-        CHECK(tiles >= tiles_before);
-        CHECK(scanlines >= scanlines_before);
-        CHECK(scanlines > tiles);
-        tiles_before = tiles;
-        scanlines_before = scanlines;
-    }
-}
-
 TEST_CASE("A second level that holds the texture reads each of its lines once for all pipes") {
-    constexpr std::uint64_t Unique = Size * Size / 16;
+    constexpr std::uint64_t Unique = PictureSize * PictureSize / 16;
     for (const std::uint32_t line_bytes : {64u, 256u}) {
         TimingConfig config = caches_machine(4, Distribution::Scanlines, 2);
         config.texel_cache.ways = 16;
@@ -239,7 +156,7 @@ TEST_CASE("Compressed textures: the same bytes from memory whether blocks or tex
         std::uint32_t block_bytes;
     };
     for (const Kind& kind : {Kind{Format::Dxt1Rgb, 8}, {Format::Dxt5, 16}}) {
-        const std::uint64_t bytes = Size * Size / 16 * kind.block_bytes;
+        const std::uint64_t bytes = PictureSize * PictureSize / 16 * kind.block_bytes;
         for (const std::uint32_t line_bytes : {64u, 128u}) {
             TimingConfig config = wide_machine(1);
             config.memory.interleave_bytes = 128;
@@ -250,7 +167,7 @@ TEST_CASE("Compressed textures: the same bytes from memory whether blocks or tex
             CHECK(blocks.at("memory_texture_read_bytes") == bytes);
             config.texel_cache.contents = work::TexelContents::Texels;
             const Figures texels = run(config, picture(kind.format));
-            CHECK(texels.at("texel_cache_misses") == Size * Size * 4 / line_bytes);
+            CHECK(texels.at("texel_cache_misses") == PictureSize * PictureSize * 4 / line_bytes);
             CHECK(texels.at("texel_cache_read_bytes") == bytes);
             CHECK(texels.at("memory_texture_read_bytes") == bytes);
         }

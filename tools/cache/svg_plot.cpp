@@ -65,6 +65,9 @@ public:
 
 private:
     static double log2_of(std::uint64_t size) { return std::log2(static_cast<double>(size)); }
+    std::string name_of(std::uint64_t size) const {
+        return plot_.counts ? std::to_string(size) : size_name(size);
+    }
     double x(double log2) const {
         const double range = std::max(most_ - least_, 1.0);
         return Left + (log2 - least_) / range * (Right - Left);
@@ -112,7 +115,7 @@ private:
                 Bottom,
                 at,
                 Bottom + 18,
-                size_name(std::uint64_t{1} << static_cast<unsigned>(log2)));
+                name_of(std::uint64_t{1} << static_cast<unsigned>(log2)));
         }
         add("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
             (Left + Right) / 2,
@@ -139,7 +142,7 @@ private:
                 y(value),
                 Colors[number % Colors.size()],
                 escaped(series.name),
-                size_name(size),
+                name_of(size),
                 value);
         const double at = Top + 8 + 18 * static_cast<double>(number);
         add("<line class=\"curve\" {} x1=\"{}\" x2=\"{}\" y1=\"{}\" y2=\"{}\"/>"

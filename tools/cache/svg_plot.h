@@ -1,5 +1,5 @@
-// A chart of curves over sizes in powers of two, as an SVG file that shows in any browser, light or
-// dark.
+// A chart of curves over sizes, or counts, in powers of two, as an SVG file that shows in any
+// browser, light or dark.
 
 #pragma once
 
@@ -18,7 +18,8 @@ struct PlotSeries {
 struct Plot {
     std::string title;
     std::string sizes, values; // what the axes say
-    std::vector<PlotSeries> series;
+    std::vector<PlotSeries> series = {};
+    bool counts = false; // along the first axis are numbers, not sizes in bytes
 };
 
 std::string svg(const Plot& plot);
