@@ -1,6 +1,7 @@
 #include "driver/trace/player/client_memory.h"
 
 #include "driver/objects/buffer_object.h"
+#include "model/base/check.h"
 
 #include <algorithm>
 #include <functional>
@@ -22,6 +23,18 @@ std::uint64_t component_bytes(GLenum type) {
     default:
         return 4;
     }
+}
+
+// Bytes of an array's element, and from one to the next.
+struct ElementPlaces {
+    std::uint64_t element, stride;
+};
+
+ElementPlaces element_places(const gl::VertexArray& array) {
+    const std::uint64_t element =
+        static_cast<std::uint64_t>(array.size) * component_bytes(array.type);
+    check(element > 0, "an element of a vertex array has no size");
+    return {element, array.stride > 0 ? static_cast<std::uint64_t>(array.stride) : element};
 }
 
 std::byte* make_room(Blob& blob, std::size_t bytes) {
@@ -57,10 +70,7 @@ bool ClientMemory::extend(gl::VertexArray& array, std::uint64_t vertices) {
     constexpr std::uint64_t Limit = 64 << 20; // bytes
     Blob* const blob = array.enabled && !array.buffer ? blob_at(array.pointer) : nullptr;
     if (!blob || vertices > Limit) return false;
-    const std::uint64_t element =
-        static_cast<std::uint64_t>(array.size) * component_bytes(array.type);
-    const std::uint64_t stride =
-        array.stride > 0 ? static_cast<std::uint64_t>(array.stride) : element;
+    const auto [element, stride] = element_places(array);
     const auto offset =
         static_cast<std::uint64_t>(static_cast<const std::byte*>(array.pointer) - blob->data());
     const std::uint64_t needed = offset + vertices * stride + element;
@@ -72,10 +82,7 @@ bool ClientMemory::extend(gl::VertexArray& array, std::uint64_t vertices) {
 
 std::uint64_t ClientMemory::vertices_available(const gl::VertexArray& array) const {
     if (!array.enabled || array.buffer) return ~std::uint64_t{0};
-    const std::uint64_t element =
-        static_cast<std::uint64_t>(array.size) * component_bytes(array.type);
-    const std::uint64_t stride =
-        array.stride > 0 ? static_cast<std::uint64_t>(array.stride) : element;
+    const auto [element, stride] = element_places(array);
     const std::uint64_t bytes = bytes_from(array.pointer);
     return bytes < element ? 0 : (bytes - element) / stride + 1;
 }
