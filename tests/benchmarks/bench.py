@@ -3,12 +3,13 @@
 
     tests/benchmarks/bench.py --build build [--workloads DIR] [--only traces|rates] [--threads N]
 
-Traces: frames a second of `ffgpu replay` (functional, and with the timing model) against
-`glretrace --benchmark`, the last frame repeated. Rates: fill and vertex rates of one program
-(gl_rates) on ffgpu's off-screen library and on Mesa's. Mesa runs with LP_NUM_THREADS=0, that is on
-one thread, where ffgpu does. Machines are shared: each figure is the best of a few runs.
+Traces: frames a second of the last frame repeated, by `ffgpu replay --benchmark` and by `glretrace
+--benchmark`, without start-up and without pictures; and of the whole with the timing model. Rates: fill
+and vertex rates of one program (gl_rates) on ffgpu's off-screen library and on Mesa's. Mesa runs with
+LP_NUM_THREADS=0, that is on one thread, where ffgpu does; then all is measured in processor time.
 """
 import argparse
+import contextlib
 import glob
 import os
 import re
@@ -20,8 +21,9 @@ import time
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PEERS = ("softpipe", "llvmpipe")
 OSMESA = ("/usr/lib/x86_64-linux-gnu/libOSMesa.so.8", "/usr/lib/aarch64-linux-gnu/libOSMesa.so.8")
-RUNS = 3
-LOOPS = 10  # repetitions of a trace's last frame
+# One thread's work costs the same time of the processor on a busy machine; that of several is wanted
+# sooner, not cheaper.
+CLOCK = {True: "processor", False: "wall"}
 
 
 def mesa_environment(driver, threads):
@@ -29,100 +31,176 @@ def mesa_environment(driver, threads):
                 LP_NUM_THREADS="0" if threads == 1 else str(threads), MESA_SHADER_CACHE_DISABLE="1")
 
 
-def best(measure):
-    rates = [measure() for _ in range(RUNS)]
-    return max((r for r in rates if r), default=None)
+def seconds_of(command, environment, threads):
+    """Of the processor for one thread, of the wall's clock for several; None where it fails."""
+    begin = time.monotonic()
+    process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode:
+        return None
+    return usage.ru_utime + usage.ru_stime if threads == 1 else time.monotonic() - begin
 
 
-def glretrace_seconds(trace, driver, threads, loops):
-    out = subprocess.run(["xvfb-run", "-a", "glretrace", "--headless", "--benchmark", f"--loop={loops}", trace],
-                         env=mesa_environment(driver, threads), capture_output=True, text=True)
-    found = re.search(r"in ([\d.]+) secs", out.stdout + out.stderr)
-    return float(found[1]) if found else None
+@contextlib.contextmanager
+def x_server():
+    """The number of a virtual X server, which Mesa's drivers need for a context."""
+    reader, writer = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", "1280x1024x24", "-nolisten", "tcp"],
+                              pass_fds=[writer], stderr=subprocess.DEVNULL)
+    os.close(writer)
+    try:
+        with os.fdopen(reader) as number:
+            yield ":" + number.readline().strip()
+    finally:
+        server.terminate()
+        server.wait()
 
 
-def glretrace_rate(trace, driver, threads):
-    """Frames a second of the last frame, repeated: compilers and texture uploads are behind."""
-    short, long = (glretrace_seconds(trace, driver, threads, loops) for loops in (LOOPS, 3 * LOOPS))
-    return 2 * LOOPS / (long - short) if short and long and long > short else None
+class Player:
+    """Something that draws a trace's last frame again and again."""
+
+    def __init__(self, name, command, environment, threads):
+        self.name, self.environment, self.threads = name, environment, threads
+        self.command = command  # of a number of repetitions
+
+    def seconds(self, loops):
+        return seconds_of(self.command(loops), self.environment, self.threads)
+
+    def enough_loops(self):
+        """So many that they take about a second, and what comes before them."""
+        start, loops = self.seconds(1), 4
+        while start is not None and loops < 20000:
+            spent = self.seconds(loops + 1)
+            if spent is None or spent - start > 0.25:
+                return spent and max(loops, round(loops / (spent - start)))
+            loops *= 5
+        return start and loops
+
+    def rate(self, loops):
+        """Frames a second; what compiles, uploads and starts is behind."""
+        short, long = self.seconds(1), self.seconds(loops + 1)
+        return loops / (long - short) if short and long and long > short else None
 
 
-def ffgpu_run(binary, trace, threads, timing):
-    command = [binary, "replay", trace, "--threads", str(threads)] + (["--timing"] if timing else [])
-    command += ["--benchmark", "1" if timing else str(2 * LOOPS)]
+def players(options, display, trace):
+    def ours(loops):
+        return [options.ffgpu, "replay", trace, "--threads", str(options.threads), "--benchmark", str(loops)]
+
+    def mesas(loops):
+        return ["glretrace", "--headless", "--benchmark", f"--loop={loops}", trace]
+
+    yield Player("ffgpu", ours, None, options.threads)
+    for peer in PEERS:
+        environment = dict(mesa_environment(peer, options.threads), DISPLAY=display)
+        yield Player(peer, mesas, environment, options.threads)
+
+
+def timing_rates(options, trace):
+    """Frames a second over the whole trace with the machine in time, and million cycles a second."""
+    command = [options.ffgpu, "replay", trace, "--threads", str(options.threads), "--timing", "--benchmark", "1"]
     out = subprocess.run(command, capture_output=True, text=True)
-    if out.returncode:
-        print(out.stderr.strip(), file=sys.stderr)
-    return out.stdout + out.stderr
-
-
-def ffgpu_rate(binary, trace, threads):
-    found = re.search(r"([\d.]+) frames/s, .* over the last frame", ffgpu_run(binary, trace, threads, False))
-    return float(found[1]) if found else None
-
-
-def timing_rates(binary, trace, threads):
-    """Frames a second over the whole trace, and million cycles a second."""
-    text = ffgpu_run(binary, trace, threads, True)
-    rate = re.search(r"([\d.]+) frames/s over (\d+) frames", text)
-    cycles = re.search(r"(\d+) cycles", text)
+    rate = re.search(r"([\d.]+) frames/s over (\d+) frames", out.stderr)
+    cycles = re.search(r"(\d+) cycles", out.stderr)
     if not rate or not cycles:
+        print(out.stderr.strip(), file=sys.stderr)
         return None, None
     seconds = int(rate[2]) / float(rate[1])
     return float(rate[1]), int(cycles[1]) / seconds * 1e-6
 
 
-def ratio(a, b):
-    return f"{a / b:7.2f}x" if a and b else "      - "
+def cell(value):
+    return f"{value:9.1f}" if value else "        -"
 
 
-def bench_traces(options):
-    binary = os.path.join(options.build, "tools", "ffgpu")
+def middle(rates):
+    rates = [rate for rate in rates if rate]
+    return statistics.median(rates) if rates else None
+
+
+def frame_rates(options, display, trace):
+    """Lists of the rounds' rates by player."""
+    loops = {player: player.enough_loops() for player in players(options, display, trace)}
+    rates = {player.name: [] for player in loops}
+    for _ in range(options.rounds):
+        for player, count in loops.items():
+            rates[player.name].append(player.rate(count) if count else None)
+    return rates
+
+
+def bench_traces(options, display):
     traces = sorted(glob.glob(os.path.join(options.workloads, "traces", "*.trace")))
     if not traces:  # Without those of real programs, the project's own.
         traces = sorted(glob.glob(os.path.join(ROOT, "traces", "*.trace")))
-    print(f"Frames a second of the last frame repeated, {options.threads} thread(s); ratios are ffgpu / peer.")
-    print("timing: frames a second over the whole trace with the timing model, and its speed.")
-    print(f"{'trace':16s} {'ffgpu':>9s} {'softpipe':>9s} {'llvmpipe':>9s}   /softpipe  /llvmpipe {'timing':>9s}  Mcycles/s")
-    columns = {peer: [] for peer in PEERS}
+    print(f"Frames a second of the last frame repeated, {options.threads} thread(s), {CLOCK[options.threads == 1]} time,")
+    print(f"middle of {options.rounds} rounds in which each takes its turn. Ratios: least, middle, greatest of the rounds.")
+    print("timing: frames a second over the whole trace with the timing model, and million cycles a second.")
+    print(f"{'trace':16s}" + "".join(f"{name:>9s}" for name in ("ffgpu", *PEERS))
+          + "".join(f"{'/ ' + peer:>22s}" for peer in PEERS) + f"{'timing':>9s} Mcycles/s")
+    medians = {peer: [] for peer in PEERS}
     speeds = []
     for trace in traces:
-        ours = best(lambda: ffgpu_rate(binary, trace, options.threads))
-        timed, cycles = timing_rates(binary, trace, options.threads)
-        peers = {peer: best(lambda: glretrace_rate(trace, peer, options.threads)) for peer in PEERS}
+        found = frame_rates(options, display, trace)
+        timed, cycles = timing_rates(options, trace)
+        row = "".join(cell(middle(found[name])) for name in found)
         for peer in PEERS:
-            if ours and peers[peer]:
-                columns[peer].append(ours / peers[peer])
+            ratios = [a / b for a, b in zip(found["ffgpu"], found[peer]) if a and b]
+            row += spread(ratios)
+            if ratios:
+                medians[peer].append(statistics.median(ratios))
         if cycles:
             speeds.append(cycles)
-        cell = lambda value: f"{value:9.1f}" if value else "        -"
-        print(f"{os.path.basename(trace)[:-6]:16s} {cell(ours)} {cell(peers['softpipe'])} {cell(peers['llvmpipe'])}   "
-              f"{ratio(ours, peers['softpipe'])}   {ratio(ours, peers['llvmpipe'])} {cell(timed)}  {cell(cycles)}", flush=True)
-    for peer in PEERS:
-        if columns[peer]:
-            print(f"median: {statistics.median(columns[peer]):.2f} x {peer}")
+        print(f"{os.path.basename(trace)[:-6]:16s}{row}{cell(timed)} {cell(cycles)}", flush=True)
+    print_medians(medians)
     if speeds:
         print(f"median: {statistics.median(speeds):.2f} million cycles a second with timing")
 
 
-def rates(library, environment):
-    program = ARGUMENTS.gl_rates
-    out = subprocess.run([program, library, "0.5"], env=environment, capture_output=True, text=True)
+def spread(ratios):
+    """Least, middle and greatest."""
+    if not ratios:
+        return f"{'-':>22s}"
+    return f"{min(ratios):6.2f} {statistics.median(ratios):6.2f}x{max(ratios):7.2f} "
+
+
+def print_medians(medians):
+    for peer, ratios in medians.items():
+        if ratios:
+            print(f"median {statistics.median(ratios):.2f} x {peer}, least {min(ratios):.2f} x")
+
+
+def rates(library, environment, clock):
+    """Million a second by (case, unit)."""
+    out = subprocess.run([ARGUMENTS.gl_rates, library, "0.15", clock], env=environment, capture_output=True, text=True)
     if out.returncode:
         print(out.stderr.strip(), file=sys.stderr)
-    return {row[0]: (row[1], float(row[2])) for row in (line.split("\t") for line in out.stdout.splitlines())}
+    rows = (line.split("\t") for line in out.stdout.splitlines())
+    return {(case, unit): float(rate) for case, unit, rate in rows}
 
 
 def bench_rates(options):
-    ours = rates(os.path.join(options.build, "driver", "OSMesa", "libOSMesa.so.8"), dict(os.environ, FFGPU_THREADS=str(options.threads)))
+    ours = (os.path.join(options.build, "driver", "OSMesa", "libOSMesa.so.8"),
+            dict(os.environ, FFGPU_THREADS=str(options.threads)))
+    libraries = {"ffgpu": ours}
     mesa = next((path for path in OSMESA if os.path.exists(path)), None)
-    peers = {peer: rates(mesa, mesa_environment(peer, options.threads)) if mesa else {} for peer in PEERS}
-    print(f"\nRates through an off-screen context, 640x480, {options.threads} thread(s); million a second")
-    print(f"{'case':34s} {'unit':9s} {'ffgpu':>8s} {'softpipe':>9s} {'llvmpipe':>9s}   /softpipe  /llvmpipe")
-    for case, (unit, rate) in ours.items():
-        soft, llvm = (peers[peer].get(case, (unit, None))[1] for peer in PEERS)
-        cell = lambda value: f"{value:9.1f}" if value else "        -"
-        print(f"{case:34s} {unit:9s} {rate:8.1f} {cell(soft)} {cell(llvm)}   {ratio(rate, soft)}   {ratio(rate, llvm)}")
+    if mesa:
+        libraries.update({peer: (mesa, mesa_environment(peer, options.threads)) for peer in PEERS})
+    clock = CLOCK[options.threads == 1]
+    rounds = [{name: rates(*library, clock) for name, library in libraries.items()} for _ in range(options.rounds)]
+    print(f"\nRates through an off-screen context, 640x480, {options.threads} thread(s), {clock} time; million a second,")
+    print(f"best of {options.rounds} rounds in which each takes its turn. Ratios: least, middle, greatest of the rounds.")
+    print(f"{'case':34s} {'unit':9s}" + "".join(f"{name:>9s}" for name in libraries)
+          + "".join(f"{'/ ' + peer:>22s}" for peer in PEERS))
+    medians = {peer: [] for peer in PEERS}
+    for case in rounds[0]["ffgpu"]:
+        cells = "".join(f"{max(r[name].get(case, 0) for r in rounds):9.1f}" for name in libraries)
+        for peer in PEERS:
+            ratios = [r["ffgpu"][case] / r[peer][case] for r in rounds if peer in r and r[peer].get(case)]
+            cells += spread(ratios)
+            if ratios:
+                medians[peer].append(statistics.median(ratios))
+        print(f"{case[0]:34s} {case[1]:9s}{cells}")
+    print_medians(medians)
 
 
 def main():
@@ -132,11 +210,14 @@ def main():
     parser.add_argument("--workloads", default=os.environ.get("FFGPU_WORKLOADS", os.path.join(ROOT, "..", "shared", "workloads")))
     parser.add_argument("--only", choices=("traces", "rates"))
     parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--rounds", type=int, default=5, help="in which each takes its turn")
     ARGUMENTS = parser.parse_args()
     ARGUMENTS.gl_rates = os.path.join(ARGUMENTS.build, "tests", "benchmarks", "gl_rates")
+    ARGUMENTS.ffgpu = os.path.join(ARGUMENTS.build, "tools", "ffgpu")
     print(time.strftime("%Y-%m-%d"), os.uname().machine, f"{os.cpu_count()} cores")
     if ARGUMENTS.only != "rates":
-        bench_traces(ARGUMENTS)
+        with x_server() as display:
+            bench_traces(ARGUMENTS, display)
     if ARGUMENTS.only != "traces":
         bench_rates(ARGUMENTS)
 
