@@ -7,6 +7,8 @@
 
 #include "model/raster/tile_walk.h"
 
+#include <bit>
+
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -41,9 +43,21 @@ void prepare_offsets(const TileWalk& walk, EdgeOffsets& offsets) {
     }
 }
 
-// `e` holds each edge's value at the block's lower left pixel.
-BlockMask cover_block(const TileWalk& walk, const EdgeOffsets& offsets, const std::int32_t* e) {
+// A bit a lane.
+std::uint32_t negative_lanes(hn::Vec<Lanes> values) {
     const Lanes d;
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, hn::Lt(values, hn::Zero(d)), bytes);
+    return static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8);
+}
+
+// The pixels of the block at (x, y) that lie inside all edges.
+BlockMask cover_block(const TileWalk& walk, const EdgeOffsets& offsets, int x, int y) {
+    const Lanes d;
+    std::int32_t e[MaxEdges]; // at the block's lower left pixel
+    for (unsigned i = 0; i < walk.edge_count; ++i)
+        e[i] = walk.edges[i].e + walk.edges[i].a * (x - walk.blocks.x0) +
+               walk.edges[i].b * (y - walk.blocks.y0);
     BlockMask outside_mask = 0;
     for (unsigned row = 0; row < BlockQuadsAcross; ++row)
         for (std::size_t lane = 0; lane < QuadRow; lane += hn::Lanes(d)) {
@@ -54,21 +68,53 @@ BlockMask cover_block(const TileWalk& walk, const EdgeOffsets& offsets, const st
                 outside =
                     hn::Or(outside, hn::Add(hn::Set(d, base), hn::Load(d, offsets.lane[i] + lane)));
             }
-            std::uint8_t bytes[8] = {};
-            hn::StoreMaskBits(d, hn::Lt(outside, hn::Zero(d)), bytes);
-            const BlockMask bits = static_cast<BlockMask>(bytes[0] | bytes[1] << 8);
-            outside_mask |= bits << (row * QuadRow + lane);
+            outside_mask |= BlockMask{negative_lanes(outside)} << (row * QuadRow + lane);
         }
     return ~outside_mask;
 }
 
-BlockMask classify_block(const TileWalk& walk, const EdgeOffsets& offsets, const std::int32_t* e) {
-    bool full = true;
+// Blocks of a row of up to 16, a bit each from the left.
+struct BlockRow {
+    std::uint32_t outside; // lie outside an edge
+    std::uint32_t partial; // do not lie inside all
+};
+
+// What each edge adds from a row's first block to the blocks of the row, a lane a block, for the
+// pixel of a block where it is greatest and for that where it is least.
+struct BlockOffsets {
+    alignas(64) std::int32_t most[MaxEdges][QuadRow], least[MaxEdges][QuadRow];
+};
+
+void prepare_offsets(const TileWalk& walk, BlockOffsets& offsets) {
+    const Lanes d;
     for (unsigned i = 0; i < walk.edge_count; ++i) {
-        if (e[i] + walk.edges[i].gain() < 0) return 0;
-        full = full && e[i] + walk.edges[i].loss() >= 0;
+        const TileEdge& edge = walk.edges[i];
+        for (std::size_t lane = 0; lane < QuadRow; lane += hn::Lanes(d)) {
+            const auto place = hn::Mul(hn::Set(d, edge.a * BlockSize),
+                                       hn::Iota(d, static_cast<std::int32_t>(lane)));
+            hn::Store(hn::Add(place, hn::Set(d, edge.gain())), d, offsets.most[i] + lane);
+            hn::Store(hn::Add(place, hn::Set(d, edge.loss())), d, offsets.least[i] + lane);
+        }
     }
-    return full ? FullBlock : cover_block(walk, offsets, e);
+}
+
+// Lanes beyond the walk may wrap.
+BlockRow classify_row(const TileWalk& walk, const BlockOffsets& offsets, int y) {
+    const Lanes d;
+    BlockRow row{};
+    const auto blocks = static_cast<std::size_t>(walk.blocks.width() / BlockSize);
+    for (std::size_t first = 0; first < blocks; first += hn::Lanes(d)) {
+        auto outside = hn::Zero(d), partial = hn::Zero(d); // The sign bits of all edges.
+        for (unsigned i = 0; i < walk.edge_count; ++i) {
+            const auto at = hn::Set(d, walk.edges[i].e + walk.edges[i].b * (y - walk.blocks.y0));
+            outside = hn::Or(outside, hn::Add(at, hn::Load(d, offsets.most[i] + first)));
+            partial = hn::Or(partial, hn::Add(at, hn::Load(d, offsets.least[i] + first)));
+        }
+        row.outside |= negative_lanes(outside) << first;
+        row.partial |= negative_lanes(partial) << first;
+    }
+    row.outside |= ~std::uint32_t{0} << blocks;
+    return row;
 }
 
 bool is_small(const Rectangle& blocks) {
@@ -89,15 +135,12 @@ struct RowEdge {
 // Pixels outside an edge: those of a block's rows of quads, as many as a vector has lanes.
 template <std::size_t Count>
 HWY_INLINE BlockMask rows_outside(std::array<RowEdge, Count>& edges) {
-    const Lanes d;
     BlockMask mask = 0;
     for (unsigned row = 0; row < BlockQuadsAcross; ++row) {
         auto outside = edges[0].at; // The sign bits of all edges.
         for (std::size_t i = 1; i < Count; ++i)
             outside = hn::Or(outside, edges[i].at);
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(d, hn::Lt(outside, hn::Zero(d)), bytes);
-        mask |= static_cast<BlockMask>(bytes[0] | bytes[1] << 8) << (row * QuadRow);
+        mask |= BlockMask{negative_lanes(outside)} << (row * QuadRow);
         for (RowEdge& edge : edges)
             edge.at = hn::Add(edge.at, edge.up);
     }
@@ -130,18 +173,20 @@ HWY_INLINE void cover_small(const TileWalk& walk, TileCoverage& coverage) {
 }
 
 void cover_large(const TileWalk& walk, TileCoverage& coverage) {
-    EdgeOffsets offsets;
-    prepare_offsets(walk, offsets);
-    for (int y = walk.blocks.y0; y < walk.blocks.y1; y += BlockSize)
-        for (int x = walk.blocks.x0; x < walk.blocks.x1; x += BlockSize) {
-            std::int32_t e[MaxEdges];
-            for (unsigned i = 0; i < walk.edge_count; ++i)
-                e[i] = walk.edges[i].e + walk.edges[i].a * (x - walk.blocks.x0) +
-                       walk.edges[i].b * (y - walk.blocks.y0);
-            BlockMask mask = classify_block(walk, offsets, e);
+    EdgeOffsets pixels;
+    BlockOffsets blocks;
+    prepare_offsets(walk, pixels);
+    prepare_offsets(walk, blocks);
+    for (int y = walk.blocks.y0; y < walk.blocks.y1; y += BlockSize) {
+        const BlockRow row = classify_row(walk, blocks, y);
+        for (std::uint32_t left = ~row.outside; left != 0; left &= left - 1) {
+            const int column = std::countr_zero(left), x = walk.blocks.x0 + column * BlockSize;
+            BlockMask mask = FullBlock;
+            if ((row.partial >> column & 1) != 0) mask = cover_block(walk, pixels, x, y);
             if (!walk.holds(x, y)) mask &= rectangle_mask(walk.area, x, y);
             add_block(x, y, mask, coverage);
         }
+    }
 }
 
 void CoverTile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {

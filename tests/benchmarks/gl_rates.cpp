@@ -220,8 +220,8 @@ struct Case {
     std::function<void()> state, draw;
 };
 
-// Seconds that went by, of this program's processors or of everybody's clock. A shared machine gives
-// a program less of a processor's time, but what it computes in that time stays.
+// Seconds that went by, of this program's processors or of everybody's clock. A shared machine
+// gives a program less of a processor's time, but what it computes in that time stays.
 double seconds_on(clockid_t clock) {
     timespec now{};
     ::clock_gettime(clock, &now);
@@ -353,7 +353,8 @@ int main(int argc, char** argv) {
     for (const Case& test : cases) {
         if (argc > 4 && std::string_view(test.name).find(argv[4]) == std::string_view::npos)
             continue;
-        std::printf("%s\t%s\t%.3f\n", test.name, test.unit, million_per_second(test, seconds, clock));
+        std::printf(
+            "%s\t%s\t%.3f\n", test.name, test.unit, million_per_second(test, seconds, clock));
         std::fflush(stdout);
     }
     return 0;
