@@ -46,12 +46,19 @@ std::byte* make_room(Blob& blob, std::size_t bytes) {
 } // namespace
 
 void ClientMemory::keep_array(const gl::Context& context, const void* array, Blob& blob) {
-    arrays_[{&context, array}].swap(blob);
+    Array& kept = arrays_[{&context, array}];
+    kept.own.swap(blob);
+    kept.borrowed = nullptr;
+}
+
+void ClientMemory::borrow_array(const gl::Context& context, const void* array, Blob& blob) {
+    arrays_[{&context, array}].borrowed = &blob;
 }
 
 Blob* ClientMemory::blob_at(const void* pointer) {
     const auto* const at = static_cast<const std::byte*>(pointer);
-    for (auto& [key, blob] : arrays_) {
+    for (auto& [key, array] : arrays_) {
+        Blob& blob = array.blob();
         // std::less orders pointers of different objects.
         if (!std::less<>()(at, blob.data()) && std::less<>()(at, blob.data() + blob.size()))
             return &blob;

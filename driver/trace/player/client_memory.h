@@ -22,6 +22,8 @@ public:
     // Takes the bytes of a gl*Pointer call, which stay until the same array of the context gets
     // others. `array`: whatever tells one array from another.
     void keep_array(const gl::Context& context, const void* array, Blob& blob);
+    // The same of a call that outlives this object and is played again and again: its own bytes.
+    void borrow_array(const gl::Context& context, const void* array, Blob& blob);
 
     // Vertices 0 .. n - 1 can be fetched from the array; a damaged trace's draw may ask for more.
     // No limit for an array that is off, or in a buffer object, which is the driver's business.
@@ -50,7 +52,13 @@ private:
 
     Blob* blob_at(const void* pointer);
 
-    std::map<std::pair<const gl::Context*, const void*>, Blob> arrays_;
+    struct Array {
+        Blob own;
+        Blob* borrowed = nullptr; // instead
+
+        Blob& blob() { return borrowed ? *borrowed : own; }
+    };
+    std::map<std::pair<const gl::Context*, const void*>, Array> arrays_;
     std::map<std::uint64_t, std::weak_ptr<gl::BufferObject>> mappings_; // by traced address
     std::map<const gl::Context*, Blob> feedback_, selection_;
 };

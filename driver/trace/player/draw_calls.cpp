@@ -57,12 +57,14 @@ void TracePlayer::set_array(const GlCommand* command, Call& call) {
         return;
     }
     Blob copy; // For when the call is played again.
-    if (options_.keep_last_frame) copy.append(call.blob(pointer).data(), call.blob(pointer).size());
+    if (options_.keep_last_frame && !repeats_)
+        copy.append(call.blob(pointer).data(), call.blob(pointer).size());
     play_plain(*command, call);
     // An array is told by its command, and the texture unit it is for.
     const auto* const key =
         reinterpret_cast<const char*>(command) + context.client.arrays.active_unit;
     static_assert(sizeof(GlCommand) > TextureUnits);
+    if (repeats_) return memory_.borrow_array(context, key, call.blob(pointer));
     memory_.keep_array(context, key, call.blob(pointer));
     if (options_.keep_last_frame) call.blob(pointer).swap(copy);
 }

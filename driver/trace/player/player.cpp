@@ -2,6 +2,7 @@
 
 #include "driver/context/current.h"
 #include "driver/trace/player/names.h"
+#include "model/base/check.h"
 
 #include <utility>
 
@@ -73,6 +74,7 @@ std::optional<ShownFrame> TracePlayer::play_frame() {
 // Reads a frame to its end before it plays it: what follows the last one, where programs destroy
 // their contexts, must not happen while that frame is to be repeated.
 std::optional<ShownFrame> TracePlayer::play_kept_frame() {
+    check(!repeats_, "a frame is read after the last one was repeated");
     std::vector<std::unique_ptr<Call>> frame;
     while (const Call* const call = trace_.next()) {
         const bool ends_frame = WindowSystem::hands_over(call->name());
@@ -89,6 +91,7 @@ std::optional<ShownFrame> TracePlayer::play_kept_frame() {
 }
 
 bool TracePlayer::repeat_last_frame() {
+    repeats_ = true;
     for (const std::unique_ptr<Call>& call : last_frame_)
         play(*call);
     windows_.take_shown();

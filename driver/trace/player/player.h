@@ -53,7 +53,7 @@ public:
     // follows the last frame has been played. Throws InputError as the reader does.
     std::optional<ShownFrame> play_frame();
 
-    // Plays the calls of the last frame again. False if they were not kept.
+    // Plays the calls of the last frame again; no other may follow. False if they were not kept.
     bool repeat_last_frame();
 
     std::uint64_t calls_played() const { return calls_played_; }
@@ -100,7 +100,9 @@ private:
     TraceReader& trace_;
     Options options_;
     WindowSystem windows_;
-    ClientMemory memory_;
+    std::vector<std::unique_ptr<Call>> last_frame_; // with keep_last_frame
+    bool repeats_ = false;                          // that frame: no other will be read
+    ClientMemory memory_;                           // may borrow of its calls
     Arguments arguments_;
     std::vector<Action> actions_; // by signature
     std::vector<bool> known_;     // Which of them have been looked up.
@@ -109,7 +111,6 @@ private:
     std::string lost_draw_; // the first call that draws, but had no context
     std::uint64_t calls_played_ = 0;
     std::uint64_t frames_ = 0;
-    std::vector<std::unique_ptr<Call>> last_frame_; // with keep_last_frame
 };
 
 } // namespace ffgpu::trace
