@@ -179,6 +179,7 @@ inline const std::map<std::string, Layers> Allowed = {
       "driver/context",
       "driver/entry_points",
       "driver/trace/reader",
+      "model/base",
       "model/device"}},
     {"driver/window_system",
      with_contract({"driver", "driver/context", "driver/objects", "model/gpu"})},
