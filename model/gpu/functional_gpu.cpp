@@ -69,6 +69,11 @@ void FunctionalGpu::read_memory(DeviceAddress at, std::span<std::byte> bytes) {
     note_transfer(false, at, bytes.size());
 }
 
+std::span<std::byte> FunctionalGpu::settled_memory() {
+    flush();
+    return memory_.bytes();
+}
+
 void FunctionalGpu::finish() {
     flush();
 }

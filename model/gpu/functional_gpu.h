@@ -60,6 +60,10 @@ public:
 
     const Registers& registers() const { return registers_.values(); }
 
+    // All of device memory with everything drawn that was submitted: for who draws on it in this
+    // GPU's place, before the next command.
+    std::span<std::byte> settled_memory();
+
     std::uint64_t memory_size() const override { return memory_.size(); }
     void write_memory(DeviceAddress at, std::span<const std::byte> bytes) override;
     void read_memory(DeviceAddress at, std::span<std::byte> bytes) override;

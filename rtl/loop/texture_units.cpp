@@ -5,6 +5,7 @@
 #include "Vtexel_address.h"
 #include "Vtexel_decode.h"
 #include "model/texture/texel_read.h"
+#include "rtl/bundles/texture_words.h"
 #include "rtl/loop/loop_stages.h"
 #include "rtl/loop/observed_texels.h"
 #include "rtl/loop/quads.h"
@@ -66,18 +67,6 @@ struct FilterTreeUnit {
 
 constexpr const char* AllFour = "level_of_detail, texel_address, texel_decode, filter_tree";
 
-// The registers as the model has understood them.
-TextureWords words_of(const TextureUnit& unit) {
-    TextureWords words{.image = {.shape = {.kind = unit.kind, .format = unit.format}},
-                       .sampler = unit.sampler};
-    words.image.shape.width = static_cast<std::uint32_t>(unit.size[0]);
-    words.image.shape.height = static_cast<std::uint32_t>(unit.size[1]);
-    words.image.shape.depth = static_cast<std::uint32_t>(unit.size[2]);
-    words.image.shape.levels = unit.last_level + 1;
-    words.image.shape.border = static_cast<std::uint32_t>(unit.border);
-    return words;
-}
-
 // One batch on its way through the four.
 class Sampling {
 public:
@@ -86,7 +75,7 @@ public:
              const SampleQuads& quads,
              const ObservedTexels& seen)
         : unit_(unit)
-        , words_(words_of(unit))
+        , words_(texture_words(unit))
         , coordinates_(coordinates)
         , quads_(quads)
         , seen_(seen) {}

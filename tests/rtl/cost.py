@@ -28,7 +28,8 @@ def units():
 
 def cost(unit):
     """The five figures of a unit: of a design flattened and mapped, before placement."""
-    packages = ["ffgpu_registers_pkg.sv", "ffgpu_pkg.sv", "ffgpu_texture_pkg.sv"]
+    packages = ["ffgpu_registers_pkg.sv", "ffgpu_pkg.sv", "ffgpu_texture_pkg.sv",
+                "ffgpu_pipe_pkg.sv"]
     modules = [p.name for p in sorted(Rtl.glob("*.sv")) if not p.name.endswith("_pkg.sv")]
     files = " ".join(str(Rtl / f) for f in packages + modules)
     with tempfile.TemporaryDirectory() as scratch:

@@ -12,7 +12,8 @@ if ! command -v "$Tool" >/dev/null; then
 fi
 
 # In the order of their use.
-packages=("$Folder"/ffgpu_registers_pkg.sv "$Folder"/ffgpu_pkg.sv "$Folder"/ffgpu_texture_pkg.sv)
+packages=("$Folder"/ffgpu_registers_pkg.sv "$Folder"/ffgpu_pkg.sv "$Folder"/ffgpu_texture_pkg.sv
+    "$Folder"/ffgpu_pipe_pkg.sv)
 modules=()
 if [ "${1:-}" = --only ]; then
     shift

@@ -106,11 +106,11 @@ TEST_CASE("A wrong pixel is told with its place and both values") {
     REQUIRE_FALSE(comparison.equal());
     const RtlDifference& difference = *comparison.difference();
     CHECK(difference.draw == 7);
-    CHECK(difference.target == "colour target 0");
-    CHECK(difference.x == 4);
-    CHECK(difference.y == 4);
-    CHECK(difference.expected == 0xffffffff);
-    CHECK(difference.got == 0xfffffffe);
+    CHECK(difference.target.target == "colour target 0");
+    CHECK(difference.target.x == 4);
+    CHECK(difference.target.y == 4);
+    CHECK(difference.target.expected == 0xffffffff);
+    CHECK(difference.target.got == 0xfffffffe);
     // The picture goes on as the model's.
     CHECK(scene.pixel(4, 4) == 0xffffffff);
 }

@@ -4,7 +4,10 @@
 #include "tools/record/recording_arguments.h"
 #include "tools/replay/interruption.h"
 #include "tools/replay/replay.h"
+#include "tools/rtl/pipe_comparison.h"
+#include "tools/rtl/rtl_comparison.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -20,13 +23,22 @@ struct Arguments {
 };
 
 // 1: what the units drew is not what the model draws.
-int replay_by_rtl(const std::vector<std::string>& units, ReplayOptions& options) {
-    RtlComparison comparison({.units = units});
+int replay_and_compare(RtlDevice& comparison, ReplayOptions& options) {
     options.rtl = &comparison;
-    options.stages = &comparison.stages();
     std::fputs(replay(options).c_str(), stderr);
     std::fputs(comparison.summary().c_str(), stderr);
     return comparison.equal() ? 0 : 1;
+}
+
+int replay_by_rtl(const std::vector<std::string>& units, ReplayOptions& options) {
+    if (std::ranges::find(units, "fragment_pipe") == units.end()) {
+        RtlComparison comparison({.units = units});
+        options.stages = &comparison.stages();
+        return replay_and_compare(comparison, options);
+    }
+    if (units.size() != 1) throw InputError("--rtl: fragment_pipe has all units, and stands alone");
+    PipeComparison comparison;
+    return replay_and_compare(comparison, options);
 }
 
 int run_replay(Arguments& arguments) {
@@ -61,7 +73,7 @@ void add_replay_command(CLI::App& application, Run& run) {
     add_samples_option(*verb, options.samples);
     add_swap_option(*verb, options.swap);
     verb->add_option("--rtl", arguments->rtl, "Draw with Verilated units; compare each draw")
-        ->type_name("UNIT[,UNIT]|all")
+        ->type_name("UNIT[,UNIT]|all|fragment_pipe")
         ->delimiter(',');
     verb->add_option("--benchmark", options.benchmark, "Time it; repeat the last frame N times")
         ->type_name("N");

@@ -4,7 +4,7 @@
 
 #include "driver/framebuffer/drawable.h"
 #include "tools/record/recording.h"
-#include "tools/rtl/rtl_comparison.h"
+#include "tools/rtl/rtl_device.h"
 
 #include <string>
 
@@ -16,7 +16,7 @@ struct ReplayOptions : RecordingOptions {
     unsigned benchmark = 0; // times that the last frame is repeated; 0: no benchmark
     unsigned samples = 1;   // of a pixel of a trace's windows
     gl::SwapMode swap = gl::SwapMode::Copy;
-    RtlComparison* rtl = nullptr; // whose stages draw
+    RtlDevice* rtl = nullptr; // draws and compares
 };
 
 // Returns a summary for people. Throws InputError; what was finished before is written.

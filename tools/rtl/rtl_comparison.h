@@ -5,6 +5,8 @@
 
 #include "model/gpu/functional_gpu.h"
 #include "rtl/loop/rtl_stages.h"
+#include "tools/rtl/rtl_device.h"
+#include "tools/rtl/target_comparison.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,27 +20,23 @@ namespace ffgpu::tools {
 struct RtlDifference {
     std::uint32_t draw = 0;
     std::optional<rtl::StageDifference> stage{}; // where values parted first
-    std::string target{};                        // none: the stage's values alone did
-    unsigned x = 0, y = 0, sample = 0;
-    std::uint32_t expected = 0, got = 0;
+    TargetDifference target{};                   // of none: the stage's values alone did
 };
 
-class RtlComparison final : public Device {
+class RtlComparison final : public RtlDevice {
 public:
     // Throws InputError where a unit does not exist, or ffgpu was built without Verilator.
     explicit RtlComparison(const rtl::LoopOptions& options);
 
     // For the GPU that is compared. It draws on one thread.
     const Stages& stages() const { return rtl_->table(); }
-    // From now on to be drawn on instead of `device`, which draws on `gpu`.
-    void attach(Device& device, FunctionalGpu& gpu);
-    void number_draws_from(std::uint32_t draw) { next_draw_ = draw; }
+    void attach(Device& device, FunctionalGpu& gpu) override;
+    void number_draws_from(std::uint32_t draw) override { next_draw_ = draw; }
 
-    bool equal() const { return !difference_; }
+    bool equal() const override { return !difference_; }
     const std::optional<RtlDifference>& difference() const { return difference_; }
     std::vector<rtl::StageShare> shares() const { return rtl_->shares(); }
-    // Lines for people.
-    std::string summary() const;
+    std::string summary() const override;
 
     std::uint64_t memory_size() const override { return device_->memory_size(); }
     void write_memory(DeviceAddress at, std::span<const std::byte> bytes) override;
@@ -49,14 +47,12 @@ public:
 
 private:
     void compare_targets();
-    void compare_surface(const Surface& surface, const std::string& name, RtlDifference& found);
-    bool compare_bytes(DeviceAddress at, std::uint64_t size, std::uint64_t& first);
 
     std::unique_ptr<rtl::RtlStages> rtl_;
     Device* device_ = nullptr;
     FunctionalGpu* gpu_ = nullptr;
     FunctionalGpu plain_{{}};
-    std::vector<std::byte> expected_, got_;
+    TargetComparison targets_;
     std::uint32_t next_draw_ = 0;
     std::uint64_t draws_ = 0, different_ = 0;
     std::optional<RtlDifference> difference_; // the first

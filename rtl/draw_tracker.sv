@@ -1,0 +1,43 @@
+// Whether quads of a tag are inside the pipe: found by the walker, and not ended at a target.
+//
+// A draw is done when its last primitive has been walked and none of its quads is left; then its
+// tag's registers may change.
+
+module draw_tracker (
+  input  logic       clk_i,
+  input  logic       rst_ni,
+
+  input  logic       walking_i,  // a primitive of the tag
+  input  logic       found_i,
+  input  logic       tag_i,
+  input  logic [2:0] ends_0_i,
+  input  logic [2:0] ends_1_i,
+
+  output logic [1:0] idle_o
+);
+
+  localparam int unsigned Width = 12;  // more quads than the pipe can hold
+
+  logic [Width-1:0] count_0_q, count_1_q;
+  logic             found_0, found_1;
+
+  assign found_0 = found_i && !tag_i;
+  assign found_1 = found_i && tag_i;
+  assign idle_o  = {count_1_q == '0 && !(walking_i && tag_i),
+                    count_0_q == '0 && !(walking_i && !tag_i)};
+
+  function automatic logic [Width-1:0] ones(input logic [2:0] bits);
+    ones = {{Width-1{1'b0}}, bits[0]} + {{Width-1{1'b0}}, bits[1]} + {{Width-1{1'b0}}, bits[2]};
+  endfunction
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      count_0_q <= '0;
+      count_1_q <= '0;
+    end else begin
+      count_0_q <= count_0_q + {{Width-1{1'b0}}, found_0} - ones(ends_0_i);
+      count_1_q <= count_1_q + {{Width-1{1'b0}}, found_1} - ones(ends_1_i);
+    end
+  end
+
+endmodule

@@ -1,0 +1,49 @@
+// The Verilated fragment pipe: set-up records in, pixels in memory. It lives in ffgpu_pipe.so,
+// which is there where Verilator was when ffgpu was built.
+//
+// Its memory is the caller's, behind ports with a latency and random stalls. Nothing of a fragment
+// is computed here: records, registers and bytes are handed over as they are.
+
+#pragma once
+
+#include "model/gpu/draw_context.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace ffgpu::rtl {
+
+struct PipeOptions {
+    unsigned latency = 20;      // cycles from a read to its answer, at least
+    unsigned stall_percent = 0; // of cycles in which a port of memory does not take or give
+    std::uint64_t seed = 1;
+    // Of this store of colours, counted from 0, each byte's lowest bit is wrong: how tests see that
+    // it is told.
+    std::optional<std::uint64_t> faulty_store{};
+};
+
+class Pipe {
+public:
+    virtual ~Pipe() = default;
+
+    // Texels and targets. Device addresses count from its first byte.
+    virtual void set_memory(std::span<std::byte> memory) = 0;
+    // What the texel cache holds may have changed. Finishes first.
+    virtual void forget_textures() = 0;
+
+    // The draw that records belong to from now on; a former one may still be inside.
+    virtual void begin_draw(const DrawContext& context, std::uint32_t number) = 0;
+    virtual void add(const SetupRecord& record) = 0;
+    // All quads have left. False: they do not move any more.
+    virtual bool finish() = 0;
+
+    virtual std::uint64_t cycles() const = 0;
+    virtual double seconds() const = 0; // of the host's, in which they were clocked
+};
+
+using OpenPipe = Pipe* (*)(const PipeOptions& options);
+constexpr const char* OpenPipeName = "ffgpu_open_rtl_pipe";
+
+} // namespace ffgpu::rtl

@@ -1,0 +1,181 @@
+// The fragment pipe in RTL against the model: target bytes after every draw, with memories of any
+// latency that stall at random; draws behind each other in the pipe; what is left to the model.
+
+#include "tests/gpu/busy_scene.h"
+#include "tests/rtl_pipe/random_draws.h"
+#include "tests/tools/tool.h"
+#include "tools/rtl/pipe_comparison.h"
+#include "tools/rtl/rtl_library.h"
+
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+namespace ffgpu::tools {
+namespace {
+
+using Catch::Contains;
+
+constexpr std::array Memories{rtl::PipeOptions{.latency = 1},
+                              rtl::PipeOptions{.latency = 20, .stall_percent = 25, .seed = 2},
+                              rtl::PipeOptions{.latency = 90, .stall_percent = 60, .seed = 3}};
+
+std::vector<test::Vertex> triangles(test::RandomStates& random, unsigned count) {
+    const auto unit = [&] { return static_cast<float>(random.below(65536)) / 32768.0f - 1.0f; };
+    const float size = random.chance(3) ? 1.5f : 0.3f;
+    const bool flat = random.chance(3);
+    std::vector<test::Vertex> vertices;
+    for (unsigned i = 0; i < count; ++i) {
+        const float x = unit(), y = unit();
+        for (int corner = 0; corner < 3; ++corner) {
+            const float w = flat ? 1.0f : 1.5f + unit();
+            vertices.push_back({(x + size * unit()) * w,
+                                (y + size * unit()) * w,
+                                unit() * w * 0.7f,
+                                w,
+                                unit(),
+                                unit(),
+                                unit(),
+                                unit(),
+                                unit() * 4,
+                                unit() * 4});
+        }
+    }
+    return vertices;
+}
+
+// Noise under the textures; coordinates for up to three units, the second's divided by q.
+void prepare(test::Scene& scene) {
+    std::mt19937 random(5);
+    std::vector<std::uint32_t> noise(0x40000);
+    std::ranges::generate(noise, random);
+    scene.into->write_memory(test::TextureAt, std::as_bytes(std::span(noise)));
+    auto& elements = scene.registers.vertex_format.elements;
+    elements[static_cast<unsigned>(Attribute::TexCoord0) + 1] = {4, 6};
+    elements[static_cast<unsigned>(Attribute::TexCoord0) + 2] = {3, 7};
+    scene.clear(0x80402010);
+}
+
+std::string told(const PipeComparison& comparison, unsigned draw) {
+    return fmt::format("draw {}\n{}", draw, comparison.summary());
+}
+
+TEST_CASE("The pipe draws a busy scene as the model does, however memory answers") {
+    for (const rtl::PipeOptions& memory : Memories) {
+        PipeComparison comparison(memory);
+        test::Scene scene(32, 24);
+        comparison.attach(scene.gpu, scene.gpu);
+        scene.into = &comparison;
+        test::draw_mixture(scene,
+                           [&](int draw) { return test::vary_busily(scene.registers, draw); });
+        INFO(comparison.summary());
+        CHECK(comparison.equal());
+        CHECK(comparison.fragments().at("") > 5000);
+        // What it leaves to the model is named.
+        CHECK(comparison.fragments().at("smooth primitives") > 100);
+        CHECK(comparison.fragments().at("cube maps") > 100);
+    }
+}
+
+TEST_CASE("The pipe draws random states as the model does") {
+    constexpr std::array Depths{Format::Depth24Stencil8, Format::Depth16, Format::None};
+    for (unsigned seed = 0; seed < 6; ++seed) {
+        PipeComparison comparison(Memories[seed % Memories.size()]);
+        test::Scene scene(40, 36);
+        comparison.attach(scene.gpu, scene.gpu);
+        scene.into = &comparison;
+        test::RandomStates random(seed);
+        scene.registers.targets.depth.format = Depths[seed % 3];
+        scene.registers.targets.color[0].format = static_cast<Format>(1 + (seed * 4 + 3) % 9);
+        prepare(scene);
+        for (unsigned draw = 0; draw < 25; ++draw) {
+            random.vary(scene.registers, random.below(4));
+            scene.draw(random.chance(6) ? PrimitiveType::Lines : PrimitiveType::Triangles,
+                       triangles(random, 4));
+            INFO("seed " << seed << ", " << told(comparison, draw));
+            REQUIRE(comparison.equal());
+        }
+        CHECK(comparison.fragments().at("") > 2000);
+    }
+}
+
+// Draws close behind each other, two at a time inside: each is under registers of its own.
+TEST_CASE("Draws follow each other through the pipe without a gap") {
+    const auto open =
+        reinterpret_cast<rtl::OpenPipe>(rtl_function("ffgpu_pipe.so", rtl::OpenPipeName));
+    for (const rtl::PipeOptions& memory : Memories) {
+        const std::unique_ptr<rtl::Pipe> pipe(open(memory));
+        test::Scene model(40, 36), drawn(40, 36);
+        prepare(model);
+        prepare(drawn);
+        const std::span<std::byte> bytes = drawn.gpu.settled_memory();
+        pipe->set_memory(bytes);
+        test::RandomStates random(11);
+        PipeRecords records(bytes);
+        for (std::uint32_t draw = 0; draw < 60; ++draw) {
+            random.vary(model.registers, random.below(3));
+            const auto vertices = triangles(random, 1 + random.below(3));
+            model.draw(PrimitiveType::Triangles, vertices);
+            // Behind everything that a draw reads.
+            constexpr DeviceAddress At = test::VerticesAt;
+            std::memcpy(bytes.data() + At, vertices.data(), vertices.size() * sizeof vertices[0]);
+            DrawCommand command;
+            command.primitive = PrimitiveType::Triangles;
+            command.count = command.vertex_count = static_cast<std::uint32_t>(vertices.size());
+            command.vertex_address = At;
+            records.make(model.registers, draw, command);
+            pipe->begin_draw(records.context(), draw);
+            records.for_each([&](const SetupRecord& record) { pipe->add(record); });
+        }
+        REQUIRE(pipe->finish());
+        TargetComparison comparison;
+        const TargetDifference difference =
+            comparison.compare(model.registers.targets, model.gpu, drawn.gpu);
+        INFO(target_text(difference));
+        CHECK(difference.target.empty());
+    }
+}
+
+TEST_CASE("A byte that the pipe stores wrong is told with draw, place and both values") {
+    PipeComparison comparison({.faulty_store = 0});
+    test::Scene scene(8, 8);
+    comparison.attach(scene.gpu, scene.gpu);
+    comparison.number_draws_from(7);
+    scene.into = &comparison;
+    scene.clear(0);
+    const auto corner = [](float x, float y) { return test::Vertex{x, y, 0, 1, 1, 1, 1, 1, 0, 0}; };
+    // The right upper quarter, white.
+    scene.draw(PrimitiveType::TriangleFan,
+               {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
+    REQUIRE_FALSE(comparison.equal());
+    const PipeDifference& difference = *comparison.difference();
+    CHECK(difference.draw == 7);
+    CHECK(difference.target.target == "colour target 0");
+    CHECK(difference.target.x == 4);
+    CHECK(difference.target.y == 4);
+    CHECK(difference.target.expected == 0xffffffff);
+    CHECK(difference.target.got == 0xfefefefe);
+    CHECK_THAT(comparison.summary(), Contains("rtl: draw 7 is the first that parts"));
+}
+
+TEST_CASE("replay --rtl fragment_pipe draws a frame, and says what it compared") {
+    int status = -1;
+    const std::string text = printed(stderr, [&] {
+        status = run({"replay", FFGPU_PIPE_TRACE, "--rtl", "fragment_pipe", "--frames", "0-0"});
+    });
+    INFO(text);
+    CHECK(status == 0);
+    CHECK_THAT(text, Contains("target bytes equal to the model's after each"));
+    CHECK_THAT(text, Contains("million cycles a second"));
+    CHECK_THAT(
+        printed(stderr,
+                [&] {
+                    status = run({"replay", FFGPU_PIPE_TRACE, "--rtl", "fragment_pipe,blend"});
+                }),
+        Contains("fragment_pipe has all units, and stands alone"));
+    CHECK(status == 2);
+}
+
+} // namespace
+} // namespace ffgpu::tools
