@@ -1,4 +1,5 @@
 """ffgpu sweep on this machine: what its table says, what is killed and resumed, what is refused."""
+import json
 import os
 import pathlib
 import random
@@ -67,6 +68,24 @@ class TableTest(SweepCase):
         after = self.results("out")
         self.assertGreater(len(after), len(before))
         self.assertEqual({file: after[file] for file in before}, before)
+
+    def test_any_point_has_a_page_by_one_command(self):
+        self.swept("out", traces=[TRACE, SOURCE / "traces/chrome.trace"])
+        row = self.rows("out")[1]
+        report = [FFGPU, "report", str(self.folder / "out"), "--point", row["point"]]
+        done = subprocess.run(report, capture_output=True, text=True, check=False)
+        self.assert_refused(done, "--trace", "corridor, chrome")
+        subprocess.run([*report, "--trace", "corridor"], check=True, stdout=subprocess.DEVNULL)
+        page = self.folder / "out/reports" / ("corridor-" + row["point"]) / "report.html"
+        data = re.search(r'id="data">(.*?)</script>', page.read_text(), re.S)[1]
+        run = json.loads(data)["runs"][0]
+        self.assertEqual(sum(run["timing"]["total_cycles"]), int(row["cycles"]))
+        self.assertEqual(sum(run["timing"]["texel_cache_misses"]), int(row["texel_cache_misses"]))
+        done = subprocess.run([*report[:-1], "nowhere"], capture_output=True, text=True, check=False)
+        self.assert_refused(done, "--trace")
+        done = subprocess.run([*report[:-1], "nowhere", "--trace", "chrome"], capture_output=True,
+                              text=True, check=False)
+        self.assert_refused(done, "no point 'nowhere'")
 
     def test_a_work_file_is_timed_as_it_is_and_two_traces_have_rows_of_their_own(self):
         work = self.folder / "kept.ffw"

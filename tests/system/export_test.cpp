@@ -4,6 +4,7 @@
 
 #include "model/base/input_error.h"
 #include "tests/support/temporary_file.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/system/trace_run.h"
 #include "tests/tools/tool.h"
 #include "tests/work/din_player.h"
@@ -12,6 +13,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <random>
@@ -19,6 +22,7 @@
 #include <sstream>
 
 #include <catch2/catch.hpp>
+#include <sys/wait.h>
 #include <zstd.h>
 
 namespace ffgpu::tools {
@@ -230,6 +234,22 @@ TEST_CASE("what is wrong with an export is one line, and status 2", "[export]") 
                Contains("--access-bytes 48"));
     const TemporaryFile newer(std::string("FFGPUWRK\x09\0\0\0", 12), ".ffw");
     CHECK_THAT(fails({"export", newer.path(), "--format", "din"}), Contains(newer.path()));
+}
+
+TEST_CASE("a disk that is full in the middle of an export leaves the former file", "[export]") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "corridor.din", said = folder / "said";
+    std::ofstream(file) << "former\n";
+    const std::string command = "ulimit -f 64; exec '" FFGPU_BINARY "' export '" +
+                                own_trace("corridor") + "' --format din -o " + file + " 2> " + said;
+    const int status = std::system(command.c_str());
+    CHECK(WEXITSTATUS(status) == 2);
+    const std::string text = content(said);
+    CHECK(std::count(text.begin(), text.end(), '\n') == 1);
+    CHECK_THAT(text, Contains(file + ": cannot be written"));
+    CHECK(content(file) == "former\n");
+    const std::filesystem::directory_iterator files(folder.path());
+    CHECK(std::distance(begin(files), end(files)) == 2);
 }
 
 TEST_CASE("a fault of the input keeps what was exported before it", "[export]") {

@@ -1,5 +1,7 @@
+#include "model/base/input_error.h"
 #include "tools/commands/commands.h"
 #include "tools/report_page/report_page.h"
+#include "tools/sweep/point_report.h"
 
 #include <cstdio>
 #include <memory>
@@ -8,12 +10,32 @@
 #include <CLI/CLI.hpp>
 
 namespace ffgpu::tools {
+namespace {
+
+struct Arguments {
+    ReportOptions report;
+    std::string frames;
+    std::string point, trace;
+};
+
+std::string report(Arguments& arguments) {
+    ReportOptions& options = arguments.report;
+    if (!arguments.frames.empty()) options.frames = parse_frame_range(arguments.frames);
+    if (arguments.point.empty()) {
+        if (!arguments.trace.empty()) throw InputError("report: --trace is of --point");
+        return write_report(options);
+    }
+    if (!options.other.empty() || !arguments.frames.empty())
+        throw InputError("report --point: expected a sweep's folder alone, and no --frames");
+    return report_point({.sweep = options.folder,
+                         .point = arguments.point,
+                         .trace = arguments.trace,
+                         .output = options.output});
+}
+
+} // namespace
 
 void add_report_command(CLI::App& application, Run& run) {
-    struct Arguments {
-        ReportOptions report;
-        std::string frames;
-    };
     const auto arguments = std::make_shared<Arguments>();
     ReportOptions& options = arguments->report;
     CLI::App* const verb = application.add_subcommand(
@@ -26,12 +48,14 @@ void add_report_command(CLI::App& application, Run& run) {
     verb->add_option("-o,--output", options.output, "The page; report.html in the folder")
         ->type_name("PAGE.html");
     verb->add_option("--frames", arguments->frames, "Only these")->type_name("A-B");
+    verb->add_option("--point", arguments->point, "Of a sweep's folder: this point, run once more")
+        ->type_name("POINT");
+    verb->add_option("--trace", arguments->trace, "With --point: of which trace")
+        ->type_name("NAME");
     verb->footer("Example: ffgpu report out/corridor out/two_ways");
     verb->callback([arguments, &run] {
         run = [arguments] {
-            if (!arguments->frames.empty())
-                arguments->report.frames = parse_frame_range(arguments->frames);
-            std::fputs(write_report(arguments->report).c_str(), stdout);
+            std::fputs(report(*arguments).c_str(), stdout);
             return 0;
         };
     });

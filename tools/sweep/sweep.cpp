@@ -117,9 +117,10 @@ std::string summary(const SweepPlan& plan, const std::vector<SweepRow>& rows, st
                 fastest = &row;
         if (!fastest) continue;
         text += "fastest:\n" + point_text(plan, *fastest);
-        text += fmt::format("  its figures in full: ffgpu time {} --config {} -o DIR\n",
-                            plan.work(trace).string(),
-                            plan.point_file(*fastest->point).string());
+        text += fmt::format("  all of it on a page: ffgpu report {} --point {} --trace {}\n",
+                            plan.folder.string(),
+                            fastest->point->id,
+                            trace.name);
     }
     return text;
 }
