@@ -49,7 +49,7 @@ TEST_CASE("Bicubic magnification is Keys' convolution") {
     put(picture, {}, memory);
     for (const Wrap wrap : Wraps) {
         const TextureUnit unit = memory.compile(sampler_of(TextureFilter::Bicubic, wrap));
-        double worst = 0;
+        double worst = 0, sum_of_errors = 0;
         for (int n = 0; n < 2000; ++n) {
             const Pixel pixel{place(random, 32), place(random, 16)};
             const Color color = sample_pixel(unit, pixel, nullptr);
@@ -59,11 +59,14 @@ TEST_CASE("Bicubic magnification is Keys' convolution") {
                 for (int y = int(std::floor(v)) - 1; y <= int(std::floor(v)) + 2; ++y)
                     for (int x = int(std::floor(u)) - 1; x <= int(std::floor(u)) + 2; ++x)
                         sum += keys(u - x) * keys(v - y) * picture.at(wrap, x, y, channel);
-                worst = std::max(worst, std::fabs(std::clamp(sum, 0.0, 255.0) - color[channel]));
+                const double error = std::clamp(sum, 0.0, 255.0) - color[channel];
+                worst = std::max(worst, std::fabs(error));
+                sum_of_errors += error;
             }
         }
         INFO(static_cast<int>(wrap));
         CHECK(worst < 1.7); // Four weights an axis within half of 2^-10, and the rounding.
+        CHECK(std::fabs(sum_of_errors / 8000) < 0.1); // Rounded, not cut.
     }
     for (std::uint32_t weight = 0; weight < 256; ++weight) {
         const auto weights = bicubic_weights(weight);
@@ -96,6 +99,13 @@ TEST_CASE("A bicubic filter takes sixteen texels by four accesses, and only to m
     footprints.accesses.clear();
     sample_pixel(unit, {8, 8, 4, 0, 0, 4}, &footprints);
     CHECK(footprints.accesses.size() == 4);
+
+    // GL_NEAREST magnifies as it says.
+    Sampler nearest = sampler_of(TextureFilter::Bicubic, Wrap::Repeat);
+    nearest.magnify_linear = false;
+    const Color texel = sample_pixel(memory.compile(nearest), {8.25, 8.75, 0.5, 0, 0, 0.5}, {});
+    for (unsigned channel = 0; channel < 4; ++channel)
+        CHECK(texel[channel] == static_cast<unsigned>(memory.at(0, 0, 8, 8)[channel]));
 }
 
 // Every image of a rip-map has texels of its own here, so that a wrong image cannot go unseen.
@@ -111,13 +121,22 @@ TEST_CASE("A rip-map's sample mixes the four images around the pixel's two sides
                 {0, 2 * Width - (2 * Width >> i), 2 * Height - (2 * Height >> j)},
                 memory);
         }
-    for (const Wrap wrap : Wraps) {
+    struct Variant {
+        bool linear = true;
+        double bias = 0, least = 0, most = 20; // levels
+    };
+    const auto check = [&](Wrap wrap, const Variant& variant) {
         Sampler sampler = sampler_of(TextureFilter::RipMap, wrap);
         sampler.source_width = Width;
         sampler.source_height = Height;
+        sampler.minify_linear = sampler.magnify_linear = variant.linear;
+        const auto fixed = [](double level) { return static_cast<std::int16_t>(256 * level); };
+        sampler.bias = fixed(variant.bias);
+        sampler.min_lod = fixed(variant.least);
+        sampler.max_lod = fixed(variant.most);
         const TextureUnit unit = memory.compile(sampler);
         REQUIRE(unit.filter == TextureFilter::RipMap);
-        const auto bilinear = [&](unsigned i, unsigned j, const Pixel& pixel, unsigned channel) {
+        const auto sampled = [&](unsigned i, unsigned j, const Pixel& pixel, unsigned channel) {
             const auto place_along = [&](double at, unsigned level, int size) {
                 return held(wrap, std::ldexp(at, -int(level)), size) - 0.5;
             };
@@ -128,35 +147,50 @@ TEST_CASE("A rip-map's sample mixes the four images around the pixel's two sides
                 return images[i][j].at(wrap, x + dx, y + dy, channel);
             };
             const double a = u - x, b = v - y;
+            if (!variant.linear) return texel(a >= 0.5, b >= 0.5);
             return (texel(0, 0) * (1 - a) + texel(1, 0) * a) * (1 - b) +
                    (texel(0, 1) * (1 - a) + texel(1, 1) * a) * b;
         };
+        // Coordinates have 8 fraction bits: which texel is the nearest may be in doubt.
+        const auto is_doubtful = [&](double at, unsigned level) {
+            const double texels = std::ldexp(at, -int(level));
+            return !variant.linear && std::fabs(texels - std::round(texels)) < 1.0 / 256;
+        };
         double worst = 0;
         for (int n = 0; n < 1000; ++n) {
-            // Along the axes, and not so large that the lambdas are clamped.
-            const Pixel pixel{place(random, 32),
-                              place(random, 16),
-                              std::exp2(below(random, 4000) / 1000.0),
-                              0,
-                              0,
-                              std::exp2(below(random, 3000) / 1000.0)};
+            // Not so large that the lambdas are clamped; the shorter step decides nothing.
+            const double ux = std::exp2(below(random, 4000) / 1000.0);
+            const double vy = std::exp2(below(random, 3000) / 1000.0);
+            const Pixel pixel{place(random, 32), place(random, 16), ux, 0.75 * vy, 0.75 * ux, vy};
             const Color color = sample_pixel(unit, pixel, nullptr);
-            const double level_u = std::log2(pixel.ux), level_v = std::log2(pixel.vy);
-            const auto i = unsigned(level_u), j = unsigned(level_v);
+            const auto level_of = [&](double step, unsigned last) {
+                const double level =
+                    std::clamp(std::log2(step) + variant.bias, variant.least, variant.most);
+                return std::clamp(level, 0.0, double(last));
+            };
+            const double level_u = level_of(ux, 5), level_v = level_of(vy, 4);
+            const auto i = std::min(unsigned(level_u), 4u), j = std::min(unsigned(level_v), 3u);
             const double a = level_u - i, b = level_v - j;
+            if (is_doubtful(pixel.u, i) || is_doubtful(pixel.u, i + 1) || is_doubtful(pixel.v, j) ||
+                is_doubtful(pixel.v, j + 1))
+                continue;
             for (unsigned channel = 0; channel < 4; ++channel) {
                 const auto mixed = [&](unsigned row) {
-                    return bilinear(i, row, pixel, channel) * (1 - a) +
-                           bilinear(i + 1, row, pixel, channel) * a;
+                    return sampled(i, row, pixel, channel) * (1 - a) +
+                           sampled(i + 1, row, pixel, channel) * a;
                 };
                 worst = std::max(worst,
                                  std::fabs(mixed(j) * (1 - b) + mixed(j + 1) * b - color[channel]));
             }
         }
-        INFO(static_cast<int>(wrap));
+        INFO(static_cast<int>(wrap) << ", bias " << variant.bias << ", linear " << variant.linear);
         // Places within 2^-9 texel of small images, weights of 8 bits from a logarithm of 8 bits.
         CHECK(worst < 6);
-    }
+    };
+    for (const Wrap wrap : Wraps)
+        check(wrap, {});
+    check(Wrap::Repeat, {.bias = 0.5, .least = 1.25, .most = 2.25});
+    check(Wrap::Repeat, {.linear = false});
 }
 
 // The mean over a box: 1 / 256 of a texel after the other.
@@ -188,12 +222,9 @@ TEST_CASE("A summed-area table gives the mean over the pixel's box") {
         REQUIRE(unit.filter == TextureFilter::SummedArea);
         double worst = 0;
         for (int n = 0; n < 1000; ++n) {
-            const Pixel pixel{place(random, Width),
-                              place(random, Height),
-                              (2 * below(random, 128 * Width) + 2) / 256.0,
-                              0,
-                              0,
-                              (2 * below(random, 128 * Height) + 2) / 256.0};
+            const double ux = (4 * below(random, 64 * Width) + 4) / 256.0;
+            const double vy = (4 * below(random, 64 * Height) + 4) / 256.0;
+            const Pixel pixel{place(random, Width), place(random, Height), ux, vy / 2, ux / 2, vy};
             const Color color = sample_pixel(unit, pixel, nullptr);
             const double u = held(wrap, pixel.u, Width), v = held(wrap, pixel.v, Height);
             const double half_u = std::max(1.0, pixel.ux) / 2, half_v = std::max(1.0, pixel.vy) / 2;
