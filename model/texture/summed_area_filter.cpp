@@ -126,15 +126,14 @@ public:
     }
 
 private:
-    // 64 bits hold the sums of the corners modulo 2^48.
+    // A word is below 2^32, a corner below 2^48.
     Sums over(const Interval& x, const Interval& y) const {
         const Sums corners[]{
             below(x.to, y.to), below(x.from, y.to), below(x.to, y.from), below(x.from, y.from)};
         Sums sums{};
         for (unsigned channel = 0; channel < 4; ++channel)
-            sums[channel] = (corners[0][channel] - corners[1][channel] - corners[2][channel] +
-                             corners[3][channel]) &
-                            ((std::uint64_t{1} << 48) - 1);
+            sums[channel] = corners[0][channel] - corners[1][channel] - corners[2][channel] +
+                            corners[3][channel];
         return sums;
     }
 
