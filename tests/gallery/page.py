@@ -87,11 +87,14 @@ def chart(strip):
              f'<text x="{margin}" y="{height - 28}">{number(math.exp(least))} cycles</text>'
              f'<text transform="translate({margin - 10} {height - margin}) rotate(-90)">rms error, up to '
              f"{most_error / 1.1:.1f}</text>"]
+    labels = []
     for technique in strip:
         x = margin + 20 + (width - margin - 70) * (math.log(technique["cost"]["cycles"]) - least) / (most - least)
         y = height - margin - (height - margin - 10) * technique["found"]["rms"] / most_error
+        below = any(abs(x - other[0]) < 24 and abs(y - other[1]) < 14 for other in labels)
+        labels.append((x, y))
         parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4"><title>{html.escape(technique["title"])}</title>'
-                     f'</circle><text x="{x + 7:.1f}" y="{y - 5:.1f}">{technique["row"]}</text>')
+                     f'</circle><text x="{x + 7:.1f}" y="{y + (14 if below else -5):.1f}">{technique["row"]}</text>')
     return "".join(parts) + "</svg>"
 
 

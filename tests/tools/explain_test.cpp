@@ -5,6 +5,8 @@
 #include "tools/explain/history_json.h"
 #include "tools/explain/history_text.h"
 
+#include <set>
+
 #include <catch2/catch.hpp>
 
 namespace ffgpu::tools {
@@ -76,6 +78,25 @@ TEST_CASE("weights with perspective are those by area over w") {
     CHECK(shares[2] == Approx(2 / 13.0));
     primitive.shape = PrimitiveShape::Line;
     CHECK(primitive.weights(1, 0).empty());
+}
+
+TEST_CASE("a fragment of a clipped triangle is told with the piece that it is of") {
+    ExplainScene scene;
+    // The near plane cuts one corner off: what is left has four corners and is drawn in two pieces.
+    const auto vertex = [](float x, float y, float z) {
+        return test::Vertex{x, y, z, 1, 1, 0, 0, 1, 0, 0};
+    };
+    scene.draw({vertex(-1, -1, -3), vertex(3, -1, 1), vertex(-1, 3, 1)});
+    std::vector<std::pair<unsigned, unsigned>> pixels;
+    for (unsigned i = 0; i < ExplainScene::Side * ExplainScene::Side; ++i)
+        pixels.emplace_back(i % ExplainScene::Side, i / ExplainScene::Side);
+    std::set<unsigned> pieces;
+    for (const PixelHistory& history : scene.histories(pixels))
+        for (const PixelEvent& event : history.events) {
+            CHECK(event.piece == event.fragment->piece);
+            pieces.insert(event.piece);
+        }
+    CHECK(pieces == std::set<unsigned>{0, 1});
 }
 
 TEST_CASE("a fragment that ends early is listed with the test's both sides") {
