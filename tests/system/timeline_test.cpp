@@ -91,6 +91,18 @@ private:
     Cycles sums_;
 };
 
+// A counter over time: what it was, times the cycles.
+struct Level {
+    std::uint64_t since = 0;
+    double value = 0, sum = 0;
+
+    void change(std::uint64_t time, double next) {
+        sum += value * static_cast<double>(time - since);
+        since = time;
+        value = next;
+    }
+};
+
 TEST_CASE("the vectors of a VCD, summed up, are the accounts", "[export]") {
     const TemporaryFile file("", ".vcd");
     export_to(file.path(), ExportFormat::Vcd);
@@ -137,6 +149,7 @@ TEST_CASE("the spans and counters of Perfetto, summed up, are the accounts", "[e
     std::map<std::pair<int, int>, std::string> tracks;
     std::map<std::pair<int, int>, std::uint64_t> ends;
     Cycles spans, sums, bytes;
+    std::map<std::string, Level> queues;
     for (const auto& event : trace.at("traceEvents")) {
         const std::pair<int, int> track{event.at("pid"), event.at("tid")};
         const std::string kind = event.at("ph"), name = event.at("name");
@@ -148,6 +161,10 @@ TEST_CASE("the spans and counters of Perfetto, summed up, are the accounts", "[e
             spans[tracks.at(track) + '_' + name] += duration;
             sums[tracks.at(track)] += duration;
         }
+        if (kind == "C" && event.at("args").contains("items")) {
+            queues[name].change(event.at("ts"), event.at("args").at("items"));
+            continue;
+        }
         if (kind == "C")
             for (const auto& [client, value] : event.at("args").items())
                 bytes[client] += value.get<std::uint64_t>();
@@ -155,6 +172,18 @@ TEST_CASE("the spans and counters of Perfetto, summed up, are the accounts", "[e
     check_accounts(spans, false);
     CHECK(sums.at("commands") == machine().cycles);
     CHECK(sums.at("frames") == machine().cycles);
+    // Means have three digits, which are all of a thousandth part of an interval of 1,000 cycles;
+    // the last interval is shorter.
+    unsigned with_items = 0;
+    for (const auto& [counter, value] : machine().run.timed) {
+        if (!counter.starts_with("queue_") || !counter.ends_with("_item_cycles")) continue;
+        INFO(counter);
+        Level& level = queues[counter.substr(6, counter.size() - 6 - 12)];
+        level.change(machine().cycles, 0);
+        CHECK(level.sum == Approx(static_cast<double>(value)).margin(0.5));
+        with_items += value > 0;
+    }
+    CHECK(with_items > 10);
     CHECK(bytes.size() == timing::Clients);
     for (const auto& [client, value] : bytes) {
         INFO(client);

@@ -208,9 +208,13 @@ std::string export_time(const ExportOptions& options) {
     ExportOutput output(fst ? "/dev/null" : options.output, options.compresses);
     TextWriter text(output);
     const std::unique_ptr<TimelineFormat> format = make_timeline(options, text);
-    TracedMachine machine(options.configuration.timing, false);
+    timing::TimingConfig config = options.configuration.timing;
+    const bool tells_queues = options.format == ExportFormat::Perfetto;
+    if (tells_queues) config.series.interval_cycles = TimelineTrace::Interval;
+    TracedMachine machine(config, false);
     timing::GpuTiming& timing = machine.timing();
     TimelineTrace trace(*format, timing.unit_names());
+    if (tells_queues) timing.set_series_sink(&trace);
     timing.set_activity_observer(&trace);
     timing.set_memory_observer(&trace);
     timing.set_on_frame([&](const timing::FrameTiming& frame) { trace.frame(frame); });

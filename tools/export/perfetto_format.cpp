@@ -1,7 +1,7 @@
 // Chrome's trace events, which ui.perfetto.dev opens: a track for each unit with what it was busy
 // or stalled on, one with the commands that the cycles are charged to, one with the frames, and
-// counters of the bytes that each client moves. A cycle is drawn as a microsecond, the unit of the
-// format, so that all times are whole numbers.
+// counters of the bytes that each client moves and of the items in each queue. A cycle is drawn as
+// a microsecond, the unit of the format, so that all times are whole numbers.
 
 #include "tools/export/timeline_format.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 using timing::Activity;
 
-enum Process : unsigned { Units = 1, Commands = 2, Memory = 3 };
+enum Process : unsigned { Units = 1, Commands = 2, Memory = 3, Queues = 4 };
 constexpr unsigned CommandTrack = 1, FrameTrack = 2;
 
 class Perfetto final : public TimelineFormat {
@@ -23,6 +23,7 @@ public:
         name("process_name", Units, 0, "units (1 us is a cycle)");
         name("process_name", Commands, 0, "commands");
         name("process_name", Memory, 0, "memory");
+        name("process_name", Queues, 0, "queues: items, in the mean");
         for (unsigned i = 0; i < units.size(); ++i)
             name("thread_name", Units, i + 1, units[i]);
         name("thread_name", Commands, CommandTrack, "commands");
@@ -48,6 +49,27 @@ public:
                        timing::ClientNames[i],
                        interval.bytes[i]);
         out_.print(FMT_COMPILE("}}}}"));
+    }
+
+    void queues(const std::vector<std::string>& names) override {
+        queues_.assign(names.begin(), names.end());
+        items_.assign(names.size(), {});
+    }
+
+    // A counter keeps its value until the next.
+    void queue_items(const QueueInterval& interval) override {
+        for (std::size_t i = 0; i < queues_.size(); ++i) {
+            std::string items = fmt::format(FMT_COMPILE("{:.3f}"), interval.items[i]);
+            if (items == items_[i]) continue;
+            next();
+            out_.print(FMT_COMPILE("{{\"name\":\"{}\",\"ph\":\"C\",\"ts\":{},\"pid\":{},"
+                                   "\"tid\":0,\"args\":{{\"items\":{}}}}}"),
+                       queues_[i],
+                       interval.begin,
+                       static_cast<unsigned>(Queues),
+                       items);
+            items_[i] = std::move(items);
+        }
     }
 
     void frame(const timing::FrameTiming& frame) override {
@@ -117,7 +139,8 @@ private:
     TextWriter& out_;
     bool first_ = true;
     std::vector<Span> spans_;
-    std::uint64_t charged_ = 0; // cycles to commands so far
+    std::vector<std::string> queues_, items_; // names, and what was told last
+    std::uint64_t charged_ = 0;               // cycles to commands so far
 };
 
 } // namespace

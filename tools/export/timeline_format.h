@@ -22,6 +22,12 @@ struct TrafficInterval {
     std::array<std::uint64_t, timing::Clients> bytes{};
 };
 
+// Items in each queue, or on their way to it, in the mean over an interval.
+struct QueueInterval {
+    std::uint64_t begin = 0; // time
+    std::vector<double> items;
+};
+
 class TimelineFormat {
 public:
     virtual ~TimelineFormat() = default;
@@ -30,6 +36,9 @@ public:
     // By rising time.
     virtual void change(std::size_t unit, timing::Activity activity, std::uint64_t time) = 0;
     virtual void traffic(const TrafficInterval&) {}
+    // Names of queues, before their first interval, and intervals behind each other.
+    virtual void queues(const std::vector<std::string>&) {}
+    virtual void queue_items(const QueueInterval&) {}
     virtual void frame(const timing::FrameTiming&) {}
     // Throws InputError where it cannot be written.
     virtual void end(std::uint64_t time) = 0;

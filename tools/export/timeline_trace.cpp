@@ -41,6 +41,28 @@ void TimelineTrace::write_traffic() {
     writer_.push(1, [this, traffic = traffic_] { format_.traffic(traffic); });
 }
 
+void TimelineTrace::columns(std::span<const timing::SeriesColumn> columns) {
+    constexpr std::string_view Begin = "queue_", End = "_item_cycles";
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        std::string_view name = columns[i].name;
+        if (!name.starts_with(Begin) || !name.ends_with(End)) continue;
+        name.remove_prefix(Begin.size());
+        name.remove_suffix(End.size());
+        names.emplace_back(name);
+        queue_columns_.push_back(i);
+    }
+    writer_.push(1, [this, names] { format_.queues(names); });
+}
+
+void TimelineTrace::sample(const timing::SeriesSample& sample) {
+    QueueInterval interval{sample.begin, {}};
+    for (const std::size_t column : queue_columns_)
+        interval.items.push_back(static_cast<double>(sample.counts[column]) /
+                                 static_cast<double>(sample.cycles));
+    writer_.push(1, [this, interval] { format_.queue_items(interval); });
+}
+
 void TimelineTrace::frame(const timing::FrameTiming& frame) {
     writer_.push(1 + frame.commands.size(), [this, frame] { format_.frame(frame); });
 }
