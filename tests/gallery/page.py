@@ -91,10 +91,11 @@ def chart(strip):
     for technique in strip:
         x = margin + 20 + (width - margin - 70) * (math.log(technique["cost"]["cycles"]) - least) / (most - least)
         y = height - margin - (height - margin - 10) * technique["found"]["rms"] / most_error
-        below = any(abs(x - other[0]) < 24 and abs(y - other[1]) < 14 for other in labels)
-        labels.append((x, y))
+        over = any(abs(x - other[0]) < 24 and abs(y - 5 - other[1]) < 11 for other in labels)
+        label = y + (14 if over else -5)
+        labels.append((x, label))
         parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4"><title>{html.escape(technique["title"])}</title>'
-                     f'</circle><text x="{x + 7:.1f}" y="{y + (14 if below else -5):.1f}">{technique["row"]}</text>')
+                     f'</circle><text x="{x + 7:.1f}" y="{label:.1f}">{technique["row"]}</text>')
     return "".join(parts) + "</svg>"
 
 
