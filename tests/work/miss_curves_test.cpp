@@ -185,7 +185,7 @@ TEST_CASE("the working set of a frame are its different lines", "[curves]") {
         curves.lookups(place, {&lookup, 1});
         ++place.number;
     };
-    for (const std::uint64_t line : {1, 2, 1, 3})
+    for (const std::uint64_t line : {1u, 2u, 1u, 3u})
         look_up(line);
     curves.flush(); // The same line again is no other one.
     look_up(3);
