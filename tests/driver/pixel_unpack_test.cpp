@@ -45,30 +45,30 @@ Element pack_one(GLenum format, GLenum type, const PixelColor& color, PixelStore
     return element;
 }
 
-constexpr std::array ColorFormats{GL_RED,
-                                  GL_GREEN,
-                                  GL_BLUE,
-                                  GL_ALPHA,
-                                  GL_RGB,
-                                  GL_RGBA,
-                                  GL_BGR,
-                                  GL_BGRA,
-                                  GL_ABGR_EXT,
-                                  GL_LUMINANCE,
-                                  GL_LUMINANCE_ALPHA};
-constexpr std::array PackedTypes{GL_UNSIGNED_BYTE_3_3_2,
-                                 GL_UNSIGNED_BYTE_2_3_3_REV,
-                                 GL_UNSIGNED_SHORT_5_6_5,
-                                 GL_UNSIGNED_SHORT_5_6_5_REV,
-                                 GL_UNSIGNED_SHORT_4_4_4_4,
-                                 GL_UNSIGNED_SHORT_4_4_4_4_REV,
-                                 GL_UNSIGNED_SHORT_5_5_5_1,
-                                 GL_UNSIGNED_SHORT_1_5_5_5_REV,
-                                 GL_UNSIGNED_INT_8_8_8_8,
-                                 GL_UNSIGNED_INT_8_8_8_8_REV,
-                                 GL_UNSIGNED_INT_10_10_10_2,
-                                 GL_UNSIGNED_INT_2_10_10_10_REV};
-constexpr std::array PlainTypes{
+constexpr std::array<GLenum, 11> ColorFormats{GL_RED,
+                                              GL_GREEN,
+                                              GL_BLUE,
+                                              GL_ALPHA,
+                                              GL_RGB,
+                                              GL_RGBA,
+                                              GL_BGR,
+                                              GL_BGRA,
+                                              GL_ABGR_EXT,
+                                              GL_LUMINANCE,
+                                              GL_LUMINANCE_ALPHA};
+constexpr std::array<GLenum, 12> PackedTypes{GL_UNSIGNED_BYTE_3_3_2,
+                                             GL_UNSIGNED_BYTE_2_3_3_REV,
+                                             GL_UNSIGNED_SHORT_5_6_5,
+                                             GL_UNSIGNED_SHORT_5_6_5_REV,
+                                             GL_UNSIGNED_SHORT_4_4_4_4,
+                                             GL_UNSIGNED_SHORT_4_4_4_4_REV,
+                                             GL_UNSIGNED_SHORT_5_5_5_1,
+                                             GL_UNSIGNED_SHORT_1_5_5_5_REV,
+                                             GL_UNSIGNED_INT_8_8_8_8,
+                                             GL_UNSIGNED_INT_8_8_8_8_REV,
+                                             GL_UNSIGNED_INT_10_10_10_2,
+                                             GL_UNSIGNED_INT_2_10_10_10_REV};
+constexpr std::array<GLenum, 7> PlainTypes{
     GL_UNSIGNED_BYTE, GL_BYTE, GL_UNSIGNED_SHORT, GL_SHORT, GL_UNSIGNED_INT, GL_INT, GL_FLOAT};
 
 } // namespace
@@ -226,7 +226,7 @@ TEST_CASE("uploads of bytes take the same texels as the general way") {
                                 Format::Alpha8,
                                 Format::Intensity8,
                                 Format::LuminanceAlpha8};
-    constexpr std::array Types{
+    constexpr std::array<GLenum, 3> Types{
         GL_UNSIGNED_BYTE, GL_UNSIGNED_INT_8_8_8_8, GL_UNSIGNED_INT_8_8_8_8_REV};
     unsigned compared = 0;
     for (const GLenum format : ColorFormats) {

@@ -127,9 +127,8 @@ TEST_CASE_METHOD(GpuFixture, "each format is sampled as its texels read") {
     }
     for (const GLint internal : {GL_ALPHA, GL_RGBA, GL_LUMINANCE_ALPHA, GL_RGBA4, GL_RGB5_A1})
         CHECK(drawn_channel(internal, 3) <= 1);
-    for (const GLenum internal :
-         {GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_COMPRESSED_RGBA_S3TC_DXT5_EXT})
-        CHECK(drawn_channel(static_cast<GLint>(internal), 1) == 0);
+    for (const GLint internal : {GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_COMPRESSED_RGBA_S3TC_DXT5_EXT})
+        CHECK(drawn_channel(internal, 1) == 0);
 }
 
 TEST_CASE_METHOD(GpuFixture, "the framebuffer is copied to textures of each format") {

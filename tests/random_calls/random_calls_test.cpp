@@ -45,7 +45,7 @@ std::vector<std::uint8_t> run_program(const Registry& registry,
     walk.settle();
     std::vector<std::uint8_t> pixels(std::size_t{2} * Width * Height * 4);
     std::size_t at = 0;
-    for (const GLenum buffer : {GL_FRONT, GL_BACK}) {
+    for (const GLenum buffer : {GLenum{GL_FRONT}, GLenum{GL_BACK}}) {
         entry::ReadBuffer(buffer);
         entry::ReadPixels(0, 0, Width, Height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data() + at);
         at += pixels.size() / 2;

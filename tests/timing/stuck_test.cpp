@@ -85,8 +85,8 @@ TEST_CASE("a memory that does not answer a client is named, with the unit that w
     for (const auto& [client, unit] : cases) {
         CAPTURE(unit);
         const std::string report = report_of(
-            [&](const MemoryRequest& request) {
-                return request.client == client && !request.write;
+            [silent = client](const MemoryRequest& request) {
+                return request.client == silent && !request.write;
             },
             {});
         INFO(report);

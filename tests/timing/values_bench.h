@@ -86,8 +86,8 @@ private:
         void scene(work::PreparedScene&& scene) override;
         void transfer(work::PreparedTransfer&& transfer) override {
             for (const work::SurfaceFill& fill : transfer.fills)
-                for (work::SurfaceContents& contents : bench.contents)
-                    contents.fill(fill);
+                for (work::SurfaceContents& filled : bench.contents)
+                    filled.fill(fill);
         }
         void content(work::PreparedContent&& told) override {
             bench.contents[told.depth ? 0 : 1].set(told.place, *told.content, [](std::uint64_t) {});

@@ -34,7 +34,7 @@ Cycle waited(const WaitedCycles& cycles, Resource resource) {
 
 TEST_CASE("a path that alternates waits n times each wait") {
     WaitPaths paths;
-    const Cycle begin = 70, rounds = GENERATE(1, 2, 1000);
+    const Cycle begin = 70, rounds = GENERATE(as<Cycle>(), 1, 2, 1000);
     WaitPaths::Path path = paths.restart(begin);
     for (Cycle i = 0; i < rounds; ++i) {
         path = paths.extend(path, A, begin + 8 * i + 3);
