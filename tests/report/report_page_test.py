@@ -217,6 +217,19 @@ class PageTest(unittest.TestCase):
             .map(cell => cell.textContent)""")
         self.assertEqual(sum(map(value, cells)), sum(self.data["timing"]["total_cycles"]))
 
+    def test_the_chart_of_bytes_shows_what_each_client_read_and_wrote(self):
+        self.open(self.page)
+        rows = self.browser.run("""(() => { const figure = [...document.querySelectorAll('.chart')]
+            .find(one => one.querySelector('figcaption').textContent === 'Bytes by client');
+            const chart = Chart.getChart(figure.querySelector('canvas'));
+            return chart.data.datasets.map(set => [set.label, chart.data.labels.map((label, i) => [label, set.data[i]])]); })()""")
+        timing = self.data["timing"]
+        for name, values in rows:
+            for label, shown in values:
+                counter = f"memory_{label.replace(' ', '_')}_{name}_bytes"
+                self.assertEqual(shown, sum(timing[counter]), counter)
+        self.assertEqual(sorted(name for name, _ in rows), ["read", "written"])
+
     def test_two_runs_show_the_parameter_and_effects_by_size(self):
         self.open(self.difference)
         self.assertEqual(self.browser.run("""[...document.querySelectorAll('#parameters tbody tr')]
