@@ -19,6 +19,9 @@ struct PipeOptions {
     unsigned latency = 20;      // cycles from a read to its answer, at least
     unsigned stall_percent = 0; // of cycles in which a port of memory does not take or give
     std::uint64_t seed = 1;
+    // Cycles in which nothing moves at any port, after which the pipe is said to stand. A large
+    // primitive without a live fragment may take millions.
+    std::uint64_t quiet_cycles = 1 << 24;
     // Of this store of colours, counted from 0, each byte's lowest bit is wrong: how tests see that
     // it is told.
     std::optional<std::uint64_t> faulty_store{};

@@ -65,7 +65,7 @@ void VerilatedPipe::clock_until(const Done& done) {
         cycle();
         ends = done();
         quiet_ = moved_ || ends ? 0 : quiet_ + 1;
-        stands_ = quiet_ >= MostQuietCycles;
+        stands_ = quiet_ >= options_.quiet_cycles;
     }
 }
 

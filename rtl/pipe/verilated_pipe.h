@@ -24,9 +24,6 @@ public:
     double seconds() const override { return seconds_; }
 
 private:
-    // A cycle in which nothing moves at any port, so often: it stands.
-    static constexpr unsigned MostQuietCycles = 1 << 20;
-
     void reset();
     void cycle();
     template <class Done>
@@ -52,7 +49,7 @@ private:
     std::uint32_t draw_ = 0;
     bool tag_ = false, moved_ = false, stands_ = false;
     bool plane_taken_ = false, record_taken_ = false; // in the last cycle
-    unsigned quiet_ = 0;
+    std::uint64_t quiet_ = 0;
     std::uint64_t cycle_ = 0, color_stores_ = 0;
     double seconds_ = 0, began_ = 0;
 };

@@ -17,9 +17,15 @@ namespace {
 
 using Catch::Contains;
 
-constexpr std::array Memories{rtl::PipeOptions{.latency = 1},
-                              rtl::PipeOptions{.latency = 20, .stall_percent = 25, .seed = 2},
-                              rtl::PipeOptions{.latency = 90, .stall_percent = 60, .seed = 3}};
+constexpr rtl::PipeOptions memory(unsigned latency, unsigned stall_percent, std::uint64_t seed) {
+    return {.latency = latency,
+            .stall_percent = stall_percent,
+            .seed = seed,
+            .quiet_cycles = 1 << 14,
+            .faulty_store = {}};
+}
+
+constexpr std::array Memories{memory(1, 0, 1), memory(20, 25, 2), memory(90, 60, 3)};
 
 std::vector<test::Vertex> triangles(test::RandomStates& random, unsigned count) {
     const auto unit = [&] { return static_cast<float>(random.below(65536)) / 32768.0f - 1.0f; };
@@ -62,8 +68,8 @@ std::string told(const PipeComparison& comparison, unsigned draw) {
 }
 
 TEST_CASE("The pipe draws a busy scene as the model does, however memory answers") {
-    for (const rtl::PipeOptions& memory : Memories) {
-        PipeComparison comparison(memory);
+    for (const rtl::PipeOptions& options : Memories) {
+        PipeComparison comparison(options);
         test::Scene scene(32, 24);
         comparison.attach(scene.gpu, scene.gpu);
         scene.into = &comparison;
@@ -104,8 +110,8 @@ TEST_CASE("The pipe draws random states as the model does") {
 TEST_CASE("Draws follow each other through the pipe without a gap") {
     const auto open =
         reinterpret_cast<rtl::OpenPipe>(rtl_function("ffgpu_pipe.so", rtl::OpenPipeName));
-    for (const rtl::PipeOptions& memory : Memories) {
-        const std::unique_ptr<rtl::Pipe> pipe(open(memory));
+    for (const rtl::PipeOptions& options : Memories) {
+        const std::unique_ptr<rtl::Pipe> pipe(open(options));
         test::Scene model(40, 36), drawn(40, 36);
         prepare(model);
         prepare(drawn);
@@ -144,19 +150,25 @@ TEST_CASE("A byte that the pipe stores wrong is told with draw, place and both v
     comparison.number_draws_from(7);
     scene.into = &comparison;
     scene.clear(0);
+    // Draws that give no fragments count as well.
+    DrawCommand feedback;
+    feedback.output = DrawOutput::Feedback;
+    feedback.feedback_address = test::VerticesAt;
+    feedback.feedback_bytes = 64;
+    scene.command(feedback);
     const auto corner = [](float x, float y) { return test::Vertex{x, y, 0, 1, 1, 1, 1, 1, 0, 0}; };
     // The right upper quarter, white.
     scene.draw(PrimitiveType::TriangleFan,
                {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
     REQUIRE_FALSE(comparison.equal());
     const PipeDifference& difference = *comparison.difference();
-    CHECK(difference.draw == 7);
+    CHECK(difference.draw == 8);
     CHECK(difference.target.target == "colour target 0");
     CHECK(difference.target.x == 4);
     CHECK(difference.target.y == 4);
     CHECK(difference.target.expected == 0xffffffff);
     CHECK(difference.target.got == 0xfefefefe);
-    CHECK_THAT(comparison.summary(), Contains("rtl: draw 7 is the first that parts"));
+    CHECK_THAT(comparison.summary(), Contains("rtl: draw 8 is the first that parts"));
 }
 
 TEST_CASE("replay --rtl fragment_pipe draws a frame, and says what it compared") {

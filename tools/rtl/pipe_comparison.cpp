@@ -55,8 +55,12 @@ void PipeComparison::submit(const CommandStream& commands) {
         device_->submit(command);
         if (opcode == Opcode::DrawImage) return draw(command, "drawn pixels");
         const auto plain = reader.command<DrawCommand>();
-        if (plain.output == DrawOutput::Feedback) return drawn_->submit(command);
-        draw(command, draw_by_pipe(plain));
+        if (plain.output == DrawOutput::Feedback) {
+            drawn_->submit(command);
+            ++next_draw_;
+        } else {
+            draw(command, draw_by_pipe(plain));
+        }
     });
     submit_part();
 }

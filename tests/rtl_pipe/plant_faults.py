@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""plant_faults.py BUILD [--jobs N]: faults planted in the fragment pipe's own glue, which its test has to see.
+
+All are built into one Verilated pipe, beside a copy of the test program of the build tree BUILD; each
+is run by its number. A test that fails, a crash or a hang kills one; survivors are listed, exit
+status 1. Number 0 is the pipe as it is, and has to pass.
+"""
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+Root = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(Root / "tests/rtl"))
+from mutants import Chosen  # noqa: E402
+
+Work = Root / "out" / "pipe_mutants"
+Rtl = Root / "rtl"
+Packages = ["ffgpu_registers_pkg", "ffgpu_pkg", "ffgpu_texture_pkg", "ffgpu_pipe_pkg"]
+Seconds = 240  # that a mutant may take
+
+# Kind, file, expression, what stands in its place. The expression stands once in the file.
+Mutants = [
+    ("dropped valid", "raster_front", "covered_valid && side_ready", "covered_valid && side_ready && covered.x[3:1] != 3'd5"),
+    ("dropped valid", "target_stages", "in_valid_i && lives", "in_valid_i && lives && in_data_i.key.piece[1:0] != 2'd1"),
+    ("dropped valid", "target_write", "in_valid_i && stores && out_ready_i", "in_valid_i && stores && out_ready_i && quad.x[4:1] != 4'd3"),
+    ("dropped valid", "texture_unit", "request_valid && level_ready", "request_valid && level_ready && request.live != 4'd6"),
+    ("doubled", "target_write", "out_ready_i && (store_ready_i || !stores)", "out_ready_i && store_ready_i"),
+    ("lost store", "target_write", "in_valid_i && (store_ready_i || !stores)", "in_valid_i"),
+    ("stale state", "draw_registers", "write_i && tag_i", "write_i && tag_i && state_i.sampled_units == 8'd0"),
+    ("stale state", "target_read", "free.tag ? format_1_i : format_0_i", "format_0_i"),
+    ("stale state", "target_read", "free.tag ? place_1_i : place_0_i", "free.tag ? place_0_i : place_1_i"),
+    ("stale state", "attribute_pass", "quad.tag ? carried_1_i : carried_0_i", "carried_1_i"),
+    ("stale state", "divisor_pass", "quad.tag ? carried_1_i : carried_0_i", "carried_0_i"),
+    ("stale state", "environment_loop", "entering.tag ? combiners_1_i : combiners_0_i", "combiners_0_i"),
+    ("stale state", "sample_collect", "(quad.tag ? sampled_units_1_i : sampled_units_0_i) != 8'd0", "sampled_units_1_i != 8'd0"),
+    ("stale state", "attribute_pass", "has_w_q && !is_last", "has_w_q"),
+    ("stale state", "texel_supply", "!invalidate_i", "1'b1"),
+    ("tag mismatch", "texture_banks", "named_q[0] && name_0_q == name", "named_q[0] && name_0_q[2:0] == name[2:0]"),
+    ("tag mismatch", "texture_banks", "(victim ? count_1_q : count_0_q) == '0", "1'b1"),
+    ("tag mismatch", "draw_tracker", "count_0_q == '0 && !(walking_i && !tag_i)", "1'b1"),
+    ("tag mismatch", "draw_tracker", "count_1_q == '0 && !(walking_i && tag_i)", "!(walking_i && tag_i)"),
+    ("tag mismatch", "texel_fetch", "in_data_i.header", "{~in_data_i.header.tag, in_data_i.header[0 +: $bits(in_data_i.header) - 1]}"),
+    ("hazard", "quad_interlock", "meets == '0", "1'b1"),
+    ("hazard", "quad_interlock", "used_q[i]", "used_q[i] && i != 3"),
+    ("hazard", "target_write", "in_valid_i && in_ready_o", "in_valid_i"),
+    ("slots", "record_store", "!is_walked", "1'b1"),
+    ("slots", "record_store", "counts_q[CountWidth*oldest +: CountWidth] == '0", "1'b1"),
+    ("slots", "raster_front", "!sequence_ready || !tile_ready || covered_valid", "!sequence_ready"),
+    ("order", "divisor_pass", "started_q <= !is_last", "started_q <= 1'b0"),
+    ("order", "attribute_pass", "!takes_q || divisor_valid_i", "1'b1"),
+    ("order", "sample_collect", "(quad.live & above) == 4'd0", "1'b1"),
+    ("order", "sample_collect", "sample_i.place[5]", "1'b1"),
+    ("order", "quad_collect", "attribute[1:0] == 2'd0 ? 384'd0 : coordinates_q", "coordinates_q"),
+    ("order", "texel_supply", "note_valid && !note.is_border && out_ready_i", "note_valid && out_ready_i"),
+    ("order", "texel_gather", "texel_q == filter_i.last_texel", "texel_q >= 3'd3 || texel_q == filter_i.last_texel"),
+    ("order", "environment_loop", "left_q & (left_q - 8'd1)", "8'd0"),
+    ("order", "tile_sequence", "last_column ? row_q + 8'd1 : row_q", "row_q + 8'd1"),
+    ("bytes", "target_write", "upper_enables << upper_byte", "upper_enables << lower_byte[0]"),
+    ("bytes", "target_write", "{4'd0, in_data_i.enables[13:12], in_data_i.enables[9:8]}", "{4'd0, 4'hf}"),
+    ("bytes", "target_place", "surface_i.stride * {19'd0, y_i}", "surface_i.stride * {19'd0, y_i[12:5], 5'd0}"),
+    ("bytes", "texel_supply", "data.block >> {note.offset, 3'd0}", "data.block >> {note.offset[2:0], 3'd0}"),
+]
+
+
+def planted(expression, mutant, number):
+    """The expression, with its mutant where that number is chosen. Statements keep their left side."""
+    if "<=" in expression:
+        left, right = expression.split(" <= ")
+        return f"{left} <= ({Chosen} == {number} ? ({mutant.split(' <= ')[1]}) : ({right}))"
+    return f"({Chosen} == {number} ? ({mutant}) : ({expression}))"
+
+
+def write_sources():
+    shutil.rmtree(Work, ignore_errors=True)
+    (Work / "rtl").mkdir(parents=True)
+    for file in Rtl.glob("*.sv"):
+        text = file.read_text()
+        for number, (_, name, expression, mutant) in enumerate(Mutants, 1):
+            if name != file.stem:
+                continue
+            original = Rtl.joinpath(f"{name}.sv").read_text()
+            if original.count(expression) != 1:
+                sys.exit(f"{name}: '{expression}' stands {original.count(expression)} times")
+            begin = text.index(expression)
+            text = text[:begin] + planted(expression, mutant, number) + text[begin + len(expression):]
+        (Work / "rtl" / file.name).write_text(text)
+
+
+def build(tree):
+    """The library and the test, in a tree like the build's."""
+    verilated = Work / "verilated"
+    sources = [str(Rtl / "lint.vlt")] + [str(Work / "rtl" / f"{p}.sv") for p in Packages]
+    subprocess.run(["verilator", "--cc", "-Wno-lint", "-Wno-fatal", "-O3", "--x-assign", "fast",
+                    "--x-initial", "fast", "--top-module", "fragment_pipe", "--prefix", "Vfragment_pipe",
+                    "-y", str(Work / "rtl"), "--Mdir", str(verilated), *sources,
+                    str(Work / "rtl/fragment_pipe.sv")], check=True)
+    include = Path("/usr/share/verilator/include")
+    cpp = [*verilated.glob("*.cpp"), include / "verilated.cpp", include / "verilated_threads.cpp",
+           *(Rtl / "pipe").glob("*.cpp"), Root / "tests/rtl/mutant.cpp"]
+    flags = ["-std=c++20", "-O1", "-fPIC", "-ffp-contract=off", f"-I{include}", f"-I{include}/vltstd",
+             f"-I{verilated}", f"-I{Root}", "-c"]
+
+    def compile_one(file):
+        output = verilated / (file.name + ".o")
+        subprocess.run(["g++", *flags, str(file), "-o", str(output)], check=True)
+        return str(output)
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        objects = list(pool.map(compile_one, cpp))
+    libraries = Work / "driver/GL"
+    libraries.mkdir(parents=True)
+    subprocess.run(["g++", "-shared", "-o", str(libraries / "ffgpu_pipe.so"), *objects, "-lfmt",
+                    "-pthread"], check=True)
+    (libraries / "libGL.so.1").touch()
+    (Work / "tests").mkdir()
+    shutil.copy(tree / "tests/rtl_pipe_test", Work / "tests")
+
+
+def run(number):
+    """Whether the test passes with the mutant."""
+    environment = {**os.environ, "FFGPU_RTL_MUTANT": str(number)}
+    try:
+        return subprocess.run([Work / "tests/rtl_pipe_test", "--abort", "~replay*"], env=environment,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                              timeout=Seconds).returncode == 0
+    except subprocess.TimeoutExpired:
+        return False
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("build", type=Path)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    arguments = parser.parse_args()
+    write_sources()
+    build(arguments.build)
+    if not run(0):
+        sys.exit("the test fails without a mutant")
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        survives = list(pool.map(run, range(1, len(Mutants) + 1)))
+    for number, (survived, mutant) in enumerate(zip(survives, Mutants), 1):
+        print(f"{'SURVIVED' if survived else 'killed  '} {number:2} {mutant[0]:13} {mutant[1]}: {mutant[2]} -> {mutant[3]}")
+    print(f"{len(Mutants) - sum(survives)} of {len(Mutants)} killed")
+    sys.exit(1 if any(survives) else 0)
+
+
+if __name__ == "__main__":
+    main()
