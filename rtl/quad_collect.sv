@@ -35,12 +35,12 @@ module quad_collect (
   assign is_last      = value_i.place[6];
   assign is_unit_last = value_i.place[7];
 
-  // The attribute's lanes into their places; of a unit's first one the others are 0 from then on.
+  // The attribute's lanes into their places. What a unit's coordinates do not carry does not matter.
   always_comb begin
     primary     = primary_q;
     secondary   = secondary_q;
     fog         = fog_q;
-    coordinates = attribute[1:0] == 2'd0 ? 384'd0 : coordinates_q;
+    coordinates = coordinates_q;
     for (int unsigned lane = 0; lane < 4; lane++) begin
       if (attribute[5:2] == 4'd1) begin
         primary[32*lane + 8*attribute[1:0] +: 8] = value_i.values[32*lane +: 8];

@@ -97,6 +97,9 @@ TEST_CASE("The pipe draws random states as the model does") {
         prepare(scene);
         for (unsigned draw = 0; draw < 25; ++draw) {
             random.vary(scene.registers, random.below(4));
+            // Textures change, too.
+            const std::array<std::uint32_t, 64> texels{random.bits(), random.bits()};
+            scene.into->write_memory(test::TextureAt, std::as_bytes(std::span(texels)));
             scene.draw(random.chance(6) ? PrimitiveType::Lines : PrimitiveType::Triangles,
                        triangles(random, 4));
             INFO("seed " << seed << ", " << told(comparison, draw));
@@ -140,6 +143,32 @@ TEST_CASE("Draws follow each other through the pipe without a gap") {
             comparison.compare(model.registers.targets, model.gpu, drawn.gpu);
         INFO(target_text(difference));
         CHECK(difference.target.empty());
+    }
+}
+
+// A quad waits for the one before it, wherever that stands between its read and its store.
+TEST_CASE("Quads of one place see what was stored before them") {
+    for (const rtl::PipeOptions& options : Memories) {
+        PipeComparison comparison(options);
+        test::Scene scene(16, 16);
+        comparison.attach(scene.gpu, scene.gpu);
+        scene.into = &comparison;
+        scene.clear(0);
+        scene.registers.blend.enable = true;
+        scene.registers.blend.rgb_destination = BlendFactor::One;
+        scene.registers.stencil.enable = true;
+        scene.registers.stencil.front.depth_pass = StencilOp::IncrementWrap;
+        std::vector<test::Vertex> vertices;
+        constexpr float Step = 2.0f / 255; // of two levels, 64 times
+        for (unsigned i = 0; i < 64; ++i) {
+            const float size = 0.25f + 0.125f * static_cast<float>(i % 3);
+            for (const auto& [x, y] : {std::pair{0.0f, 0.0f}, {size, 0.0f}, {0.0f, size}})
+                vertices.push_back({x, y, 0, 1, Step, Step, Step, Step, 0, 0});
+        }
+        scene.draw(PrimitiveType::Triangles, vertices);
+        INFO(comparison.summary());
+        CHECK(comparison.equal());
+        CHECK(scene.pixel(8, 8) == 0x02808080);
     }
 }
 

@@ -25,7 +25,7 @@ Seconds = 240  # that a mutant may take
 # Kind, file, expression, what stands in its place. The expression stands once in the file.
 Mutants = [
     ("dropped valid", "raster_front", "covered_valid && side_ready", "covered_valid && side_ready && covered.x[3:1] != 3'd5"),
-    ("dropped valid", "target_stages", "in_valid_i && lives", "in_valid_i && lives && in_data_i.key.piece[1:0] != 2'd1"),
+    ("dropped valid", "target_stages", "in_valid_i && lives", "in_valid_i && lives && in_data_i.x[4:1] != 4'd7"),
     ("dropped valid", "target_write", "in_valid_i && stores && out_ready_i", "in_valid_i && stores && out_ready_i && quad.x[4:1] != 4'd3"),
     ("dropped valid", "texture_unit", "request_valid && level_ready", "request_valid && level_ready && request.live != 4'd6"),
     ("doubled", "target_write", "out_ready_i && (store_ready_i || !stores)", "out_ready_i && store_ready_i"),
@@ -54,7 +54,6 @@ Mutants = [
     ("order", "attribute_pass", "!takes_q || divisor_valid_i", "1'b1"),
     ("order", "sample_collect", "(quad.live & above) == 4'd0", "1'b1"),
     ("order", "sample_collect", "sample_i.place[5]", "1'b1"),
-    ("order", "quad_collect", "attribute[1:0] == 2'd0 ? 384'd0 : coordinates_q", "coordinates_q"),
     ("order", "texel_supply", "note_valid && !note.is_border && out_ready_i", "note_valid && out_ready_i"),
     ("order", "texel_gather", "texel_q == filter_i.last_texel", "texel_q >= 3'd3 || texel_q == filter_i.last_texel"),
     ("order", "environment_loop", "left_q & (left_q - 8'd1)", "8'd0"),
