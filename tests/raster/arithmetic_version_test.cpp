@@ -78,9 +78,18 @@ std::string seal_of_this_build() {
         sampler.mip_filter = static_cast<MipFilter>(n % 3);
         sampler.max_anisotropy = static_cast<std::uint8_t>(n % 5 ? 1 : 8);
         // The quads lie within the triangle: no lane is further out than it may be.
-        WindowVertex v[3] = {vertex(-9000 - random.below(9000), -9000 - random.below(9000)),
-                             vertex(16000 + random.below(9000), -5000 - random.below(9000)),
-                             vertex(-5000 - random.below(5000), 16000 + random.below(9000))};
+        const auto off = [&](int reach) {
+            return reach < 0 ? -random.below(-reach) : random.below(reach);
+        };
+        // One after the other: in a call compilers may draw numbers in any order.
+        const auto corner = [&](int x, int reach_x, int y, int reach_y) {
+            y += off(reach_y);
+            x += off(reach_x);
+            return vertex(x, y);
+        };
+        WindowVertex v[3] = {corner(-9000, -9000, -9000, -9000),
+                             corner(16000, 9000, -5000, -9000),
+                             corner(-5000, -5000, 16000, 9000)};
         for (WindowVertex& each : v) {
             each.depth = random.unit();
             each.inverse_w = n % 3 ? 0.05f + random.unit() : 0.5f;

@@ -128,8 +128,8 @@ void tell_frame(Case kind, std::uint64_t seed, GpuTiming& timing) {
     for (std::uint32_t number = 0; number < 6; ++number) {
         switch (kind) {
         case Case::Draws:
-            timing.command(std::make_shared<work::WholeCommand>(
-                work.draw(number, 1 + work.below(400), work.below(1000))));
+            timing.command(
+                std::make_shared<work::WholeCommand>(work.any_draw(number, 1, 400, 1000)));
             break;
         case Case::Commands:
             if (work.below(3) == 0)
@@ -140,8 +140,8 @@ void tell_frame(Case kind, std::uint64_t seed, GpuTiming& timing) {
             timing.command(work.any_command(number));
             break;
         case Case::FrontEnd:
-            timing.command(std::make_shared<work::WholeCommand>(
-                work.draw(number, 100 + work.below(900), work.below(60))));
+            timing.command(
+                std::make_shared<work::WholeCommand>(work.any_draw(number, 100, 900, 60)));
             break;
         }
     }

@@ -60,10 +60,10 @@ public:
         while (frame.size() < commands) {
             const auto number = static_cast<std::uint32_t>(frame.size());
             const std::uint32_t lot = below(8);
-            frame.push_back(std::make_shared<work::WholeCommand>(
-                lot == 0   ? clear(number)
-                : lot == 1 ? copy(number)
-                           : draw(number, 1 + below(200), below(600))));
+            frame.push_back(
+                std::make_shared<work::WholeCommand>(lot == 0   ? clear(number)
+                                                     : lot == 1 ? copy(number)
+                                                                : any_draw(number, 1, 200, 600)));
         }
         return frame;
     }
@@ -71,11 +71,21 @@ public:
     // Any kind; draws as often as all others.
     std::shared_ptr<const work::WholeCommand> any_command(std::uint32_t number) {
         const std::uint32_t lot = below(6);
-        return std::make_shared<work::WholeCommand>(
-            lot == 0   ? clear(number)
-            : lot == 1 ? copy(number)
-            : lot == 2 ? image(number)
-                       : draw(number, 1 + below(300), below(1000)));
+        return std::make_shared<work::WholeCommand>(lot == 0   ? clear(number)
+                                                    : lot == 1 ? copy(number)
+                                                    : lot == 2 ? image(number)
+                                                               : any_draw(number, 1, 300, 1000));
+    }
+
+    // Of `least` vertices and fewer than `more` further ones, and fewer than so many quads.
+    work::WholeCommand any_draw(std::uint32_t number,
+                                std::uint32_t least,
+                                std::uint32_t more,
+                                std::uint32_t quads_below) {
+        // One after the other: in a call compilers may draw them in any order.
+        const std::uint32_t quads = below(quads_below);
+        const std::uint32_t vertices = least + below(more);
+        return draw(number, vertices, quads);
     }
 
     // Triangles of `vertices` vertices, and quads in runs along lines of the screen.
