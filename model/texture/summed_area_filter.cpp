@@ -1,5 +1,6 @@
 // The mean over a box, from a summed-area table.
 
+#include "model/base/check.h"
 #include "model/texture/wide_filters.h"
 #include "model/texture/wide_texels.h"
 
@@ -212,6 +213,7 @@ Rgba filter_summed_area(const TextureUnit& unit,
         return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
     };
     const std::uint64_t area = area_of(x.width, y.width);
+    check(area > 0, "a box is at least a texel wide and high");
     std::uint64_t border = area;
     Sums sum{};
     const auto add = [&sum](const Sums& part) {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "model/base/check.h"
 #include "model/texture/filter.h"
 
 #include <array>
@@ -19,6 +20,7 @@ public:
 
     // Halves up. Something has been added, with a weight.
     Rgba mean() const {
+        check(weight_ > 0, "a mean of something");
         Rgba color{};
         for (unsigned channel = 0; channel < 4; ++channel)
             color[channel] = static_cast<std::uint8_t>((sums_[channel] + weight_ / 2) / weight_);

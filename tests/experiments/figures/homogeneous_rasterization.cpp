@@ -114,7 +114,8 @@ void compare(const Triangle& triangle, Compared& all) {
     for (int y = 0; y < Size; ++y)
         for (int x = 0; x < Size; ++x) {
             const double px = x + 0.5, py = y + 0.5, distance = edges.distance(px, py);
-            const bool covered = picture[static_cast<std::size_t>(y * Size + x)] != 0;
+            const bool covered =
+                picture[static_cast<std::size_t>(y) * Size + static_cast<std::size_t>(x)] != 0;
             all.covered += covered;
             all.compared += distance > Margin;
             if (covered == (edges.inside(px, py) > 0)) continue;
