@@ -1,6 +1,6 @@
 #include "model/timing/bottlenecks.h"
 
-#include "model/base/check.h"
+#include "model/timing/link.h"
 
 #include <algorithm>
 #include <bit>
@@ -8,213 +8,298 @@
 #include <utility>
 
 namespace ffgpu::timing {
+namespace {
+
+constexpr std::uint64_t ArbiterBit = std::uint64_t{1} << 63;
+constexpr std::size_t MostUnderWay =
+    256; // requests of a port, beyond its queue, that are told apart
+
+// Of a cycle, in sixteenths, whose sums are the same in any order.
+float part(std::uint64_t items, std::uint32_t in_a_cycle) {
+    return static_cast<float>(16 * items / in_a_cycle) / 16;
+}
+
+} // namespace
 
 BottleneckStatistics::BottleneckStatistics() {
     for (std::size_t i = 0; i < Resources; ++i)
-        cycles_[i] = &add("bottleneck_" + std::string(ResourceNames[i]) + "_cycles",
+        waited_[i] = &add("bottleneck_" + std::string(ResourceNames[i]) + "_cycles",
                           "cycles",
                           "in which the machine waited for it");
+    for (std::size_t i = 0; i < Resources; ++i)
+        gained_[i] = &add("gain_" + std::string(ResourceNames[i]) + "_cycles",
+                          "cycles",
+                          "that its frames would take less without its limits");
 }
 
 Bottlenecks::Bottlenecks(const Clock& clock, Parts parts)
     : clock_(clock)
-    , parts_(std::move(parts)) {
-    check(parts_.stages.size() < 64, "a bit for each stage");
+    , parts_(std::move(parts))
+    , memory_(parts_.memory, parts_.memory_is_ours) {
+    check(parts_.stages.size() < 63, "a bit for each stage");
     for (const Stage& stage : parts_.stages)
-        places_.push_back({.stage = stage, .from = {}, .to = {}, .now = {}, .next = {}});
+        places_.push_back({.stage = stage,
+                           .in = {},
+                           .out = {},
+                           .asked = {},
+                           .answered = {},
+                           .last = {},
+                           .memory = nullptr});
+}
+
+void Bottlenecks::attach() {
     for (std::size_t i = 0; i < places_.size(); ++i) {
-        connect(i);
+        connect(places_[i]);
         std::uint64_t bits = 0; // of all stages of its unit
         for (std::size_t j = 0; j < places_.size(); ++j)
             bits |= std::uint64_t{places_[j].stage.unit == places_[i].stage.unit} << j;
         places_[i].stage.unit->show_calls_in(called_, bits);
-        heads_.push_back(&places_[i].now.path);
+        heads_.insert(heads_.end(), {&places_[i].last.path, &places_[i].taken.path});
     }
+    parts_.arbiter.show_calls_in(called_, ArbiterBit);
+    for (const Link* const link : parts_.requests)
+        requests_.push_back(&way_of(link));
+    for (const Link* const link : parts_.responses)
+        responses_.push_back(link ? &way_of(link) : nullptr);
+    for (Way& way : ways_)
+        for (std::vector<Moment>* const moments : {&way.sent, &way.freed})
+            for (Moment& moment : *moments)
+                heads_.push_back(&moment.path);
+    for (auto& [unit, moment] : answers_)
+        heads_.push_back(&moment.path);
+    memory_.add_heads(heads_);
     paths_.restart(0);
 }
 
-std::size_t Bottlenecks::stage_of(const Unit* unit, const Link* link, bool consumes) const {
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-        const Stage& stage = places_[i].stage;
-        const Link* const own = consumes ? stage.input : stage.output;
-        if (stage.unit == unit && (!own || own == link)) return i;
-    }
-    return None;
+Bottlenecks::Way& Bottlenecks::way_of(const Link* link) {
+    for (Way& way : ways_)
+        if (way.link == link) return way;
+    Way& way = ways_.emplace_back();
+    way.link = link;
+    way.of_stage = std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
+        return place.stage.unit == link->producer();
+    });
+    const std::size_t under_way = link->carries_requests() ? MostUnderWay : 0;
+    way.sent.resize(link->places() + under_way);
+    way.freed.resize(link->places());
+    return way;
 }
 
-// The memory and its caches are no stages.
-void Bottlenecks::connect(std::size_t number) {
-    Place& place = places_[number];
-    for (const Link* const link : place.stage.unit->inputs()) {
-        if (place.stage.input && place.stage.input != link) continue;
-        const std::size_t from = stage_of(link->producer(), link, false);
-        if (from != None) place.from.push_back({link, from});
+void Bottlenecks::connect(Place& place) {
+    const Unit* const unit = place.stage.unit;
+    for (const Link* const link : unit->inputs()) {
+        if (link->carries_answers())
+            place.answered.push_back(&way_of(link));
+        else if (!place.stage.input || place.stage.input == link)
+            place.in.push_back(&way_of(link));
     }
-    for (const Link* const link : place.stage.unit->outputs()) {
-        if (place.stage.output && place.stage.output != link) continue;
-        const std::size_t to = stage_of(link->consumer(), link, true);
-        if (to != None) place.to.push_back({link, to});
+    for (const Link* const link : unit->outputs()) {
+        if (link->carries_requests())
+            place.asked.push_back(&way_of(link));
+        else if (!place.stage.output || place.stage.output == link)
+            place.out.push_back(&way_of(link));
     }
+    for (auto& [of, moment] : answers_)
+        if (of == unit) place.memory = &moment;
+    if (!place.memory) place.memory = &answers_.emplace_back(unit, Moment{}).second;
 }
 
 // --- Each cycle --------------------------------------------------------------------------------
 
-// All look at the paths as they were before the cycle.
 void Bottlenecks::end_cycle() {
-    const std::uint64_t looked = std::exchange(called_, 0) | on_memory_;
-    for (std::uint64_t left = looked; left != 0; left &= left - 1)
-        look(static_cast<std::size_t>(std::countr_zero(left)));
-    for (std::uint64_t left = looked; left != 0; left &= left - 1) {
-        Place& place = places_[static_cast<std::size_t>(std::countr_zero(left))];
-        place.now = place.next;
-    }
+    const std::uint64_t called = std::exchange(called_, 0);
+    for (std::uint64_t left = called & ~ArbiterBit; left != 0; left &= left - 1)
+        look(places_[static_cast<std::size_t>(std::countr_zero(left))]);
+    if ((called & ArbiterBit) != 0) take_requests();
     paths_.collect(heads_);
 }
 
-void Bottlenecks::look(std::size_t number) {
-    Place& place = places_[number];
-    const Cycle before = clock_.now() - 1;
-    const Activity activity = place.stage.unit->activity();
-    const Neighbor* const refuser = refused(place);
-    State& next = place.next = place.now;
-    const std::uint64_t bit = std::uint64_t{1} << number;
-    on_memory_ &= ~bit;
-    if (is_stalled_on_memory(place)) {
-        on_memory_ |= bit;
-        wait_for_memory(place, next);
-    } else if (refuser && activity != Activity::Idle) {
-        if (next.mode != Mode::Follows || next.followed != refuser->stage)
-            next.path = path_of(number, before);
-        next.mode = Mode::Follows;
-        next.followed = refuser->stage;
-    } else if (activity == Activity::StalledOutput) {
-        if (next.mode != Mode::Drains) next.path = path_of(number, before);
-        next.mode = Mode::Drains;
-    } else if (activity == Activity::Busy && acts(place)) {
-        work(place, next);
-    } else {
-        if (next.mode != Mode::Idle) {
-            next.path = path_of(number, before);
-            next.active = before;
-        }
-        next.mode = Mode::Idle;
+void Bottlenecks::look(Place& place) {
+    const Cycle now = clock_.now();
+    take_answers(place);
+    std::uint64_t taken = 0, given = 0, asked = 0;
+    bool refused = false;
+    for (const Way* const way : place.in)
+        if (way->link->popped_at() == now) taken += way->link->popped() - way->popped;
+    for (const Way* const way : place.out) {
+        if (way->link->pushed_at() == now) given += way->link->pushed() - way->pushed;
+        refused |= way->link->refused_at() == now;
     }
-    next.backlog = has_backlog(place.stage);
+    for (const Way* const way : place.asked)
+        if (way->link->pushed_at() == now) asked += way->link->pushed() - way->pushed;
+    count_work(place, static_cast<std::uint32_t>(std::max(taken, given)), refused);
+    // The cycles in which its unit slept were as the last one.
+    if (now > place.looked + 1) note_stall(place, place.activity, place.was_refused);
+    const Activity activity = place.stage.unit->activity();
+    note_stall(place, activity, refused);
+    if (taken + given + asked > 0) act(place, taken > 0);
+    place.activity = activity;
+    place.was_refused = refused;
+    place.looked = now;
+    place.had_backlog =
+        place.stage.input ? place.stage.input->arrival() <= now : place.stage.unit->has_backlog();
 }
 
-void Bottlenecks::work(Place& place, State& next) {
-    const auto number = static_cast<std::size_t>(&place - places_.data());
-    const Neighbor* const sender = arrived(place);
-    const bool waited = place.now.mode == Mode::Idle || place.now.mode == Mode::Drains;
-    const bool comes_back = sender && sender->stage > number;
-    if (sender && (comes_back ? waited : !place.now.backlog))
-        next.path = path_from(*sender);
-    else
-        next.path = path_of(number, clock_.now() - 1);
-    next.mode = Mode::Works;
-    next.resource = place.stage.resource;
+void Bottlenecks::note_stall(Place& place, Activity activity, bool refused) {
+    place.on_memory |= activity == Activity::StalledMemory || activity == Activity::StalledRequests;
+    place.drains |= activity == Activity::StalledOutput && !refused;
 }
 
-// Of a unit with two ways: this one did something in the cycle.
-bool Bottlenecks::acts(const Place& place) const {
-    if (!place.stage.input) return true;
-    return arrived(place) || place.stage.output->pushed_at() == clock_.now() ||
-           has_backlog(place.stage);
+void Bottlenecks::take_answers(Place& place) {
+    for (Way* const way : place.answered) {
+        for (; way->popped < way->link->popped(); ++way->popped) {
+            Moment& answer = way->freed[way->popped % way->freed.size()];
+            answer = way->sent[way->popped % way->sent.size()];
+            const Cycle way_back = way->link->latency() - 1; // of a second level of caches alone
+            answer.at += way_back;
+            answer.path = paths_.share(paths_.extend(answer.path, Resource::TexelL2, answer.at));
+            answer.saved[Resource::TexelL2] += static_cast<float>(way_back);
+            merge(paths_, *place.memory, answer);
+        }
+    }
 }
 
-// Something was taken, or has come and is worked on; what comes back along the pipe goes first.
-const Bottlenecks::Neighbor* Bottlenecks::arrived(const Place& place) const {
-    const Neighbor* found = nullptr;
-    for (const Neighbor& sender : place.from)
-        if (sender.link->popped_at() == clock_.now() || sender.link->arrival() == clock_.now())
-            if (!found || sender.stage > found->stage) found = &sender;
+// A cycle in which it leaves work behind, or moves nothing, is all of it work; one in which it
+// takes all that is there, or is refused, is so in the part that what it moves needs.
+void Bottlenecks::count_work(Place& place, std::uint32_t items, bool refused) {
+    const Stage& stage = place.stage;
+    const float passing = part(items, stage.width);
+    if (stage.lookups_per_cycle > 0) {
+        std::uint64_t lookups = 0;
+        for (const Counter* const counter : stage.lookups)
+            lookups += counter->value();
+        place.work +=
+            part(lookups - std::exchange(place.lookups, lookups), stage.lookups_per_cycle);
+        place.passing += passing;
+        place.passing_free += passing;
+        return;
+    }
+    if (place.activity == Activity::Busy) {
+        const auto gap = static_cast<float>(clock_.now() - place.looked - 1);
+        place.busy += gap;
+        if (place.had_backlog && !place.was_refused) place.work += gap;
+    }
+    if (stage.unit->activity() != Activity::Busy) return;
+    const float free = stage.free_width > 0 ? part(items, stage.free_width) : 0;
+    place.work += place.had_backlog && !refused ? 1 : std::min(passing, 1.0F);
+    place.passing_free += free;
+    place.busy += !refused || items == 0 ? 1 : std::min(passing, 1.0F);
+    place.busy_free += free;
+}
+
+// The arbiter takes them.
+void Bottlenecks::take_requests() {
+    const Cycle now = clock_.now();
+    for (Way* const way : requests_) {
+        for (; way->popped < way->link->popped(); ++way->popped) {
+            const Moment& sent = way->sent[way->popped % way->sent.size()];
+            way->freed[way->popped % way->freed.size()] =
+                way->of_stage ? memory_.taken(paths_, sent, now) : Moment{now, sent.path, {}};
+        }
+    }
+}
+
+void Bottlenecks::done(const MemoryRequest& request, std::uint64_t cycle) {
+    const Way& way = *requests_[request.port];
+    const Moment* const asked =
+        way.of_stage ? &way.sent[request.number % way.sent.size()] : nullptr;
+    const Moment& answer = memory_.answer(paths_, request, asked, cycle);
+    Way* const back = responses_[request.port];
+    if (request.write || !back) return;
+    back->sent[back->link->pushed() % back->sent.size()] = answer;
+}
+
+// --- Moments -----------------------------------------------------------------------------------
+
+Bottlenecks::Dependences Bottlenecks::dependences(const Place& place) const {
+    const Cycle now = clock_.now();
+    Dependences found;
+    const float work = std::max(place.work, place.passing);
+    found.add(
+        {&place.last, work, {place.stage.resource, std::max(work - place.passing_free, 0.0F)}});
+    for (const Way* const way : place.in) {
+        if (way->popped == way->link->popped()) continue;
+        const auto latency = static_cast<float>(way->link->latency());
+        found.add({&way->sent[(way->link->popped() - 1) % way->sent.size()],
+                   latency,
+                   {Resource::Links, latency - 1}});
+    }
+    bool gives = false;
+    for (const std::vector<Way*>* const ways : {&place.out, &place.asked}) {
+        for (const Way* const way : *ways) {
+            if (way->pushed == way->link->pushed()) continue;
+            found.add({&way->freed[(way->link->pushed() - 1) % way->freed.size()], 1});
+            gives = true;
+        }
+    }
+    if (gives && place.stage.lookups_per_cycle == 0)
+        found.add({&place.taken,
+                   place.busy,
+                   {place.stage.resource, std::max(place.busy - place.busy_free, 0.0F)}});
+    if (place.on_memory)
+        found.add({place.stage.unit == &parts_.drain ? &memory_.all() : place.memory, 1});
+    if (place.drains) {
+        const Place* last = nullptr;
+        for (const Place& other : places_)
+            if (&other > &place && (!last || other.last.at >= last->last.at)) last = &other;
+        if (last && last->last.at < now) found.add({&last->last, 1});
+    }
     return found;
 }
 
-const Bottlenecks::Neighbor* Bottlenecks::refused(const Place& place) const {
-    for (const Neighbor& receiver : place.to)
-        if (receiver.link->refused_at() == clock_.now()) return &receiver;
-    return nullptr;
-}
-
-// --- Paths -------------------------------------------------------------------------------------
-
-// Up to the end of cycle `end`, as the stage was before this cycle. Nobody follows in circles but
-// for a moment: then a path ends here.
-WaitPaths::Path Bottlenecks::path_of(std::size_t number, Cycle end, std::size_t steps) {
-    State& state = places_[number].now;
-    if (steps > places_.size()) return paths_.extend(state.path, Resource::Links, end);
-    switch (state.mode) {
-    case Mode::Works:
-        state.path = paths_.extend(state.path, state.resource, end);
-        break;
-    case Mode::Follows:
-        return paths_.share(path_of(state.followed, end, steps + 1));
-    case Mode::Drains:
-        return paths_.share(path_of_last(number, end, steps + 1));
-    case Mode::Idle:
-        break;
-    }
-    return state.path;
-}
-
-// Of the stage behind that was the last to do something.
-WaitPaths::Path Bottlenecks::path_of_last(std::size_t but, Cycle end, std::size_t steps) {
-    std::size_t last = None;
-    for (std::size_t i = but + 1; i < places_.size(); ++i)
-        if (last == None || active_at(places_[i]) >= active_at(places_[last])) last = i;
-    if (last == None) return paths_.extend(places_[but].now.path, Resource::Links, end);
-    return paths_.extend(paths_.share(path_of(last, end, steps)), Resource::Links, end);
-}
-
-// What arrives in this cycle was sent when its way began.
-WaitPaths::Path Bottlenecks::path_from(const Neighbor& sender) {
+void Bottlenecks::act(Place& place, bool takes) {
     const Cycle now = clock_.now();
-    const Cycle sent = now > sender.link->latency() ? now - sender.link->latency() : 0;
-    return paths_.extend(
-        paths_.cut(path_of(sender.stage, now - 1), sent), Resource::Links, now - 1);
-}
-
-// --- The memory --------------------------------------------------------------------------------
-
-void Bottlenecks::wait_for_memory(Place& place, State& next) {
-    const Resource resource = memory_resource(place.stage);
-    if (next.mode == Mode::Works && next.resource == resource) return;
-    next.path = path_of(static_cast<std::size_t>(&place - places_.data()), clock_.now() - 1);
-    next.mode = Mode::Works;
-    next.resource = resource;
-}
-
-// The unit's requests are held up there, or on their way.
-Resource Bottlenecks::memory_resource(const Stage& stage) const {
-    if (stage.resource == Resource::Texture && parts_.second_level) {
-        const Activity activity = parts_.second_level->activity();
-        if (activity == Activity::Busy || activity == Activity::Idle) return Resource::TexelL2;
+    const Dependences found = dependences(place);
+    const std::span<const Dependence> all = std::span(found.all).first(found.count);
+    const Dependence& last = last_of(all, now);
+    WaitPaths::Path path = paths_.extend(last.moment->path, last.first.resource, now - 1);
+    path = paths_.extend(path, place.stage.resource, now);
+    saved_ = saved_after(all, now);
+    place.last = {now, paths_.share(path), saved_};
+    if (takes) {
+        place.taken = place.last;
+        place.busy = place.busy_free = 0;
     }
-    const bool writes = stage.unit->activity() == Activity::StalledRequests;
-    const bool served = std::any_of(stage.clients.begin(), stage.clients.end(), [&](Client client) {
-        return parts_.memory.serves(client, false) ||
-               (writes && parts_.memory.serves(client, true));
-    });
-    return served || parts_.arbiter.has_backlog() ? Resource::MemoryBandwidth
-                                                  : Resource::MemoryLatency;
+    pass_on(place);
+    place.work = place.passing = place.passing_free = 0;
+    place.on_memory = place.drains = false;
+}
+
+void Bottlenecks::pass_on(Place& place) {
+    for (Way* const way : place.in)
+        for (; way->popped < way->link->popped(); ++way->popped)
+            way->freed[way->popped % way->freed.size()] = place.last;
+    for (const std::vector<Way*>* const ways : {&place.out, &place.asked})
+        for (Way* const way : *ways)
+            for (; way->pushed < way->link->pushed(); ++way->pushed)
+                way->sent[way->pushed % way->sent.size()] = place.last;
 }
 
 std::vector<WaitPaths::Run> Bottlenecks::end_frame() {
-    std::size_t last = 0;
-    for (std::size_t i = 1; i < places_.size(); ++i)
-        if (active_at(places_[i]) > active_at(places_[last])) last = i;
-    const WaitPaths::Path path =
-        paths_.extend(path_of(last, clock_.now()), Resource::Links, clock_.now());
+    if (heads_.empty()) return {};
+    const Cycle now = clock_.now();
+    const Place* last = &places_.front();
+    for (const Place& place : places_)
+        if (place.last.at > last->last.at) last = &place;
+    saved_ = last->last.saved;
+    const WaitPaths::Path path = paths_.extend(last->last.path, Resource::Links, now);
     const std::vector<WaitPaths::Run> runs = paths_.runs(path);
     Cycle begin = frame_begin_;
     for (const WaitPaths::Run& run : runs)
         statistics_.waited(run.resource, run.end - std::exchange(begin, run.end));
-    check(begin == clock_.now(), "a frame's path goes from its begin to its end");
-    frame_begin_ = clock_.now();
-    paths_.restart(clock_.now());
+    check(begin == now, "a frame's path goes from its begin to its end");
+    for (std::size_t i = 0; i < Resources; ++i)
+        statistics_.gained(static_cast<Resource>(i), saved_.cycles[i]);
+    frame_begin_ = now;
+    paths_.restart(now);
     for (Place& place : places_)
-        place.now.path = 0;
+        place.last = place.taken = {now, 0, {}};
+    for (Way& way : ways_)
+        for (std::vector<Moment>* const moments : {&way.sent, &way.freed})
+            std::fill(moments->begin(), moments->end(), Moment{});
+    for (auto& [unit, moment] : answers_)
+        moment = {};
+    memory_.restart();
     return runs;
 }
 

@@ -1,25 +1,29 @@
-// Bottlenecks: what the machine waited for, in each cycle one resource: the critical path.
+// Bottlenecks: what the machine waited for, in each cycle one resource, and what it would gain
+// without each: the critical path, and how near to it the other paths are.
 //
-// Of two things that a unit waits for, the one that comes last decides when it goes on. So each
-// stage of the pipe has a path: what was waited for, cycle after cycle, until it was where it is.
-//   - While it works, it makes its path longer by its own resource; while it waits for data, by the
-//     memory.
-//   - What comes to a stage that had no work left over was waited for: it goes on along the path of
-//     the stage that sent it.
-//   - A stage that is refused a place goes on along the path of the stage that frees one.
-// Work that was left over, and places that were free, cost nothing, and leave no trace: whether a
-// cycle of a stage counted is known only later. The path that ends last, at the end of a frame, is
-// the frame's.
+// Each stage of the pipe has a moment, that in which it last took or sent anything (moment.h). It
+// depends on
+//   - the one before, and the work of its own since then,
+//   - the moment in which what it takes was sent, and the way,
+//   - the moment in which a place came free for what it sends,
+//   - the memory's last answer, where it waited for the memory,
+//   - the last moment of the stages behind it, where it waited until they are done.
+// The moment that is last, at the end of a frame, is the frame's.
 
 #pragma once
 
-#include "model/timing/memory_module.h"
+#include "model/base/check.h"
+#include "model/timing/memory_observer.h"
 #include "model/timing/memory_statistics.h"
+#include "model/timing/memory_waits.h"
+#include "model/timing/moment.h"
 #include "model/timing/resource.h"
 #include "model/timing/unit.h"
 #include "model/timing/wait_paths.h"
 
 #include <array>
+#include <deque>
+#include <span>
 #include <vector>
 
 namespace ffgpu::timing {
@@ -28,99 +32,116 @@ namespace ffgpu::timing {
 struct Stage {
     Resource resource;
     Unit* unit;
-    std::vector<Client> clients; // as whom it asks the memory
-    const Link* input = nullptr; // null: all of the unit's
+    std::uint32_t width = 1;      // items that may pass in a cycle
+    std::uint32_t free_width = 1; // without the resource's limits; 0: any number in no time
+    const Link* input = nullptr;  // null: all of the unit's
     const Link* output = nullptr;
+    // What else limits its work: counters, whose sum grows by so much in a cycle at the most.
+    std::vector<const Counter*> lookups{};
+    std::uint32_t lookups_per_cycle = 0;
 };
 
 class BottleneckStatistics : public NamedStatistics {
 public:
     BottleneckStatistics();
     void waited(Resource resource, Cycle cycles) {
-        *cycles_[static_cast<std::size_t>(resource)] += cycles;
+        *waited_[static_cast<std::size_t>(resource)] += cycles;
+    }
+    void gained(Resource resource, float cycles) {
+        if (cycles > 0) *gained_[static_cast<std::size_t>(resource)] += static_cast<Cycle>(cycles);
     }
 
 private:
-    std::array<Counter*, Resources> cycles_;
+    std::array<Counter*, Resources> waited_, gained_;
 };
 
-class Bottlenecks {
+class Bottlenecks final : public MemoryObserver {
 public:
     struct Parts {
         std::vector<Stage> stages; // in the order of the pipe
-        const Unit& arbiter;
-        const MemoryModule& memory;
-        const Unit* second_level; // of the texel caches; null: none
+        // By the arbiter's ports; of a port that only writes null.
+        std::vector<const Link*> requests, responses;
+        Unit& arbiter;
+        const Unit& drain; // waits for all that the memory is asked
+        const MemoryConfig& memory;
+        bool memory_is_ours;
     };
 
-    // Links are connected.
     Bottlenecks(const Clock& clock, Parts parts);
 
+    // Looks from the first cycle on, where it is called. Links are connected.
+    void attach();
     // At the end of each cycle in which a unit was due.
     void end_cycle();
-    // A frame ended with this cycle: its path.
+    // What the furthest stage that did something in this cycle saved since the frame began.
+    const Saved& saved() const { return saved_; }
+    // A frame ended with this cycle: its path; empty where nobody looked.
     std::vector<WaitPaths::Run> end_frame();
     const BottleneckStatistics& statistics() const { return statistics_; }
 
-private:
-    static constexpr std::size_t None = ~std::size_t{0};
+    // MemoryObserver
+    void sent(const MemoryRequest&, std::uint64_t) override {}
+    void done(const MemoryRequest& request, std::uint64_t cycle) override;
 
-    // The stage at the other end of a link.
-    struct Neighbor {
+private:
+    // Moments of a link's items: when they were sent, and when the place of each came free. Both
+    // are kept until another item has its place.
+    struct Way {
         const Link* link;
-        std::size_t stage;
-    };
-    enum class Mode : std::uint8_t {
-        Idle,
-        Works,   // or waits for the memory
-        Follows, // a stage that refuses it a place
-        Drains,  // waits until what is behind it is done
-    };
-    struct State {
-        Mode mode = Mode::Idle;
-        Resource resource = Resource::Links; // Works
-        std::size_t followed = 0;            // Follows
-        WaitPaths::Path path = 0;            // up to the cycle before the mode began, or beyond
-        bool backlog = false;                // Work was left over.
-        Cycle active = 0;                    // Idle: the last cycle in which it was not
+        bool of_stage = false;                // Its producer is one.
+        std::uint64_t pushed = 0, popped = 0; // that were looked at
+        std::vector<Moment> sent, freed;
     };
     struct Place {
         Stage stage;
-        std::vector<Neighbor> from, to;
-        State now, next;
+        std::vector<Way*> in, out, asked, answered;
+        Moment last;
+        Moment* memory; // its unit's last answer
+        Cycle looked = 0;
+        Activity activity = Activity::Idle; // then
+        bool had_backlog = false, was_refused = false;
+        std::uint64_t lookups = 0;
+        // Since its last moment: cycles of its own work that held up others, those of them that
+        // what it moved needs, and those that it would without its resource's limits.
+        float work = 0, passing = 0, passing_free = 0;
+        // Since it took anything: all cycles of its work, and without those limits.
+        Moment taken{};
+        float busy = 0, busy_free = 0;
+        bool on_memory = false, drains = false;
+    };
+    static constexpr std::size_t Most = 48; // dependences of a moment
+    struct Dependences {
+        std::array<Dependence, Most> all; // the first of them
+        std::size_t count = 0;
+        void add(const Dependence& one) {
+            check(count < Most, "so many dependences at the most");
+            all[count++] = one;
+        }
     };
 
-    void connect(std::size_t number);
-    std::size_t stage_of(const Unit* unit, const Link* link, bool consumes) const;
-    void look(std::size_t number);
-    void work(Place& place, State& next);
-    const Neighbor* arrived(const Place& place) const;
-    const Neighbor* refused(const Place& place) const;
-    bool acts(const Place& place) const;
-    WaitPaths::Path path_of(std::size_t number, Cycle end, std::size_t steps = 0);
-    WaitPaths::Path path_of_last(std::size_t but, Cycle end, std::size_t steps);
-    WaitPaths::Path path_from(const Neighbor& sender);
-    void wait_for_memory(Place& place, State& next);
-    Resource memory_resource(const Stage& stage) const;
-    static bool is_stalled_on_memory(const Place& place) {
-        const Activity activity = place.stage.unit->activity();
-        return activity == Activity::StalledMemory || activity == Activity::StalledRequests;
-    }
-    Cycle active_at(const Place& place) const {
-        return place.now.mode == Mode::Idle ? place.now.active : clock_.now();
-    }
-    bool has_backlog(const Stage& stage) const {
-        return stage.input ? stage.input->arrival() <= clock_.now() : stage.unit->has_backlog();
-    }
+    Way& way_of(const Link* link);
+    void connect(Place& place);
+    void look(Place& place);
+    static void note_stall(Place& place, Activity activity, bool refused);
+    void take_answers(Place& place);
+    void count_work(Place& place, std::uint32_t items, bool refused);
+    void act(Place& place, bool takes);
+    Dependences dependences(const Place& place) const;
+    void pass_on(Place& place);
+    void take_requests();
 
     const Clock& clock_;
     const Parts parts_;
     BottleneckStatistics statistics_;
     WaitPaths paths_;
+    MemoryWaits memory_;
+    std::deque<Way> ways_;
     std::vector<Place> places_;
+    std::deque<std::pair<const Unit*, Moment>> answers_; // the last of each unit
+    std::vector<Way*> requests_, responses_;             // by the arbiter's ports
     std::vector<WaitPaths::Path*> heads_;
-    // Stages, a bit each: whose units were called in this cycle; that wait for the memory.
-    std::uint64_t called_ = 0, on_memory_ = 0;
+    std::uint64_t called_ = 0; // stages, a bit each, and the arbiter, whose units were called
+    Saved saved_;
     Cycle frame_begin_ = 0; // The cycle before it.
 };
 

@@ -37,7 +37,10 @@ class Channel final : public Link {
 public:
     // `queue`: places at the end; `width`: items that may enter the delay line in a cycle.
     Channel(const Clock& clock, std::size_t queue, Cycle latency = 1, std::size_t width = 1)
-        : Link(queue + (latency - 1) * width, latency, std::is_same_v<T, MemoryRequest>)
+        : Link(queue + (latency - 1) * width,
+               latency,
+               std::is_same_v<T, MemoryRequest>,
+               std::is_same_v<T, std::uint64_t>)
         , clock_(clock)
         , items_(places()) {
         check(queue > 0 && width > 0, "a channel needs a place");
@@ -66,6 +69,7 @@ public:
         items_[last] = {clock_.now() + latency_, item};
         count_before(clock_.now());
         pushed_at_ = clock_.now();
+        ++pushed_;
         if (count_++ == 0) arrival_ = items_[last].ready_at;
         if (consumer_) consumer_->wake(items_[last].ready_at);
     }

@@ -76,14 +76,23 @@ void CommandLedger::explain(const std::vector<WaitPaths::Run>& waited) {
     }
 }
 
+void CommandLedger::save(Entry& entry, const Saved& saved) {
+    for (std::size_t i = 0; i < Saved::Lanes; ++i)
+        entry.listed.saved.cycles[i] += saved.cycles[i] - saved_.cycles[i];
+    saved_ = saved;
+}
+
 std::vector<CommandCycles> CommandLedger::end_frame(std::uint64_t now,
-                                                    const std::vector<WaitPaths::Run>& waited) {
+                                                    const std::vector<WaitPaths::Run>& waited,
+                                                    const Saved& saved) {
     check(oldest_ == entries_.size(), "a frame ends with its commands");
     Entry& end = entries_.emplace_back(Entry{{.kind = CommandKind::FrameEnd}, 0});
     end.listed.cycles = now - charged_until_;
     note_charge();
     charges_.push_back({now, entries_.size() - 1});
-    explain(waited);
+    if (!waited.empty()) explain(waited);
+    save(end, saved);
+    saved_ = {};
     charges_.clear();
     charged_until_ = frame_begin_ = now;
     std::vector<CommandCycles> listed;

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "model/packets/work_stream.h"
+#include "model/timing/moment.h"
 #include "model/timing/resource.h"
 #include "model/timing/wait_paths.h"
 #include "model/work/draw_shape.h"
@@ -54,11 +55,15 @@ struct CommandCycles {
     CommandKind kind = CommandKind::Draw;
     std::uint32_t number = 0; // WorkDraw::number; of a host transfer: of the draw that it precedes
     std::uint64_t cycles = 0;
-    WaitedCycles waited{};   // whose sum they are
+    WaitedCycles waited{};   // whose sum they are; none where nobody looked
+    Saved saved{};           // that it would have taken less without each resource, about
     work::DrawShape shape{}; // of a draw or an image
 
-    // What it waited for most; of two the first.
+    // Without which it would have taken the fewest cycles; of two the first. Where none is saved
+    // the one that it waited for most.
     Resource bottleneck() const {
+        const auto most_saved = std::max_element(saved.cycles.begin(), saved.cycles.end());
+        if (*most_saved > 0) return static_cast<Resource>(most_saved - saved.cycles.begin());
         return static_cast<Resource>(std::max_element(waited.begin(), waited.end()) -
                                      waited.begin());
     }
@@ -78,10 +83,16 @@ public:
     void retire(std::size_t entry, std::uint64_t now);   // A part that is charged for the time.
     void end_part(std::size_t entry, std::uint64_t now); // Any other part.
 
+    // Cycle `now` is over, which would have been so much sooner: who was charged for it has saved
+    // what that is more than before.
+    void end_cycle(std::uint64_t now, const Saved& saved) {
+        if (now == cycle_ && charged_ != None) save(entries_[charged_], saved);
+    }
+
     // All commands have ended: their cycles, whose sum is that of the cycles since the last call.
-    // `waited`: what those were waited for, run after run.
-    std::vector<CommandCycles> end_frame(std::uint64_t now,
-                                         const std::vector<WaitPaths::Run>& waited);
+    // `waited`: what those were waited for, run after run. `saved`: of the whole frame.
+    std::vector<CommandCycles>
+    end_frame(std::uint64_t now, const std::vector<WaitPaths::Run>& waited, const Saved& saved);
 
 private:
     static constexpr std::size_t None = ~std::size_t{0};
@@ -95,6 +106,7 @@ private:
     void charge(std::size_t entry, std::uint64_t now);
     void count(Entry& entry);
     void note_charge();
+    void save(Entry& entry, const Saved& saved);
     void explain(const std::vector<WaitPaths::Run>& waited);
 
     std::vector<Entry> entries_; // of the frame, in the order of the commands
@@ -107,6 +119,7 @@ private:
         std::size_t entry = 0;
     };
     std::vector<Charge> charges_;
+    Saved saved_; // up to the last end_cycle()
     // Of the cycle of the last call:
     std::uint64_t cycle_ = 0;
     std::size_t oldest_before_ = 0; // oldest_ when it began

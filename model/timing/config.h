@@ -5,6 +5,7 @@
 #pragma once
 
 #include "model/timing/config/blocks.h"
+#include "model/timing/config/bottlenecks.h"
 #include "model/timing/config/cache.h"
 #include "model/timing/config/clip.h"
 #include "model/timing/config/clock.h"
@@ -50,6 +51,7 @@ struct TimingConfig {
     ScanOutConfig scan_out;
     MemoryConfig memory;
     SeriesConfig series;
+    BottlenecksConfig bottlenecks;
 
     // The part that work's order and places depend on.
     work::WorkConfig work() const {
@@ -96,6 +98,7 @@ struct TimingConfig {
         each(self.scan_out);
         each(self.memory);
         each(self.series);
+        each(self.bottlenecks);
     }
 };
 

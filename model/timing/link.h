@@ -31,6 +31,9 @@ public:
     const Unit* consumer() const { return consumer_; }
     // The producer found no place, and none came free since.
     bool is_refused() const { return refused_; }
+    // Items since the machine's start.
+    std::uint64_t pushed() const { return pushed_; }
+    std::uint64_t popped() const { return pushed_ - count_; }
     // The last cycles in which an item was pushed, one was taken, and the producer was refused.
     Cycle pushed_at() const { return pushed_at_; }
     Cycle popped_at() const { return popped_at_; }
@@ -39,6 +42,8 @@ public:
     Cycle latency() const { return latency_; }
     // To the memory, or to a cache before it: the consumer answers.
     bool carries_requests() const { return carries_requests_; }
+    // From there: tickets of requests.
+    bool carries_answers() const { return carries_answers_; }
 
     // Of all cycles counted: in how many there were 0, 1, 2 ... items at the cycle's end, and the
     // sum of the items over the cycles.
@@ -53,10 +58,11 @@ public:
     }
 
 protected:
-    Link(std::size_t places, Cycle latency, bool carries_requests)
+    Link(std::size_t places, Cycle latency, bool carries_requests, bool carries_answers)
         : latency_(latency)
         , cycles_at_(places + 1)
-        , carries_requests_(carries_requests) {}
+        , carries_requests_(carries_requests)
+        , carries_answers_(carries_answers) {}
     ~Link() = default;
     Link(const Link&) = default;
     Link& operator=(const Link&) = default;
@@ -66,6 +72,7 @@ protected:
     Unit* consumer_ = nullptr;
     Cycle arrival_ = Never;
     std::size_t count_ = 0;
+    std::uint64_t pushed_ = 0;
     mutable bool refused_ = false; // the producer, since the last pop
     Cycle latency_;
     Cycle pushed_at_ = 0, popped_at_ = 0;
@@ -75,7 +82,7 @@ private:
     mutable std::vector<Cycle> cycles_at_;
     mutable std::uint64_t item_cycles_ = 0;
     mutable Cycle next_ = 1; // that is counted
-    bool carries_requests_;
+    bool carries_requests_, carries_answers_;
 };
 
 } // namespace ffgpu::timing

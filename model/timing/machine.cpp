@@ -168,13 +168,7 @@ Machine::Machine(const SimulationContext& kernel,
         series = std::make_unique<SeriesRecorder>("series", clock, config.series.interval_cycles);
         series->attach();
     }
-    bottlenecks =
-        std::make_unique<Bottlenecks>(clock,
-                                      Bottlenecks::Parts{.stages = stages(),
-                                                         .arbiter = arbiter,
-                                                         .memory = *memory,
-                                                         .second_level = texel_caches.unit()});
-    clock.set_on_walked([this] { bottlenecks->end_cycle(); });
+    look_for_bottlenecks();
     // A memory whose processes are its own sees each cycle.
     if (!memory->unit() && evaluation.pace == Pace::Decoupled) clock.set_pace(Pace::Lockstep);
 }
@@ -290,7 +284,7 @@ void Machine::finish_frame(std::uint32_t number) {
     frame.frame = number;
     frame.cycles = clock.now() - frame_begin;
     frame_begin = clock.now();
-    frame.commands = ledger.end_frame(clock.now(), waited);
+    frame.commands = ledger.end_frame(clock.now(), waited, bottlenecks->saved());
     for (const CommandCycles& command : frame.commands)
         shapes.add(command.shape);
     if (on_frame) on_frame(frame);

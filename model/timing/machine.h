@@ -130,6 +130,7 @@ public:
 private:
     void attach_units(std::uint32_t seed);
     std::vector<Stage> stages();
+    void look_for_bottlenecks();
     bool must_wait();
     void check_progress();
     StuckParts stuck_parts();

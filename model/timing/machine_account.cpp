@@ -5,28 +5,67 @@
 
 namespace ffgpu::timing {
 
-// The way of the work: what each waits for is behind it, or the memory.
+// The way of the work: what each waits for is behind it, or the memory. What is before the pipe
+// waits for nobody behind it.
 std::vector<Stage> Machine::stages() {
+    const VertexConfig& vertex = config.vertex;
+    const std::uint32_t set_ups = config.setup.units, pipes = config.raster.quads_per_cycle;
+    const auto stage = [](Resource resource, Unit& unit, std::uint32_t width, std::uint32_t free) {
+        return Stage{.resource = resource, .unit = &unit, .width = width, .free_width = free};
+    };
+    constexpr std::uint32_t Any = 0, Most = 16;
+    Stage early = stage(Resource::Depth, depth, pipes, pipes);
+    early.input = &raster_to_depth;
+    early.output = &depth_to_texture;
+    early.lookups = {&depth_port.cache.statistics().accesses};
+    early.lookups_per_cycle = config.depth_cache.lookups_per_cycle * pipes;
+    Stage late = early;
+    late.input = &fragment_to_depth;
+    late.output = &depth_to_color;
+    Stage blend = stage(Resource::Color, color, pipes, pipes);
+    blend.lookups = {&color_port.cache.statistics().accesses};
+    blend.lookups_per_cycle = config.color_cache.lookups_per_cycle * pipes;
     std::vector<Stage> stages{
-        {Resource::Host, &host, {Client::Host}},
-        {Resource::CommandProcessor,
-         &command_processor,
-         {Client::Command, Client::Color, Client::Depth}},
-        {Resource::VertexFetch, &vertex_fetch, {Client::Vertex, Client::Index}},
-        {Resource::Geometry, &geometry, {}},
-        {Resource::Clip, &clip, {}},
-        {Resource::Setup, &setup, {}},
-        {Resource::Raster, &raster, {}},
-        {Resource::Depth, &depth, {Client::Depth}, &raster_to_depth, &depth_to_texture},
-        {Resource::Texture, &texture, {Client::Texture}},
-        {Resource::Fragment, &fragment, {}},
-        {Resource::Depth, &depth, {Client::Depth}, &fragment_to_depth, &depth_to_color},
-        {Resource::Color, &color, {Client::Color}}};
+        stage(Resource::Host, host, 1, Any),
+        stage(Resource::CommandProcessor, command_processor, 1, 1),
+        stage(Resource::VertexFetch, vertex_fetch, vertex.vertices_per_cycle, Most),
+        stage(Resource::Geometry, geometry, vertex.vertices_per_cycle, vertex.vertices_per_cycle),
+        stage(Resource::Clip, clip, set_ups, set_ups),
+        stage(Resource::Setup, setup, set_ups, Most),
+        stage(Resource::Raster, raster, pipes, pipes),
+        early,
+        stage(Resource::Texture, texture, pipes, pipes),
+        stage(Resource::Fragment, fragment, pipes, pipes),
+        late,
+        blend};
     if (tiles) {
         const std::vector<Stage> more = tiles->stages();
         stages.insert(stages.begin() + 6, more.begin(), more.end()); // behind set-up
     }
+    if (Unit* const unit = texel_caches.unit())
+        stages.insert(stages.begin(),
+                      stage(Resource::TexelL2, *unit, config.texel_l2.lookups_per_cycle, 4 * Most));
     return stages;
+}
+
+void Machine::look_for_bottlenecks() {
+    const MemoryArbiter::Ports ports = memory_ports();
+    bottlenecks = std::make_unique<Bottlenecks>(
+        clock,
+        Bottlenecks::Parts{.stages = stages(),
+                           .requests = {ports.requests_in.begin(), ports.requests_in.end()},
+                           .responses = {ports.responses_out.begin(), ports.responses_out.end()},
+                           .arbiter = arbiter,
+                           .drain = command_processor,
+                           .memory = config.memory,
+                           .memory_is_ours = memory->unit() != nullptr});
+    if (!config.bottlenecks.enable) return;
+    bottlenecks->attach();
+    arbiter.set_waits(bottlenecks.get());
+    clock.set_on_walked([this] {
+        bottlenecks->end_cycle();
+        ledger.end_cycle(clock.now(), bottlenecks->saved());
+    });
 }
 
 std::vector<const StatisticsGroup*> Machine::statistics() {

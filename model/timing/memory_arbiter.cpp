@@ -49,8 +49,10 @@ Activity MemoryArbiter::step() {
 }
 
 void MemoryArbiter::send(std::size_t port, std::uint32_t channel) {
+    const std::uint64_t number = ports_.requests_in[port]->popped();
     MemoryRequest request = ports_.requests_in[port]->pop();
     request.port = port;
+    request.number = number;
     check(is_in_one_place(config_, request.address, request.bytes),
           "a request across an interleave or a row");
     tlm::tlm_generic_payload& payload = pool_.acquire(request);
@@ -76,6 +78,7 @@ tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,
         return tlm::TLM_ACCEPTED;
     }
     statistics_.on_done(request, now());
+    if (waits_) waits_->done(request, now());
     if (observer_) observer_->done(request, now());
     if (!request.write) ports_.responses_out[request.port]->push(request.ticket);
     if (request.client != Client::ScanOut) in_flight_.leave(); // No frame waits for the screen.

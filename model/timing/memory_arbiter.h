@@ -45,6 +45,8 @@ public:
     const ClientStatistics& statistics() const { return statistics_; }
     // Null: nobody.
     void set_observer(MemoryObserver* observer) { observer_ = observer; }
+    // The machine's own, who looks what is waited for; null: nobody.
+    void set_waits(MemoryObserver* waits) { waits_ = waits; }
 
 private:
     Activity step() override;
@@ -61,6 +63,7 @@ private:
     PayloadPool pool_;
     ClientStatistics statistics_;
     MemoryObserver* observer_ = nullptr;
+    MemoryObserver* waits_ = nullptr;
     std::size_t next_port_ = 0;
     // Per memory channel: the request that the controller has not taken yet, and when it took the
     // last.

@@ -19,7 +19,8 @@ DramRequest to_dram(const MemoryConfig& config, tlm::tlm_generic_payload& payloa
 
 MemoryController::MemoryController(sc_core::sc_module_name name,
                                    const Clock& clock,
-                                   const MemoryConfig& config)
+                                   const MemoryConfig& config,
+                                   std::size_t arrivals)
     : Unit(name, clock)
     , config_(config)
     , statistics_(config_)
@@ -27,7 +28,7 @@ MemoryController::MemoryController(sc_core::sc_module_name name,
     const Cycle there = 1 + config.latency / 2;
     for (std::uint32_t number = 0; number < config.channels; ++number) {
         lanes_[number].arrivals = std::make_unique<Channel<tlm::tlm_generic_payload*>>(
-            clock, config.queue + there, there);
+            clock, config.queue + (arrivals > 0 ? arrivals : there), there);
         lanes_[number].dram = std::make_unique<DramChannel>(
             config_, number, statistics_, clock.pace() == Pace::EveryCycle);
     }
@@ -56,32 +57,17 @@ tlm::tlm_sync_enum MemoryController::on_forward(tlm::tlm_generic_payload& payloa
     return tlm::TLM_UPDATED;
 }
 
-bool MemoryController::serves(Client client, bool write) const {
-    const auto number = static_cast<std::size_t>(client);
-    if (in_service_[write][number] > 0) return true;
-    // Whatever is behind one that found no room waits, too.
-    return std::any_of(lanes_.begin(), lanes_.end(), [&](const Lane& lane) {
-        return lane.arriving[write][number] > 0 && lane.arrivals->can_pop();
-    });
-}
-
 void MemoryController::send(Lane& lane, tlm::tlm_generic_payload& payload) {
-    const MemoryRequest& request = payload.get_extension<RequestTag>()->request;
-    ++lane.arriving[request.write][static_cast<std::size_t>(request.client)];
     lane.arrivals->push(&payload);
 }
 
 void MemoryController::start(Lane& lane, MemoryCycle at) {
-    const DramRequest request = to_dram(config_, *lane.arrivals->pop());
-    --lane.arriving[request.write][request.client];
-    ++in_service_[request.write][request.client];
-    lane.dram->push(request, at);
+    lane.dram->push(to_dram(config_, *lane.arrivals->pop()), at);
 }
 
 void MemoryController::finish(Lane& lane) {
     const Cycle back = config_.latency - config_.latency / 2;
     const DramRequest& request = lane.dram->served().front().request;
-    --in_service_[request.write][request.client];
     lane.responses.push_back(
         {now() + back, static_cast<tlm::tlm_generic_payload*>(request.payload)});
     lane.dram->served().pop_front();

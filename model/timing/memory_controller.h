@@ -12,7 +12,6 @@
 #include "model/timing/memory_payload.h"
 #include "model/timing/memory_statistics.h"
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -25,13 +24,17 @@ DramRequest to_dram(const MemoryConfig& config, tlm::tlm_generic_payload& payloa
 
 class MemoryController final : public Unit, public MemoryModule {
 public:
-    MemoryController(sc_core::sc_module_name name, const Clock& clock, const MemoryConfig& config);
+    // `arrivals`: requests that a channel holds before its queue, beside those on their way; 0: as
+    // many as are on their way.
+    MemoryController(sc_core::sc_module_name name,
+                     const Clock& clock,
+                     const MemoryConfig& config,
+                     std::size_t arrivals = 0);
 
     tlm::tlm_target_socket<>& target() override { return socket_; }
     Unit* unit() override { return this; }
     // The queues' producer, so that a freed place wakes it.
     void connect(Unit& arbiter) override;
-    bool serves(Client client, bool write) const override;
     void settle() override;
     std::string state() const override;
     std::vector<const StatisticsGroup*> statistics() const override { return {&statistics_}; }
@@ -41,11 +44,8 @@ private:
         Cycle at = 0;
         tlm::tlm_generic_payload* payload = nullptr;
     };
-    // How many requests of each client: reads, and writes.
-    using Requests = std::array<std::array<std::uint32_t, Clients>, 2>;
     struct Lane {
         std::unique_ptr<Channel<tlm::tlm_generic_payload*>> arrivals;
-        Requests arriving{};                         // what is in the channel
         tlm::tlm_generic_payload* refused = nullptr; // BEGIN_REQ that found no place
         std::unique_ptr<DramChannel> dram;
         Ring<Response> responses; // in the order of their data
@@ -84,8 +84,7 @@ private:
     tlm_utils::simple_target_socket<MemoryController> socket_{"socket"};
     DramStatistics statistics_;
     std::vector<Lane> lanes_;
-    Cycle next_work_ = 0;   // of all lanes
-    Requests in_service_{}; // at the DRAM
+    Cycle next_work_ = 0; // of all lanes
 };
 
 } // namespace ffgpu::timing

@@ -28,9 +28,6 @@ public:
     virtual Unit* unit() { return nullptr; }
     // The arbiter sleeps until a channel wakes it.
     virtual void connect(Unit&) {}
-    // A request of the client waits for a bank or a bus, or its data are on one. A memory that
-    // cannot tell is taken to hold up none.
-    virtual bool serves(Client, bool /*write*/) const { return false; }
     // A frame has ended: bring the statistics up to date.
     virtual void settle() {}
     virtual std::vector<const StatisticsGroup*> statistics() const { return {}; }

@@ -33,6 +33,7 @@ struct MemoryRequest {
     std::uint64_t ticket = 0; // reads: the fill that it completes
     std::uint64_t issued = 0; // cycle in which the client asked; its port sets it
     std::size_t port = 0;     // of the arbiter, by which it came; the arbiter sets it
+    std::uint64_t number = 0; // of those that came there before it; the arbiter sets it
 
     std::string key() const;
 };

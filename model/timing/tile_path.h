@@ -30,9 +30,9 @@ public:
     void add_to(MemoryArbiter::Ports& arbiter);
     std::vector<Unit*> units() { return {&binner_, &fetch_, &memory_}; }
     std::vector<Stage> stages() {
-        return {{Resource::Binner, &binner_, {Client::Parameter}},
-                {Resource::ParameterFetch, &fetch_, {Client::Parameter}},
-                {Resource::TileMemory, &memory_, {Client::Color, Client::Depth}}};
+        return {{.resource = Resource::Binner, .unit = &binner_},
+                {.resource = Resource::ParameterFetch, .unit = &fetch_},
+                {.resource = Resource::TileMemory, .unit = &memory_}};
     }
     std::vector<const StatisticsGroup*> statistics() const {
         return {&binner_.statistics(), &memory_.statistics()};

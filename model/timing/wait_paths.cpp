@@ -13,24 +13,13 @@ WaitPaths::Path WaitPaths::restart(Cycle now) {
 WaitPaths::Path WaitPaths::extend(Path path, Resource resource, Cycle end) {
     Node& last = nodes_[path];
     if (end <= last.run.end) return path;
-    if (last.run.resource == resource && !last.shared) {
+    const bool goes_on = last.run.resource == resource && path != 0;
+    if (goes_on && !last.shared) {
         last.run.end = end;
         return path;
     }
-    nodes_.push_back({{end, resource}, path, false});
+    nodes_.push_back({{end, resource}, goes_on ? last.before : path, false});
     return static_cast<Path>(nodes_.size() - 1);
-}
-
-WaitPaths::Path WaitPaths::cut(Path path, Cycle end) {
-    if (nodes_[path].run.end <= end) return share(path);
-    if (end <= nodes_[0].run.end) return 0;
-    Path before = nodes_[path].before;
-    while (nodes_[before].run.end > end) {
-        path = before;
-        before = nodes_[path].before;
-    }
-    share(before);
-    return share(extend(before, nodes_[path].run.resource, end));
 }
 
 std::vector<WaitPaths::Run> WaitPaths::runs(Path path) const {

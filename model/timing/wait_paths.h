@@ -36,8 +36,6 @@ public:
     }
     // On to cycle `end`, by waiting for `resource`. A path that was shared stays as it is.
     Path extend(Path path, Resource resource, Cycle end);
-    // What of it lies before the end of cycle `end`.
-    Path cut(Path path, Cycle end);
 
     Cycle end(Path path) const { return nodes_[path].run.end; }
     // From the frame's begin.

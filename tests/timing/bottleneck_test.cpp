@@ -1,9 +1,11 @@
 // The resource that is named as a bottleneck is one: of all that a configuration can have without
 // limit, the machine gains most from it.
 
+#include "model/timing/memory_controller.h"
 #include "tests/timing/machine_figures.h"
 #include "tests/timing/random_work.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 
@@ -80,14 +82,26 @@ const std::map<Resource, Unlimited>& unlimited() {
              config.memory.memory_clocks = config.memory.core_clocks = 1;
          }},
         {Resource::MemoryLatency, [](TimingConfig& config) { config.memory.latency = 0; }},
-        {Resource::Links,
-         [](TimingConfig& config) { config.vertex.latency = config.fragment.latency = 1; }}};
+        {Resource::Links, [](TimingConfig& config) {
+             const std::uint32_t width =
+                 std::max(config.vertex.vertices_per_cycle, config.setup.units);
+             config.clip.queue += (config.vertex.latency - 1) * width;
+             config.vertex.latency = config.fragment.latency = 1;
+         }}};
     return all;
 }
 
 struct Outcome {
     std::uint64_t cycles = 0;
+    std::array<std::int64_t, Resources> gains{};
     WaitedCycles waited{};
+
+    void add(const CommandCycles& command, std::size_t i) {
+        waited[i] += command.waited[i];
+        sums[i] += static_cast<double>(command.saved.cycles[i]);
+        gains[i] = std::llround(sums[i]);
+    }
+    std::array<double, Resources> sums{};
 };
 
 // What a seed draws: a frame of six draws; of a few draws with clears, copies, images and uploads
@@ -153,26 +167,37 @@ Outcome run_commands(GpuTiming& timing, const std::function<void()>& tell) {
         outcome.cycles = frame.cycles;
         for (const CommandCycles& command : frame.commands)
             for (std::size_t i = 0; i < Resources; ++i)
-                outcome.waited[i] += command.waited[i];
+                outcome.add(command, i);
     });
     tell();
     timing.end_frame(0);
     return outcome;
 }
 
-Outcome run_frame(const TimingConfig& config, Case kind, std::uint64_t seed) {
-    GpuTiming timing(config);
+// A memory that holds as many requests as one of this latency does.
+MakeMemory as_deep_as(std::uint32_t latency) {
+    return [latency](const Clock& clock, const MemoryConfig& config) {
+        const std::size_t there = 1 + latency / 2, nearer = 1 + config.latency / 2;
+        return std::make_unique<MemoryController>("memory", clock, config, 2 * there - nearer);
+    };
+}
+
+Outcome run_frame(const TimingConfig& config,
+                  Case kind,
+                  std::uint64_t seed,
+                  const MakeMemory& memory = {}) {
+    GpuTiming timing(config, {}, memory);
     return run_commands(timing, [&] { tell_frame(kind, seed, timing); });
 }
 
 // Of all cycles of the frame: what each resource without limit gains.
-struct Gains {
+struct Measured {
     Outcome base;
     std::map<Resource, std::int64_t> of;
 
     Resource named() const {
-        return static_cast<Resource>(std::max_element(base.waited.begin(), base.waited.end()) -
-                                     base.waited.begin());
+        return static_cast<Resource>(std::max_element(base.gains.begin(), base.gains.end()) -
+                                     base.gains.begin());
     }
     Resource best() const {
         return std::max_element(of.begin(),
@@ -180,41 +205,48 @@ struct Gains {
                                 [](const auto& a, const auto& b) { return a.second < b.second; })
             ->first;
     }
-    bool holds() const {
+    // What the best gains more than the named one.
+    std::int64_t missed() const {
         const auto named_gain = of.find(named());
-        const std::int64_t gain = named_gain == of.end() ? 0 : named_gain->second;
-        return (of.at(best()) - gain) * 50 <= static_cast<std::int64_t>(base.cycles);
+        return of.at(best()) - (named_gain == of.end() ? 0 : named_gain->second);
     }
+    // As good as the best: within a hundredth of the frame.
+    bool holds() const { return missed() * 100 <= static_cast<std::int64_t>(base.cycles); }
 };
 
-Gains measure(Case kind, std::uint64_t seed) {
+Measured measure(Case kind, std::uint64_t seed) {
     const TimingConfig config = machine_of(kind, seed);
-    Gains gains{run_frame(config, kind, seed), {}};
+    Measured gains{run_frame(config, kind, seed), {}};
     for (const auto& [resource, remove_limit] : unlimited()) {
         TimingConfig faster = config;
         remove_limit(faster);
-        gains.of[resource] = static_cast<std::int64_t>(gains.base.cycles) -
-                             static_cast<std::int64_t>(run_frame(faster, kind, seed).cycles);
+        const MakeMemory as_deep = as_deep_as(config.memory.latency);
+        const std::uint64_t cycles = run_frame(faster, kind, seed, as_deep).cycles;
+        gains.of[resource] =
+            static_cast<std::int64_t>(gains.base.cycles) - static_cast<std::int64_t>(cycles);
     }
     return gains;
 }
 
 // For each resource that is not without effect, the cycles waited for it and its gain.
-std::string described(const Gains& gains) {
+std::string described(const Measured& gains) {
     std::string text = std::to_string(gains.base.cycles) + " cycles:";
     for (std::size_t i = 0; i < Resources; ++i) {
         const auto gain = gains.of.find(static_cast<Resource>(i));
         const std::int64_t gained = gain == gains.of.end() ? 0 : gain->second;
         const auto waited = static_cast<std::int64_t>(gains.base.waited[i]);
-        if (std::max(waited, gained) * 50 < static_cast<std::int64_t>(gains.base.cycles)) continue;
+        const std::int64_t reckoned = gains.base.gains[i];
+        if (std::max({reckoned, waited, gained}) * 50 <
+            static_cast<std::int64_t>(gains.base.cycles))
+            continue;
         text += ' ' + std::string(ResourceNames[i]) + " waited " + std::to_string(waited) +
-                " gains " + std::to_string(gained) + ';';
+                " reckoned " + std::to_string(reckoned) + " gains " + std::to_string(gained) + ';';
     }
     return text;
 }
 
 // Random machines and frames; FFGPU_BOTTLENECK_CASES asks for more of them than a test needs.
-TEST_CASE("no resource without limit gains more than the named one, within 2 % of the frame") {
+TEST_CASE("no resource without limit gains more than the named one, within 1 % of the frame") {
     const auto number = [](const char* name, std::uint64_t otherwise) {
         const char* const wanted = std::getenv(name);
         return wanted ? std::strtoull(wanted, nullptr, 10) : otherwise;
@@ -222,14 +254,15 @@ TEST_CASE("no resource without limit gains more than the named one, within 2 % o
     const Population population = GENERATE(Population::Draws, Population::All);
     const std::uint64_t cases = number("FFGPU_BOTTLENECK_CASES", 20);
     const std::uint64_t first = number("FFGPU_BOTTLENECK_SEED", 1000);
-    std::uint64_t right = 0;
+    std::uint64_t right = 0, ties = 0;
     for (std::uint64_t seed = first; seed < first + cases; ++seed) {
-        const Gains gains = measure(case_of(population, seed), seed);
+        const Measured gains = measure(case_of(population, seed), seed);
         right += gains.holds();
-        if (gains.holds()) continue;
-        UNSCOPED_INFO(seed << ": " << described(gains));
+        ties += gains.holds() && gains.missed() > 0;
+        if (!gains.holds()) WARN(seed << ": " << described(gains));
     }
-    WARN(right << " of " << cases << " bottlenecks are the largest gain, "
+    WARN(right << " of " << cases << " bottlenecks are the largest gain, " << ties
+               << " of them within 1 % of the frame, "
                << (population == Population::Draws ? "draws alone" : "all cases"));
     CHECK(right * 100 >= cases * 95);
 }

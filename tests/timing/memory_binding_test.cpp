@@ -28,10 +28,9 @@ Figures machine_figures(const TimingConfig& config, const MakeMemory& make_memor
     for (const char* const channel : {"0", "1"}) // its queues
         figures.erase("queue_memory_channel" + std::string(channel) + "_arrivals_item_cycles");
     // It cannot tell what of a wait is its queues' and what its latency.
-    figures["bottleneck_memory_cycles"] = figures.at("bottleneck_memory_bandwidth_cycles") +
-                                          figures.at("bottleneck_memory_latency_cycles");
-    figures.erase("bottleneck_memory_bandwidth_cycles");
-    figures.erase("bottleneck_memory_latency_cycles");
+    std::erase_if(figures, [](const auto& figure) {
+        return figure.first.starts_with("bottleneck_") || figure.first.starts_with("gain_");
+    });
     return figures;
 }
 

@@ -54,6 +54,26 @@ TEST_CASE("every pace of the clock has the figures of the walk through every uni
     }
 }
 
+TEST_CASE("whether anybody looks what is waited for is in no other figure") {
+    const auto without_waits = [](Outcome outcome) {
+        std::erase_if(outcome.figures, [](const auto& figure) {
+            return figure.first.starts_with("bottleneck_") || figure.first.starts_with("gain_");
+        });
+        outcome.waited.clear();
+        return outcome;
+    };
+    for (std::uint64_t seed = 100; seed < 130; ++seed) {
+        TimingConfig config = RandomWork(~seed).machine();
+        const Outcome looked = run_frames(config, seed, {});
+        config.bottlenecks.enable = false;
+        const Outcome unlooked = run_frames(config, seed, {});
+        CAPTURE(seed);
+        CHECK(without_waits(unlooked) == without_waits(looked));
+        for (const auto& [name, value] : unlooked.figures)
+            if (name.starts_with("bottleneck_") || name.starts_with("gain_")) CHECK(value == 0);
+    }
+}
+
 TEST_CASE("how often the machine waits for the host is in no figure") {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         TimingConfig config = RandomWork(~seed).machine();

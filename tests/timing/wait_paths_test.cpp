@@ -66,27 +66,16 @@ TEST_CASE("ways that part after a common past each keep their own") {
     CHECK(waited(cycles_of(paths, other), B) == 7);
 }
 
-// Round i of A takes i cycles, that of B one: i rounds end at i (i + 3) / 2.
-TEST_CASE("a path that is cut at any cycle is what it was up to then") {
+TEST_CASE("what goes on by the resource that a common past ends with is one run") {
     WaitPaths paths;
-    WaitPaths::Path path = paths.restart(0);
-    constexpr Cycle Rounds = 40;
-    for (Cycle i = 1; i <= Rounds; ++i) {
-        path = paths.extend(path, A, i * (i + 3) / 2 - 1);
-        path = paths.extend(path, B, i * (i + 3) / 2);
-    }
-    for (Cycle at = 0; at <= Rounds * (Rounds + 3) / 2; ++at) {
-        Cycle whole = 0; // rounds before it
-        while ((whole + 1) * (whole + 4) / 2 <= at)
-            ++whole;
-        const WaitPaths::Path before = paths.extend(paths.cut(path, at), C, at + 5);
-        const WaitedCycles cycles = cycles_of(paths, before);
-        CAPTURE(at);
-        CHECK(waited(cycles, B) == whole);
-        CHECK(waited(cycles, A) == at - whole);
-        CHECK(waited(cycles, C) == 5);
-    }
-    CHECK(waited(cycles_of(paths, path), B) == Rounds); // The path itself stays.
+    WaitPaths::Path path = paths.share(paths.extend(paths.restart(5), B, 8));
+    for (Cycle end = 9; end <= 40; ++end)
+        path = paths.share(paths.extend(path, A, end));
+    const std::vector<WaitPaths::Run> runs = paths.runs(path);
+    REQUIRE(runs.size() == 2);
+    CHECK(runs[0].end == 8);
+    CHECK(runs[1].end == 40);
+    CHECK(waited(cycles_of(paths, path, 5), A) == 32);
 }
 
 // Three stages in a row, of which each takes an item when the one before it is done with it and it
@@ -147,11 +136,8 @@ TEST_CASE("any paths are those of plain lists, and what nobody goes through is f
         PlainPath& path = all[random.below(5)];
         const PlainPath& other = all[random.below(5)];
         if (random.below(3) == 0) {
-            const Cycle at =
-                other.waited.size() - std::min<Cycle>(other.waited.size(), random.below(9));
-            path.path = paths.cut(other.path, Begin + at);
-            path.waited = {other.waited.begin(),
-                           other.waited.begin() + static_cast<std::ptrdiff_t>(at)};
+            path.path = paths.share(other.path);
+            path.waited = other.waited;
         } else {
             const auto resource = static_cast<Resource>(random.below(4));
             path.waited.resize(path.waited.size() + 1 + random.below(2), resource);

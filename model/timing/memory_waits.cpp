@@ -1,0 +1,111 @@
+#include "model/timing/memory_waits.h"
+
+#include "model/timing/memory/address_mapping.h"
+
+#include <algorithm>
+
+namespace ffgpu::timing {
+
+void merge(WaitPaths& paths, Moment& last, const Moment& next) {
+    const std::array both{Dependence{&next}, Dependence{&last}};
+    const Cycle at = std::max(last.at, next.at);
+    const WaitPaths::Path path = paths.share(last_of(both, at).moment->path);
+    last = {at, path, saved_after(both, at)};
+}
+
+MemoryWaits::MemoryWaits(const MemoryConfig& config, bool is_ours)
+    : config_(config)
+    , is_ours_(is_ours)
+    , cycle_(static_cast<float>(16 * config.core_clocks / config.memory_clocks) / 16)
+    , channels_(config.channels) {}
+
+// Row and column, and the data.
+float MemoryWaits::alone(const MemoryRequest& request) const {
+    const std::uint32_t column =
+        request.write ? config_.write_column_cycles : config_.column_cycles;
+    const std::uint32_t spacing = std::max(config_.burst_cycles, config_.column_to_column_cycles);
+    return cycle_ * static_cast<float>(config_.precharge_cycles + config_.row_to_column_cycles +
+                                       column + spacing * config_.bursts(request.bytes));
+}
+
+// The request was there before the last answer's data had moved.
+bool MemoryWaits::stood_behind(const Moment& before, Cycle asked) const {
+    return asked + 2 + config_.latency <= before.at;
+}
+
+// Where it stood behind that the channel was at work all the time since; else it takes the bus for
+// its data.
+Dependence MemoryWaits::turn(const Moment& before,
+                             const Moment* asked,
+                             const MemoryRequest& request,
+                             Cycle now) const {
+    const auto since = static_cast<float>(now - before.at);
+    const std::uint32_t spacing = std::max(config_.burst_cycles, config_.column_to_column_cycles);
+    const float bus = cycle_ * static_cast<float>(spacing * config_.bursts(request.bytes));
+    const bool behind = stood_behind(before, asked ? asked->at : request.issued);
+    const float takes = behind ? since : std::min(bus, since);
+    return {&before, takes, {Resource::MemoryBandwidth, takes}};
+}
+
+// Where it stood behind no other all its time at the memory is its own.
+Dependence MemoryWaits::own(const Moment& before,
+                            const Moment& asked,
+                            const MemoryRequest& request,
+                            Cycle now) const {
+    const auto since = static_cast<float>(now - asked.at);
+    if (!is_ours_) return {&asked, since, {Resource::MemoryLatency, since}};
+    const auto latency = static_cast<float>(config_.latency);
+    const float there = std::max(since - latency - 2, 0.0F);
+    const float served = stood_behind(before, asked.at) ? std::min(there, alone(request)) : there;
+    return {&asked,
+            latency + 2 + served,
+            {Resource::MemoryLatency, latency},
+            {Resource::MemoryBandwidth, std::max(served - 1, 0.0F)}};
+}
+
+const Moment& MemoryWaits::answer(WaitPaths& paths,
+                                  const MemoryRequest& request,
+                                  const Moment* asked,
+                                  Cycle now) {
+    last_ = memory_channel(config_, request.address);
+    Moment& channel = channels_[last_];
+    std::array<Dependence, 2> all{};
+    std::size_t count = 0;
+    if (asked) all[count++] = own(channel, *asked, request, now);
+    if (is_ours_ || !asked) all[count++] = turn(channel, asked, request, now);
+    const std::span<const Dependence> known = std::span(all).first(count);
+    const Dependence& last = last_of(known, now);
+    WaitPaths::Path path = last.moment->path;
+    if (&last == &all[0] && asked)
+        path =
+            paths.extend(path, Resource::MemoryLatency, now - static_cast<Cycle>(last.then.cycles));
+    path = paths.extend(path, is_ours_ ? Resource::MemoryBandwidth : Resource::MemoryLatency, now);
+    channel = {now, paths.share(path), saved_after(known, now)};
+    merge(paths, all_, channel);
+    return channel;
+}
+
+Moment MemoryWaits::taken(WaitPaths& paths, const Moment& asked, Cycle now) const {
+    const Moment& channel = channels_[last_];
+    const auto since = static_cast<float>(now - channel.at);
+    const std::array both{Dependence{&asked, 1},
+                          Dependence{&channel, since, {Resource::MemoryBandwidth, since}}};
+    const auto known = std::span(both).first(now > asked.at + 1 && is_ours_ ? 2 : 1);
+    const Dependence& last = last_of(known, now);
+    const Resource why = &last == &both[1] ? Resource::MemoryBandwidth : Resource::Links;
+    const WaitPaths::Path path = paths.extend(last.moment->path, why, now);
+    return {now, paths.share(path), saved_after(known, now)};
+}
+
+void MemoryWaits::restart() {
+    std::fill(channels_.begin(), channels_.end(), Moment{});
+    all_ = {};
+}
+
+void MemoryWaits::add_heads(std::vector<WaitPaths::Path*>& heads) {
+    for (Moment& channel : channels_)
+        heads.push_back(&channel.path);
+    heads.push_back(&all_.path);
+}
+
+} // namespace ffgpu::timing

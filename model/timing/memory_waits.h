@@ -1,0 +1,50 @@
+// MemoryWaits: moments of the memory: when it took a request, and when it had answered. An answer
+// depends on its request, with the way there and back and what the DRAM takes for it alone, and on
+// the answer before it on the same channel: behind that it has waited for its turn, or not.
+
+#pragma once
+
+#include "model/timing/memory/config.h"
+#include "model/timing/memory_request.h"
+#include "model/timing/moment.h"
+
+#include <vector>
+
+namespace ffgpu::timing {
+
+class MemoryWaits {
+public:
+    // Of a memory that is not ours only latency is known.
+    MemoryWaits(const MemoryConfig& config, bool is_ours);
+
+    // The answer in this cycle to a request of this moment; null: nobody of the pipe's asked.
+    const Moment&
+    answer(WaitPaths& paths, const MemoryRequest& request, const Moment* asked, Cycle now);
+    // The arbiter takes a request of this moment: without a wait, or when the memory had a place.
+    Moment taken(WaitPaths& paths, const Moment& asked, Cycle now) const;
+
+    // All that was answered.
+    const Moment& all() const { return all_; }
+    void restart();
+    void add_heads(std::vector<WaitPaths::Path*>& heads);
+
+private:
+    float alone(const MemoryRequest& request) const;
+    bool stood_behind(const Moment& before, Cycle asked) const;
+    Dependence
+    own(const Moment& before, const Moment& asked, const MemoryRequest& request, Cycle now) const;
+    Dependence
+    turn(const Moment& before, const Moment* asked, const MemoryRequest& request, Cycle now) const;
+
+    const MemoryConfig config_;
+    const bool is_ours_;
+    const float cycle_;            // of the memory's clock, in the machine's, in whole sixteenths
+    std::vector<Moment> channels_; // the last answer of each
+    std::size_t last_ = 0;         // channel that answered
+    Moment all_;
+};
+
+// Both are over.
+void merge(WaitPaths& paths, Moment& last, const Moment& next);
+
+} // namespace ffgpu::timing
