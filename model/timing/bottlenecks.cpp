@@ -211,18 +211,26 @@ void Bottlenecks::done(const MemoryRequest& request, std::uint64_t cycle) {
 
 // --- Moments -----------------------------------------------------------------------------------
 
-Bottlenecks::Dependences Bottlenecks::dependences(const Place& place) const {
+std::span<const Dependence> Bottlenecks::dependences(const Place& place) {
     const Cycle now = clock_.now();
-    Dependences found;
+    Dependences& found = found_;
+    found.count = 0;
     const float work = std::max(place.work, place.passing);
     found.add(
         {&place.last, work, {place.stage.resource, std::max(work - place.passing_free, 0.0F)}});
     for (const Way* const way : place.in) {
         if (way->popped == way->link->popped()) continue;
+        const Moment& sent = way->sent[(way->link->popped() - 1) % way->sent.size()];
+        const Cycle arrival = sent.at + way->link->latency();
+        // What came behind the last moment has been worked on since, where it is taken when done.
+        const float since =
+            arrival > place.last.at && arrival < now ? static_cast<float>(now - arrival) : 0;
+        const float on_it = std::min(work, since);
         const auto latency = static_cast<float>(way->link->latency());
-        found.add({&way->sent[(way->link->popped() - 1) % way->sent.size()],
-                   latency,
-                   {Resource::Links, latency - 1}});
+        found.add({&sent,
+                   latency + on_it,
+                   {Resource::Links, latency - 1},
+                   {place.stage.resource, std::max(on_it - place.passing_free, 0.0F)}});
     }
     bool gives = false;
     for (const std::vector<Way*>* const ways : {&place.out, &place.asked}) {
@@ -244,17 +252,16 @@ Bottlenecks::Dependences Bottlenecks::dependences(const Place& place) const {
             if (&other > &place && (!last || other.last.at >= last->last.at)) last = &other;
         if (last && last->last.at < now) found.add({&last->last, 1});
     }
-    return found;
+    return std::span(found.all).first(found.count);
 }
 
 void Bottlenecks::act(Place& place, bool takes) {
     const Cycle now = clock_.now();
-    const Dependences found = dependences(place);
-    const std::span<const Dependence> all = std::span(found.all).first(found.count);
+    const std::span<const Dependence> all = dependences(place);
     const Dependence& last = last_of(all, now);
     WaitPaths::Path path = paths_.extend(last.moment->path, last.first.resource, now - 1);
     path = paths_.extend(path, place.stage.resource, now);
-    saved_ = saved_after(all, now);
+    saved_ = saved_after(all, last, now);
     place.last = {now, paths_.share(path), saved_};
     if (takes) {
         place.taken = place.last;

@@ -126,7 +126,8 @@ private:
     void take_answers(Place& place);
     void count_work(Place& place, std::uint32_t items, bool refused);
     void act(Place& place, bool takes);
-    Dependences dependences(const Place& place) const;
+    // Until the next call.
+    std::span<const Dependence> dependences(const Place& place);
     void pass_on(Place& place);
     void take_requests();
 
@@ -140,6 +141,7 @@ private:
     std::deque<std::pair<const Unit*, Moment>> answers_; // the last of each unit
     std::vector<Way*> requests_, responses_;             // by the arbiter's ports
     std::vector<WaitPaths::Path*> heads_;
+    Dependences found_;
     std::uint64_t called_ = 0; // stages, a bit each, and the arbiter, whose units were called
     Saved saved_;
     Cycle frame_begin_ = 0; // The cycle before it.

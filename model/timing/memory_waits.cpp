@@ -9,8 +9,9 @@ namespace ffgpu::timing {
 void merge(WaitPaths& paths, Moment& last, const Moment& next) {
     const std::array both{Dependence{&next}, Dependence{&last}};
     const Cycle at = std::max(last.at, next.at);
-    const WaitPaths::Path path = paths.share(last_of(both, at).moment->path);
-    last = {at, path, saved_after(both, at)};
+    const Dependence& later = last_of(both, at);
+    const WaitPaths::Path path = paths.share(later.moment->path);
+    last = {at, path, saved_after(both, later, at)};
 }
 
 MemoryWaits::MemoryWaits(const MemoryConfig& config, bool is_ours)
@@ -80,7 +81,7 @@ const Moment& MemoryWaits::answer(WaitPaths& paths,
         path =
             paths.extend(path, Resource::MemoryLatency, now - static_cast<Cycle>(last.then.cycles));
     path = paths.extend(path, is_ours_ ? Resource::MemoryBandwidth : Resource::MemoryLatency, now);
-    channel = {now, paths.share(path), saved_after(known, now)};
+    channel = {now, paths.share(path), saved_after(known, last, now)};
     merge(paths, all_, channel);
     return channel;
 }
@@ -94,7 +95,7 @@ Moment MemoryWaits::taken(WaitPaths& paths, const Moment& asked, Cycle now) cons
     const Dependence& last = last_of(known, now);
     const Resource why = &last == &both[1] ? Resource::MemoryBandwidth : Resource::Links;
     const WaitPaths::Path path = paths.extend(last.moment->path, why, now);
-    return {now, paths.share(path), saved_after(known, now)};
+    return {now, paths.share(path), saved_after(known, last, now)};
 }
 
 void MemoryWaits::restart() {

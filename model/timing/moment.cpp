@@ -22,8 +22,8 @@ const Dependence& last_of(std::span<const Dependence> all, Cycle at) {
     return *last;
 }
 
-Saved saved_after(std::span<const Dependence> all, Cycle at) {
-    const float least = slack(last_of(all, at), at);
+Saved saved_after(std::span<const Dependence> all, const Dependence& last, Cycle at) {
+    const float least = slack(last, at);
     Saved saved;
     saved.cycles.fill(std::numeric_limits<float>::max());
     for (const Dependence& each : all) {
