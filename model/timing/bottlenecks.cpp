@@ -48,13 +48,13 @@ Bottlenecks::Bottlenecks(const Clock& clock, Parts parts)
 }
 
 void Bottlenecks::attach() {
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-        connect(places_[i]);
+    for (Place& place : places_) {
+        connect(place);
         std::uint64_t bits = 0; // of all stages of its unit
-        for (std::size_t j = 0; j < places_.size(); ++j)
-            bits |= std::uint64_t{places_[j].stage.unit == places_[i].stage.unit} << j;
-        places_[i].stage.unit->show_calls_in(called_, bits);
-        heads_.insert(heads_.end(), {&places_[i].last.path, &places_[i].taken.path});
+        for (std::size_t i = 0; i < places_.size(); ++i)
+            bits |= std::uint64_t{places_[i].stage.unit == place.stage.unit} << i;
+        place.stage.unit->show_calls_in(called_, bits);
+        heads_.insert(heads_.end(), {&place.last.path, &place.taken.path});
     }
     parts_.arbiter.show_calls_in(called_, ArbiterBit);
     for (const Link* const link : parts_.requests)
@@ -290,7 +290,7 @@ std::vector<WaitPaths::Run> Bottlenecks::end_frame() {
         if (place.last.at > last->last.at) last = &place;
     saved_ = last->last.saved;
     const WaitPaths::Path path = paths_.extend(last->last.path, Resource::Links, now);
-    const std::vector<WaitPaths::Run> runs = paths_.runs(path);
+    std::vector<WaitPaths::Run> runs = paths_.runs(path);
     Cycle begin = frame_begin_;
     for (const WaitPaths::Run& run : runs)
         statistics_.waited(run.resource, run.end - std::exchange(begin, run.end));

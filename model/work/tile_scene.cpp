@@ -29,7 +29,7 @@ void TileScene::draw(const WholeCommand& command) {
     TileCommand& added = commands_.emplace_back();
     added.reads_color = draw.reads_color;
     added.writes_color = draw.writes_color;
-    if (!draw.uses_depth) return;
+    if (!state || !draw.uses_depth) return;
     const Format format = state->targets.depth.format;
     const ClearCommand depth{.depth = true}, stencil{.stencil = true};
     if (state->depth.test_enable) {

@@ -85,8 +85,8 @@ public:
 
 private:
     std::size_t number(int x, int y) const {
-        return static_cast<std::size_t>((y - tile_.y0) / BlockSize * across_ +
-                                        (x - tile_.x0) / BlockSize);
+        const int place = (y - tile_.y0) / BlockSize * across_ + (x - tile_.x0) / BlockSize;
+        return static_cast<std::size_t>(place);
     }
 
     Rectangle tile_;

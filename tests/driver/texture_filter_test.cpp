@@ -39,7 +39,8 @@ struct Texels {
     }
 
     int at(int x, int y, int channel) const {
-        return bytes[static_cast<std::size_t>(4 * (y * width + x) + channel)];
+        const int place = 4 * (y * width + x) + channel;
+        return bytes[static_cast<std::size_t>(place)];
     }
 
     // Over a rectangle of texels.
@@ -125,7 +126,8 @@ TEST_CASE("Each image of a rip-map is the mean over what its texels cover") {
                 for (int x = 0; x < 32 >> i; ++x)
                     for (int channel = 0; channel < 4; ++channel) {
                         const int column = 64 - (64 >> i) + x, row = 16 - (16 >> j) + y;
-                        const auto at = static_cast<std::size_t>(4 * (row * 63 + column) + channel);
+                        const int place = 4 * (row * 63 + column) + channel;
+                        const auto at = static_cast<std::size_t>(place);
                         const double mean = texels.mean(x << i, y << j, 1 << i, 1 << j, channel);
                         const double error = std::fabs(std::to_integer<int>(map.texels[at]) - mean);
                         worst = std::max(worst, error / (i + j + 1));

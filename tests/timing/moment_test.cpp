@@ -104,7 +104,7 @@ TEST_CASE("a wait beyond all that a moment depends on is waited without any reso
     second.saved[Resource::Host] = 20;
     // 10 + 5 and 30 + 2 were over in cycle 32; without the host 11 and 12.
     const std::array all{Dependence{&first, 5}, Dependence{&second, 2}};
-    for (const Cycle at : {32, 33, 500}) {
+    for (const Cycle at : {32u, 33u, 500u}) {
         CHECK(&last_of(all, at) == &all[1]);
         CHECK(saved_after(all, at)[Resource::Host] == 20);
     }

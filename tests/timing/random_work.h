@@ -242,11 +242,11 @@ private:
                               .stride = 4 * Size,
                               .width = 1 + below(Size),
                               .height = 1 + below(Size)};
-        for (std::uint16_t y = 0; y < command.draw.image.height; y += 2)
-            for (std::uint16_t x = 0; x < command.draw.image.width; x += 2)
+        for (std::uint32_t y = 0; y < command.draw.image.height; y += 2)
+            for (std::uint32_t x = 0; x < command.draw.image.width; x += 2)
                 command.quads.push_back({.primitive = 0,
-                                         .x = x,
-                                         .y = y,
+                                         .x = static_cast<std::uint16_t>(x),
+                                         .y = static_cast<std::uint16_t>(y),
                                          .covered = 15,
                                          .after_early_depth = 15,
                                          .after_coverage = 15,

@@ -58,8 +58,8 @@ Source<Unit> counted_source(unsigned draws, unsigned inputs, State state, Input 
 
 // Told by ./dev rtl_mutate, which must see the tests fail.
 inline bool is_blind() {
-    static const bool Blind = std::getenv("FFGPU_RTL_BLIND") != nullptr;
-    return Blind;
+    static const bool blind = std::getenv("FFGPU_RTL_BLIND") != nullptr;
+    return blind;
 }
 
 template <class Unit>
