@@ -157,7 +157,7 @@ TEST_CASE("what is wrong with a study is one line, and status 2", "[cache]") {
     const auto fails = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), {"cache", trace});
         int status = 0;
-        const std::string text = printed(stderr, [&] { status = run(arguments); });
+        std::string text = printed(stderr, [&] { status = run(arguments); });
         CHECK(status == 2);
         CHECK(std::count(text.begin(), text.end(), '\n') == 1);
         return text;

@@ -171,7 +171,7 @@ std::vector<std::string> own_traces() {
 std::vector<std::string> gallery_traces() {
     std::vector<std::string> names = traces_in(FFGPU_SOURCE_DIR "/traces/gallery");
     for (std::string& name : names)
-        name = "gallery/" + name;
+        name.insert(0, "gallery/");
     return names;
 }
 

@@ -49,14 +49,9 @@ TEST_CASE("a program that is killed leaves statistics that are a second old at m
 TEST_CASE("a program that a script has started ends where ffgpu was killed") {
     if (!has_display()) return;
     const OutputFolder out;
-    const pid_t process = start({"ffgpu",
-                                 "run",
-                                 "-o",
-                                 out.path.string(),
-                                 "--",
-                                 "sh",
-                                 "-c",
-                                 FFGPU_FRAMES " endless; exit 3"});
+    const std::string script = FFGPU_FRAMES " endless; exit 3";
+    const pid_t process =
+        start({"ffgpu", "run", "-o", out.path.string(), "--", "sh", "-c", script});
     CHECK(comes_true([&] { return fs::exists(out.path / "frame_0009.png"); }));
     const std::string program = "pgrep -f '^" FFGPU_FRAMES " endless'";
     CHECK_FALSE(shell(program).text.empty());

@@ -70,8 +70,8 @@ TEST_CASE("a quad looks up the lines of its texels, each once, in the order of t
         WholeCommand command;
         command.units = {0};
         Read expected;
-        for (std::uint16_t lane = 0; lane < 1 + run % 4; ++lane) {
-            command.accesses.push_back(random_access(random, lane));
+        for (int lane = 0; lane < 1 + run % 4; ++lane) {
+            command.accesses.push_back(random_access(random, static_cast<std::uint16_t>(lane)));
             read(levels[0], command.accesses.back(), config.texel_cache.line_bytes, expected);
         }
         command.access_begin.push_back(static_cast<std::uint32_t>(command.accesses.size()));

@@ -5,6 +5,7 @@
 #include "tools/commands/unused_reason.h"
 #include "tools/commands/warn.h"
 #include "tools/files/library_folder.h"
+#include "tools/files/other_program.h"
 #include "tools/frames/frame_source.h"
 #include "tools/record/recording_arguments.h"
 
@@ -55,18 +56,14 @@ void watch_signals() {
     std::signal(SIGHUP, pass_on);
 }
 
-[[noreturn]] void become(const std::vector<std::string>& command,
-                         const std::vector<Environment>& environment) {
+[[noreturn]] void run_child(const std::vector<std::string>& command,
+                            const std::vector<Environment>& environment) {
     ::prctl(PR_SET_PDEATHSIG, SIGTERM); // Nobody draws on where ffgpu was killed.
     for (const Environment& variable : environment)
         ::setenv(variable.name.c_str(), variable.value.c_str(), 1);
-    std::vector<char*> arguments;
-    arguments.reserve(command.size() + 1);
-    for (const std::string& argument : command)
-        arguments.push_back(const_cast<char*>(argument.c_str()));
-    arguments.push_back(nullptr);
-    ::execvp(arguments[0], arguments.data());
-    std::fprintf(stderr, "ffgpu: %s: cannot be run: %s\n", arguments[0], std::strerror(errno));
+    become(command);
+    const char* const reason = std::strerror(errno);
+    std::fprintf(stderr, "ffgpu: %s: cannot be run: %s\n", command[0].c_str(), reason);
     std::_Exit(CannotRun);
 }
 
@@ -152,7 +149,7 @@ int run_program(const std::vector<std::string>& command,
     const pid_t program = ::fork();
     if (program < 0)
         throw InputError("run: no process can be made: " + std::string(std::strerror(errno)));
-    if (program == 0) become(command, environment);
+    if (program == 0) run_child(command, environment);
     child = program;
     watch_signals();
     int status = 0;

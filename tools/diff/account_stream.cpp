@@ -1,6 +1,7 @@
 #include "tools/diff/account_stream.h"
 
 #include "model/base/input_error.h"
+#include "tools/files/other_program.h"
 
 #include <array>
 #include <cerrno>
@@ -37,11 +38,7 @@ std::vector<std::string> arguments_of(const AccountSide& side, const AccountQues
 }
 
 [[noreturn]] void run_program(const std::vector<std::string>& words) {
-    std::vector<char*> pointers;
-    for (const std::string& word : words)
-        pointers.push_back(const_cast<char*>(word.c_str()));
-    pointers.push_back(nullptr);
-    ::execvp(pointers[0], pointers.data());
+    become(words);
     fmt::print("{}\nerror\t{}: {}\n", AccountHeader, words[0], std::strerror(errno));
     std::fflush(stdout);
     ::_exit(2);

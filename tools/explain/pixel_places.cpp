@@ -48,20 +48,22 @@ PixelSources::PixelSources(const FrameTape& tape)
 std::vector<PixelPlace> PixelSources::places(const SurfacePixel& pixel) const {
     std::vector<PixelPlace> places{{pixel, steps_}};
     std::vector<bool> is_copy{false}; // by place: what was copied to it is known
-    for (auto copy = copies_.rbegin(); copy != copies_.rend(); ++copy)
+    for (std::size_t later = copies_.size(); later > 0; --later) {
+        const auto& [step, copy] = copies_[later - 1];
         for (std::size_t i = 0, end = places.size(); i < end; ++i) {
-            const auto source = copied_from(copy->second, places[i].color.address());
+            const auto source = copied_from(copy, places[i].color.address());
             if (!source || is_copy[i]) continue;
             is_copy[i] = true;
-            const unsigned pictures = copy->second.pictures;
+            const unsigned pictures = copy.pictures;
             for (unsigned picture = 0; picture < pictures; ++picture) {
-                PixelPlace& place = places.emplace_back(PixelPlace{*source, copy->first});
+                PixelPlace& place = places.emplace_back(PixelPlace{*source, step});
                 if (pictures > 1) place.color.surface = source->surface.plane(picture);
                 place.picture = picture;
                 place.pictures = pictures;
                 is_copy.push_back(false);
             }
         }
+    }
     for (PixelPlace& place : places)
         for (const Targets& targets : targets_)
             for (const Surface& color : targets.color) {

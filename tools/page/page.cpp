@@ -65,7 +65,7 @@ std::string html_of(const Page& page) {
     for (const std::string_view name : page.css)
         html += known_asset(name);
     html += "</style>\n</head>\n<body>\n" + page.body;
-    html += "<script type=\"application/json\" id=\"data\">" + without_tags(page.data);
+    html += R"(<script type="application/json" id="data">)" + without_tags(page.data);
     html += "</script>\n";
     add_script(html, "theme.js");
     for (const std::string_view name : page.code)

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -27,8 +28,8 @@ bool is_ours(const fs::path& name) {
 
 } // namespace
 
-OutputFolder::OutputFolder(const std::string& path)
-    : path_(path) {
+OutputFolder::OutputFolder(std::string path)
+    : path_(std::move(path)) {
     if (path_.empty()) return;
     make_folder(path_);
     std::error_code error;

@@ -13,7 +13,7 @@ namespace ffgpu::tools {
 class OutputFolder {
 public:
     // Empty: there is none. Throws InputError where it cannot be made.
-    explicit OutputFolder(const std::string& path);
+    explicit OutputFolder(std::string path);
 
     // The path of PREFIX_0000.EXTENSION, which from now on is this run's.
     std::string

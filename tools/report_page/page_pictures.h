@@ -13,6 +13,7 @@
 
 namespace ffgpu::tools {
 
+// NOLINTNEXTLINE(bugprone-exception-escape): moving the JSON library's values throws nothing.
 struct PagePictures {
     unsigned shrunk = 1;           // each side was divided by this
     std::size_t left_out = 0;      // pictures for which there was no room at all

@@ -113,6 +113,7 @@ std::string write_report(const ReportOptions& options) {
     std::vector<std::string> folders{options.folder};
     if (!options.other.empty()) folders.push_back(options.other);
     std::vector<RunFigures> runs;
+    runs.reserve(folders.size());
     for (const std::string& folder : folders)
         runs.push_back(figures_in(folder, options.frames));
     Json data;

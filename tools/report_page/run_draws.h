@@ -21,6 +21,7 @@ DrawFacts facts_of(const CsvTable& file, const RunFigures& figures);
 
 // By frame and entry of `commands`: [left, top, width, height, pixels] or null. The costliest draws
 // have them, as far as `most_bytes` go.
+// NOLINTNEXTLINE(bugprone-exception-escape): moving the JSON library's values throws nothing.
 struct DrawPixelsOfRun {
     std::size_t left_out = 0; // draws for which there was no room
     nlohmann::ordered_json boxes;

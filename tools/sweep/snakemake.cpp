@@ -1,6 +1,7 @@
 #include "tools/sweep/snakemake.h"
 
 #include "model/base/input_error.h"
+#include "tools/files/other_program.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -51,15 +52,11 @@ std::vector<std::string> command_line(const FlowOptions& options) {
     return words;
 }
 
-[[noreturn]] void become(const std::vector<std::string>& words, int output) {
+[[noreturn]] void run_program(const std::vector<std::string>& words, int output) {
     ::prctl(PR_SET_PDEATHSIG, SIGTERM); // A sweep that is killed takes Snakemake along.
     ::dup2(output, STDOUT_FILENO);
     ::dup2(output, STDERR_FILENO);
-    std::vector<char*> pointers;
-    for (const std::string& word : words)
-        pointers.push_back(const_cast<char*>(word.c_str()));
-    pointers.push_back(nullptr);
-    ::execvp(pointers[0], pointers.data());
+    become(words);
     ::_exit(NotThere);
 }
 
@@ -147,7 +144,7 @@ std::vector<std::string> run_flow(const FlowOptions& options) {
         throw InputError(std::string("sweep: no pipe: ") + std::strerror(errno));
     const pid_t child = ::fork();
     if (child < 0) throw InputError(std::string("sweep: no process: ") + std::strerror(errno));
-    if (child == 0) become(words, ends[1]);
+    if (child == 0) run_program(words, ends[1]);
     ::close(ends[1]);
     Listener listener(options.jobs);
     listen(ends[0], listener, logs / "snakemake.txt");

@@ -80,11 +80,12 @@ private:
         std::vector<Axis> all;
         for (const auto& group : table(node, name)) {
             const std::string group_name(group.first.str());
-            for (const auto& entry : table(group.second, name + '.' + group_name)) {
+            for (const auto& entry : table(group.second, fmt::format("{}.{}", name, group_name))) {
                 const std::string parameter = group_name + '.' + std::string(entry.first.str());
-                all.push_back({parameter,
-                               (this->*values)(entry.second, name + ": " + parameter),
-                               entry.second.source().begin.line});
+                all.push_back(
+                    {parameter,
+                     (this->*values)(entry.second, fmt::format("{}: {}", name, parameter)),
+                     entry.second.source().begin.line});
             }
         }
         if (all.empty()) fail(node, name + ": no parameter is named");

@@ -19,6 +19,7 @@ constexpr std::array<HeatView, 2> HeatViews{
 
 std::vector<std::string> all_names() {
     std::vector<std::string> names;
+    names.reserve(ViewTable.size() + HeatViews.size());
     for (const ViewInfo& view : ViewTable)
         names.emplace_back(view.name);
     for (const HeatView& view : HeatViews)
