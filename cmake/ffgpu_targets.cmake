@@ -21,8 +21,8 @@ if(FFGPU_SANITIZE)
   target_link_options(ffgpu_options INTERFACE -fsanitize=${FFGPU_SANITIZE} -fno-sanitize=vptr)
 endif()
 
-# ffgpu_library(name folder [EXCLUDE subfolder] [LINKS ...]): a static library of all .cpp files of
-# the folder, but for those of the subfolder.
+# ffgpu_library(name folder [EXCLUDE subfolder ...] [LINKS ...]): a static library of all .cpp files
+# of the folder, but for those of the subfolders.
 function(ffgpu_library name folder)
   cmake_parse_arguments(arg "" "" "EXCLUDE;LINKS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)

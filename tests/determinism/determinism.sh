@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds ffgpu with gcc and clang, optimised and not, replays two traces with each build and with
 # several thread counts, single-sampled and multisampled, and compares all pictures and statistics
-# byte for byte.
+# byte for byte. Then aarch64 beside this machine, where its compiler and qemu-user are installed.
 #
 #   tests/determinism/determinism.sh [OUT]     OUT defaults to out; the builds stay there for the next time
 #
@@ -78,4 +78,8 @@ for line in "${Builds[@]}"; do
     done
 done
 [ -n "$reference" ] || { say "no compiler found"; exit 1; }
+native=${reference##*/}
+status=0
+tests/determinism/aarch64.sh "$Out/determinism-${native%-threads*}/tools/ffgpu" "$Out" || status=$?
+[ $status -eq 0 ] || [ $status -eq 77 ] || failed=1
 exit $failed
