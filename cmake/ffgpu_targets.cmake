@@ -29,6 +29,13 @@ function(ffgpu_library name folder)
   foreach(excluded ${arg_EXCLUDE})
     list(FILTER sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${folder}/${excluded}/")
   endforeach()
+  # Instrumented vectors compile for minutes a file; the scalar bodies give the same bits.
+  if(FFGPU_FUZZ)
+    set(vectors ${sources})
+    list(FILTER vectors INCLUDE REGEX "_simd[.]cpp$")
+    set_source_files_properties(${vectors} PROPERTIES COMPILE_OPTIONS
+      "-fno-sanitize=undefined;-fno-sanitize=fuzzer-no-link")
+  endif()
   if(sources)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC ffgpu_options ${arg_LINKS})

@@ -972,7 +972,7 @@ package ffgpu_registers_pkg;
 
   // blend
   localparam int unsigned BlendAddress = 55;
-  localparam int unsigned BlendWords = 2;
+  localparam int unsigned BlendWords = 3;
   typedef logic [32*BlendWords-1:0] blend_words_t;
   typedef struct packed {
     logic            enable;
@@ -986,6 +986,7 @@ package ffgpu_registers_pkg;
     blend_factor_e   alpha_destination;
     logic [3:0]      write_mask;
     logic [31:0]     constant;
+    logic [7:0]      srgb_targets;
   } blend_t;
   function automatic blend_t decode_blend(
     input blend_words_t words
@@ -1001,11 +1002,12 @@ package ffgpu_registers_pkg;
       words[23:20],  // alpha_source
       words[27:24],  // alpha_destination
       words[31:28],  // write_mask
-      words[63:32]  // constant
+      words[63:32],  // constant
+      words[71:64]  // srgb_targets
     };
   endfunction
   localparam blend_words_t BlendReset = {
-    32'h00000000, 32'hf010100c
+    32'h00000000, 32'h00000000, 32'hf010100c
   };
 
   // multisample

@@ -83,6 +83,11 @@ bool texture_parameter(const Attachment& image, GLenum name, GLint& value) {
     return true;
 }
 
+// Of a window what GL_FRAMEBUFFER_SRGB makes of it.
+bool holds_codes(const Attached& attached) {
+    return attached.image ? attached.image->format().srgb : attached.is_color;
+}
+
 bool parameter_of(const Attached& attached, GLenum name, GLint& value) {
     switch (name) {
     case GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE:
@@ -118,7 +123,7 @@ bool parameter_of(const Attached& attached, GLenum name, GLint& value) {
         value = attached.bits.stencil != 0 ? GL_INDEX : GL_UNSIGNED_NORMALIZED;
         return true;
     case GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING:
-        value = attached.image && attached.image->format().srgb ? GL_SRGB : GL_LINEAR;
+        value = holds_codes(attached) ? GL_SRGB : GL_LINEAR;
         return true;
     default:
         return attached.image && attached.image->texture &&

@@ -8,7 +8,7 @@
 
 namespace ffgpu::gl {
 
-constexpr std::array<std::string_view, 102> Extensions{
+constexpr std::array<std::string_view, 103> Extensions{
     "GL_3DFX_texture_compression_FXT1",
     "GL_APPLE_packed_pixels",
     "GL_APPLE_vertex_array_object",
@@ -61,6 +61,7 @@ constexpr std::array<std::string_view, 102> Extensions{
     "GL_EXT_framebuffer_blit",
     "GL_EXT_framebuffer_multisample",
     "GL_EXT_framebuffer_object",
+    "GL_EXT_framebuffer_sRGB",
     "GL_EXT_multi_draw_arrays",
     "GL_EXT_packed_depth_stencil",
     "GL_EXT_packed_pixels",

@@ -21,6 +21,15 @@ unsigned depth_bits(Format format) {
     }
 }
 
+// The colour targets for which is_capable(i) holds.
+template <class Predicate>
+std::uint8_t srgb_capable(const Targets& targets, Predicate&& is_capable) {
+    unsigned mask = 0;
+    for (unsigned i = 0; i < ColorTargets; ++i)
+        if (targets.color[i].format != Format::None && is_capable(i)) mask |= 1u << i;
+    return static_cast<std::uint8_t>(mask);
+}
+
 DrawTarget window_target(DeviceContext& context) {
     Drawable* const drawable = context.draw_drawable();
     if (!drawable) return {.status = GL_FRAMEBUFFER_UNDEFINED};
@@ -32,13 +41,18 @@ DrawTarget window_target(DeviceContext& context) {
             .depth = {.depth_bits = format.depth_bits == 0 ? 0 : depth_bits(targets.depth.format),
                       .stencil_bits = format.stencil_bits},
             .resolved_window = drawable->is_resolved() ? drawable : nullptr,
-            .supersampling = format.supersampling};
+            .supersampling = format.supersampling,
+            // Windows have 8 bits a channel: whether these are codes is the program's choice.
+            .srgb_capable = srgb_capable(targets, [](unsigned) { return true; })};
 }
 
 DrawTarget object_target(DeviceContext& context, const FramebufferObject& object) {
     DrawTarget found{.status = framebuffer_status(object)};
     if (found.status != GL_FRAMEBUFFER_COMPLETE) return found;
     found.targets = framebuffer_targets(context.device_memory(), object);
+    found.srgb_capable = srgb_capable(found.targets, [&object](unsigned i) {
+        return object.colors[object.draw_buffers[i] - GL_COLOR_ATTACHMENT0].format().srgb;
+    });
     found.width = found.height = MaxSurfaceSize;
     Targets::for_each(found.targets, [&found](const Surface& surface) {
         if (surface.format == Format::None) return;

@@ -19,6 +19,7 @@ struct DrawTarget {
     DepthTarget depth{};                 // what of the depth surface is GL's
     Drawable* resolved_window = nullptr; // to be told of drawing; or null
     unsigned supersampling = 1;          // pictures that are drawn; `targets` are the first's
+    std::uint8_t srgb_capable = 0;       // a bit for each colour target that may hold sRGB codes
 };
 
 // Textures that are drawn to become resident.

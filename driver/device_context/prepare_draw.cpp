@@ -65,7 +65,10 @@ void lower_texturing(const TextureState& state,
     registers.update<&Registers::combiners>();
 }
 
-void lower_fragments(const DeviceContext& context, DepthTarget depth, RegisterFile& registers) {
+void lower_fragments(const DeviceContext& context,
+                     const DrawTarget& target,
+                     RegisterFile& registers) {
+    const DepthTarget depth = target.depth;
     const FragmentState& fragment = context.state.fragment;
     registers.wanted.fog = lower_fog(fragment.fog);
     registers.update<&Registers::fog>();
@@ -76,7 +79,8 @@ void lower_fragments(const DeviceContext& context, DepthTarget depth, RegisterFi
     registers.update<&Registers::stencil>();
     registers.wanted.depth = lower_depth(fragment.depth, depth);
     registers.update<&Registers::depth>();
-    registers.wanted.blend = lower_blend(fragment.blend, context.state.framebuffer.color_mask);
+    registers.wanted.blend =
+        lower_blend(fragment.blend, context.state.framebuffer.color_mask, target.srgb_capable);
     registers.update<&Registers::blend>();
     registers.wanted.multisample = lower_multisample(context.state.rasterization.multisample);
     registers.update<&Registers::multisample>();
@@ -121,7 +125,7 @@ void DeviceContext::lower_state() {
     }
     // Point sprites replace coordinates as the texture environments say.
     if (any(Dirty::Primitive, Dirty::Environments)) lower_primitives(state, registers);
-    if (any(Dirty::Fragment, Dirty::Targets)) lower_fragments(*this, draw_target_.depth, registers);
+    if (any(Dirty::Fragment, Dirty::Targets)) lower_fragments(*this, draw_target_, registers);
     dirty.clear();
 }
 

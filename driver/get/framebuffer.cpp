@@ -6,6 +6,7 @@
 #include "driver/limits.h"
 #include "driver/objects/framebuffer_object.h"
 
+#include <algorithm>
 #include <array>
 
 namespace ffgpu::gl {
@@ -67,6 +68,16 @@ GLsizei draw_samples(Context& context) {
     return drawable && drawable->format().samples > 1 ? drawable->format().samples : 0;
 }
 
+// EXT_framebuffer_sRGB: of a window always, of an object if an image that is drawn to holds codes.
+bool is_srgb_capable(Context& context) {
+    const auto& object = context.state.framebuffer.draw_object;
+    if (!object) return window(context) != nullptr;
+    return std::ranges::any_of(object->draw_buffers, [&object](GLenum buffer) {
+        const Attachment* const color = object->find(buffer);
+        return color && *color && color->format().srgb;
+    });
+}
+
 } // namespace
 
 std::span<const StateVariable> framebuffer_variables() {
@@ -104,6 +115,7 @@ std::span<const StateVariable> framebuffer_variables() {
         FFGPU_STATE(GL_ACCUM_GREEN_BITS, integer(accumulation_bits(c))),
         FFGPU_STATE(GL_ACCUM_BLUE_BITS, integer(accumulation_bits(c))),
         FFGPU_STATE(GL_ACCUM_ALPHA_BITS, integer(accumulation_bits(c))),
+        FFGPU_STATE(GL_FRAMEBUFFER_SRGB_CAPABLE_EXT, boolean(is_srgb_capable(c))),
         FFGPU_STATE(GL_RGBA_MODE, boolean(true)),
         FFGPU_STATE(GL_INDEX_MODE, boolean(false)),
         FFGPU_STATE(GL_STEREO, boolean(false)),

@@ -182,7 +182,9 @@ Multisample lower_multisample(const MultisampleState& gl) {
             .sample_mask = static_cast<std::uint8_t>(mask)};
 }
 
-Blend lower_blend(const BlendState& gl, const std::array<bool, 4>& color_mask) {
+Blend lower_blend(const BlendState& gl,
+                  const std::array<bool, 4>& color_mask,
+                  std::uint8_t srgb_capable) {
     std::uint8_t mask = 0;
     for (unsigned i = 0; i < 4; ++i)
         mask = static_cast<std::uint8_t>(mask | (color_mask[i] ? 1u << i : 0u));
@@ -196,7 +198,8 @@ Blend lower_blend(const BlendState& gl, const std::array<bool, 4>& color_mask) {
             .alpha_source = lower_factor(gl.alpha_source),
             .alpha_destination = lower_factor(gl.alpha_destination),
             .constant = pack_rgba8(gl.color),
-            .write_mask = mask};
+            .write_mask = mask,
+            .srgb_targets = gl.framebuffer_srgb ? srgb_capable : std::uint8_t{0}};
 }
 static_assert(GL_SET - GL_CLEAR == static_cast<GLenum>(LogicOp::Set));
 

@@ -24,6 +24,9 @@ FragmentControl lower_fragment_control(const FragmentState& gl,
 Stencil lower_stencil(const StencilState& gl, DepthTarget target);
 DepthControl lower_depth(const DepthState& gl, DepthTarget target);
 Multisample lower_multisample(const MultisampleState& gl);
-Blend lower_blend(const BlendState& gl, const std::array<bool, 4>& color_mask);
+// `srgb_capable`: a bit for each colour target that may hold sRGB codes.
+Blend lower_blend(const BlendState& gl,
+                  const std::array<bool, 4>& color_mask,
+                  std::uint8_t srgb_capable);
 
 } // namespace ffgpu::gl

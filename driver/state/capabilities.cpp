@@ -51,6 +51,7 @@ constexpr std::array Table{
     FLAG(GL_DEPTH_TEST, fragment.depth.enable, Dirty::Fragment),
     FLAG(GL_DITHER, fragment.blend.dither, Dirty::Fragment),
     FLAG(GL_FOG, fragment.fog.enable, Dirty::Fragment),
+    FLAG(GL_FRAMEBUFFER_SRGB, fragment.blend.framebuffer_srgb, Dirty::Fragment),
     FLAG(GL_INDEX_LOGIC_OP, fragment.blend.index_logic_op),
     FLAGS(GL_LIGHT0, Lights, lighting.lights[i].enable, Dirty::Lighting),
     FLAG(GL_LIGHTING, lighting.enable, Dirty::Lighting, Dirty::Fragment),

@@ -47,6 +47,7 @@ struct BlendState {
     bool index_logic_op = false;
     GLenum logic_op = GL_COPY;
     bool dither = true;
+    bool framebuffer_srgb = false; // EXT_framebuffer_sRGB
 };
 
 struct StencilFaceState {

@@ -1,90 +1,113 @@
 #include "model/fragment/blend.h"
 
-#include "model/fragment/unorm8.h"
+#include "model/arith/srgb.h"
 
 #include <algorithm>
+#include <array>
 
 namespace ffgpu {
 namespace {
 
+using Channels = std::array<std::int64_t, 4>;
+
+// Numbers n / one.
 struct BlendInputs {
-    PixelColor source, destination, constant;
+    std::int64_t one;
+    Channels source, destination, constant;
 };
 
-// The factor of one channel, 0 .. 255.
-std::int32_t factor_value(BlendFactor factor, unsigned channel, const BlendInputs& in) {
-    const auto of = [&](const PixelColor& color, unsigned c) -> std::int32_t { return color[c]; };
+// The factor of one channel, 0 .. one.
+std::int64_t factor_value(BlendFactor factor, unsigned channel, const BlendInputs& in) {
     switch (factor) {
     case BlendFactor::Zero:
         return 0;
     case BlendFactor::One:
-        return 255;
+        return in.one;
     case BlendFactor::SourceColor:
-        return of(in.source, channel);
+        return in.source[channel];
     case BlendFactor::OneMinusSourceColor:
-        return 255 - of(in.source, channel);
+        return in.one - in.source[channel];
     case BlendFactor::DestinationColor:
-        return of(in.destination, channel);
+        return in.destination[channel];
     case BlendFactor::OneMinusDestinationColor:
-        return 255 - of(in.destination, channel);
+        return in.one - in.destination[channel];
     case BlendFactor::SourceAlpha:
-        return of(in.source, 3);
+        return in.source[3];
     case BlendFactor::OneMinusSourceAlpha:
-        return 255 - of(in.source, 3);
+        return in.one - in.source[3];
     case BlendFactor::DestinationAlpha:
-        return of(in.destination, 3);
+        return in.destination[3];
     case BlendFactor::OneMinusDestinationAlpha:
-        return 255 - of(in.destination, 3);
+        return in.one - in.destination[3];
     case BlendFactor::ConstantColor:
-        return of(in.constant, channel);
+        return in.constant[channel];
     case BlendFactor::OneMinusConstantColor:
-        return 255 - of(in.constant, channel);
+        return in.one - in.constant[channel];
     case BlendFactor::ConstantAlpha:
-        return of(in.constant, 3);
+        return in.constant[3];
     case BlendFactor::OneMinusConstantAlpha:
-        return 255 - of(in.constant, 3);
+        return in.one - in.constant[3];
     case BlendFactor::SourceAlphaSaturate:
-        return channel == 3 ? 255 : std::min(of(in.source, 3), 255 - of(in.destination, 3));
+        return channel == 3 ? in.one : std::min(in.source[3], in.one - in.destination[3]);
     }
     return 0;
 }
 
-std::uint8_t blend_channel(BlendEquation equation,
-                           std::int32_t source,
-                           std::int32_t source_factor,
-                           std::int32_t destination,
-                           std::int32_t destination_factor) {
-    const std::int32_t s = source * source_factor;
-    const std::int32_t d = destination * destination_factor;
-    switch (equation) {
+// one is odd: there are no ties.
+std::int64_t rounded(std::int64_t product, std::int64_t one) {
+    return (std::clamp<std::int64_t>(product, 0, one * one) + one / 2) / one;
+}
+
+std::int64_t blend_channel(const Blend& state, unsigned channel, const BlendInputs& in) {
+    const bool alpha = channel == 3;
+    const BlendFactor source_factor = alpha ? state.alpha_source : state.rgb_source;
+    const BlendFactor destination_factor = alpha ? state.alpha_destination : state.rgb_destination;
+    const std::int64_t s = in.source[channel] * factor_value(source_factor, channel, in);
+    const std::int64_t d = in.destination[channel] * factor_value(destination_factor, channel, in);
+    switch (alpha ? state.alpha_equation : state.rgb_equation) {
     case BlendEquation::Add:
-        return unorm8_from_product(s + d);
+        break;
     case BlendEquation::Subtract:
-        return unorm8_from_product(s - d);
+        return rounded(s - d, in.one);
     case BlendEquation::ReverseSubtract:
-        return unorm8_from_product(d - s);
+        return rounded(d - s, in.one);
     case BlendEquation::Min:
-        return static_cast<std::uint8_t>(std::min(source, destination));
+        return std::min(in.source[channel], in.destination[channel]);
     case BlendEquation::Max:
-        return static_cast<std::uint8_t>(std::max(source, destination));
+        return std::max(in.source[channel], in.destination[channel]);
     }
-    return unorm8_from_product(s + d);
+    return rounded(s + d, in.one);
+}
+
+Channels scaled(const PixelColor& color, std::int64_t by) {
+    Channels channels{};
+    for (unsigned channel = 0; channel < 4; ++channel)
+        channels[channel] = color[channel] * by;
+    return channels;
 }
 
 } // namespace
 
 PixelColor blend(const Blend& state, PixelColor source, PixelColor destination) {
-    const BlendInputs in{source, destination, unpack_rgba8(state.constant)};
+    const BlendInputs in{
+        255, scaled(source, 1), scaled(destination, 1), scaled(unpack_rgba8(state.constant), 1)};
     PixelColor result{};
-    for (unsigned channel = 0; channel < 4; ++channel) {
-        const bool alpha = channel == 3;
-        result[channel] = blend_channel(
-            alpha ? state.alpha_equation : state.rgb_equation,
-            source[channel],
-            factor_value(alpha ? state.alpha_source : state.rgb_source, channel, in),
-            destination[channel],
-            factor_value(alpha ? state.alpha_destination : state.rgb_destination, channel, in));
-    }
+    for (unsigned channel = 0; channel < 4; ++channel)
+        result[channel] = static_cast<std::uint8_t>(blend_channel(state, channel, in));
+    return result;
+}
+
+PixelColor blend_srgb(const Blend& state, PixelColor source, PixelColor destination) {
+    BlendInputs in{65535,
+                   scaled(source, 257),
+                   scaled(destination, 257),
+                   scaled(unpack_rgba8(state.constant), 257)};
+    for (unsigned channel = 0; channel < 3; ++channel)
+        in.destination[channel] = SrgbToLinear16[destination[channel]];
+    PixelColor result = blend(state, source, destination); // alpha's
+    for (unsigned channel = 0; channel < 3; ++channel)
+        result[channel] =
+            srgb_encoded16(static_cast<std::uint32_t>(blend_channel(state, channel, in)));
     return result;
 }
 

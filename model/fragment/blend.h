@@ -6,6 +6,10 @@
 //     round(clamp(s fs + d fd, 0, 65025) / 255)
 //
 // Min and Max ignore the factors.
+//
+// Into a target of sRGB codes red, green and blue are light, n / 65535: the codes by their table,
+// all else times 257. The same formula with 65535 in 255's place, encoded at last
+// (model/arith/srgb.h). Alpha is blended as ever.
 
 #pragma once
 
@@ -20,6 +24,8 @@ namespace ffgpu {
 
 // The specification. Factors beyond their list are Zero, equations beyond theirs Add.
 PixelColor blend(const Blend& state, PixelColor source, PixelColor destination);
+// The destination's and the result's red, green and blue are sRGB codes.
+PixelColor blend_srgb(const Blend& state, PixelColor source, PixelColor destination);
 
 // Bitwise, on words of any pixel format.
 std::uint32_t apply_logic_op(LogicOp op, std::uint32_t source, std::uint32_t destination);

@@ -1,5 +1,6 @@
 #include "model/fragment/color_target.h"
 
+#include "model/arith/srgb.h"
 #include "model/fragment/lane_access.h"
 
 namespace ffgpu {
@@ -23,15 +24,21 @@ ColorStage compile_color_stage(const Blend& blend, bool dither) {
     return stage;
 }
 
+PixelColor
+blended_color(const ColorStage& stage, bool srgb, PixelColor source, const PixelColor& stored) {
+    if (stage.operation == ColorOperation::Blend)
+        return srgb ? blend_srgb(stage.state, source, stored) : blend(stage.state, source, stored);
+    return srgb ? unpack_rgba8(srgb_encoded_rgba8(pack_rgba8(source))) : source;
+}
+
 PixelColor written_color(const ColorStage& stage,
                          const ColorTarget& target,
                          ColoredFragment fragment,
                          const PixelColor& stored) {
     const Format format = target.surface.format;
-    if (stage.operation == ColorOperation::Blend)
-        fragment.color = blend(stage.state, fragment.color, stored);
+    fragment.color = blended_color(stage, target.srgb, fragment.color, stored);
     PixelColor color = in_target(stage, format, fragment);
-    if (stage.operation == ColorOperation::Logic)
+    if (stage.operation == ColorOperation::Logic && !target.srgb)
         color = unpack_rgba8(
             apply_logic_op(stage.state.logic_op, pack_rgba8(color), pack_rgba8(stored)));
     for (unsigned channel = 0; channel < 4; ++channel)

@@ -16,10 +16,12 @@ namespace ffgpu {
 struct ColorTarget {
     Surface surface;             // Format::None: nothing is written
     std::uint8_t write_mask = 0; // one bit a channel, of those that the format has
+    bool srgb = false;           // It holds sRGB codes.
 };
 
 // Formats of less than 8 bits a channel are dithered where the draw dithers; with a logic operation
-// the source is brought to the format's precision and channels first.
+// the source is brought to the format's precision and channels first. On a target of sRGB codes it
+// is written as it is (EXT_framebuffer_sRGB).
 struct ColorStage {
     Blend state;
     ColorOperation operation = ColorOperation::Replace;
@@ -33,6 +35,11 @@ struct ColoredFragment {
     std::uint32_t x, y; // pixel of the window
     PixelColor color;
 };
+
+// As the target will hold it, before its precision: blended, or the source; encoded where the
+// target holds codes.
+PixelColor
+blended_color(const ColorStage& stage, bool srgb, PixelColor source, const PixelColor& stored);
 
 // The specification: how the pixel reads afterwards that reads `stored` now.
 PixelColor written_color(const ColorStage& stage,

@@ -94,6 +94,8 @@ void write_color(const ColorStage& stage,
                  const FragmentBatch& batch,
                  std::span<std::byte> memory) {
     if (target.write_mask == 0) return;
+    // Tables and 33 bits: no faster by vectors.
+    if (target.srgb) return write_color_scalar(stage, target, batch, memory);
     const Surface& surface = target.surface;
     LaneWords colors;
     if (stage.operation == ColorOperation::Replace && writes_all_channels(target)) {

@@ -6,8 +6,10 @@
 namespace ffgpu {
 namespace {
 
-ColorTarget compile_color_target(const Surface& surface, std::uint8_t write_mask) {
-    return {surface, static_cast<std::uint8_t>(write_mask & stored_channels(surface.format))};
+ColorTarget compile_color_target(const Registers& registers, unsigned i) {
+    const Surface& surface = registers.targets.color[i];
+    const unsigned channels = registers.blend.write_mask & stored_channels(surface.format);
+    return {surface, static_cast<std::uint8_t>(channels), registers.blend.is_srgb(i)};
 }
 
 } // namespace
@@ -36,7 +38,7 @@ FragmentPipe compile_fragment_pipe(const DrawState& state,
     for (unsigned i = 0; i < ColorTargets; ++i) {
         const Surface& color = registers.targets.color[i];
         if (is_plain_color(color.format) && surface_fits(color, memory.size()))
-            pipe.color_targets[i] = compile_color_target(color, registers.blend.write_mask);
+            pipe.color_targets[i] = compile_color_target(registers, i);
     }
     return pipe;
 }

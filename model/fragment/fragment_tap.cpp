@@ -65,15 +65,14 @@ void tell_color_write(const FragmentPipe& pipe,
                       const FragmentBatch& batch,
                       const ProbeTap& tap) {
     const ColorTarget& target = pipe.color_targets[told.target];
-    const ColorTarget plane{target.surface.plane(told.sample), target.write_mask};
+    const ColorTarget plane{target.surface.plane(told.sample), target.write_mask, target.srgb};
     told.written = batch.live;
     load_colors(pipe, plane.surface, batch, told.destination);
-    const bool blends = pipe.color_stage.operation == ColorOperation::Blend;
     for_lanes(batch.live, batch, [&](unsigned lane, LanePosition) {
-        const PixelColor source = lane_color(batch.color, lane);
-        told.blended[lane] = pack_rgba8(
-            blends ? blend(pipe.color_stage.state, source, unpack_rgba8(told.destination[lane]))
-                   : source);
+        told.blended[lane] = pack_rgba8(blended_color(pipe.color_stage,
+                                                      target.srgb,
+                                                      lane_color(batch.color, lane),
+                                                      unpack_rgba8(told.destination[lane])));
     });
     pipe.stages->write_color(pipe.color_stage, plane, batch, pipe.memory);
     load_colors(pipe, plane.surface, batch, told.stored);
@@ -118,7 +117,7 @@ void run_color_write(const FragmentPipe& pipe,
         if (target.write_mask == 0) continue;
         if (!tap) {
             pipe.stages->write_color(pipe.color_stage,
-                                     {target.surface.plane(sample), target.write_mask},
+                                     {target.surface.plane(sample), target.write_mask, target.srgb},
                                      batch,
                                      pipe.memory);
             continue;

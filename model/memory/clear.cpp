@@ -111,11 +111,11 @@ void clear_rectangle(const ClearCommand& clear,
                      const Registers& registers,
                      Rectangle rectangle,
                      std::span<std::byte> memory) {
-    if (clear.color)
-        for (const Surface& target : registers.targets.color)
-            for_planes(target, memory, [&](const Surface& plane) {
-                clear_color(plane, clear.color_value, registers, rectangle, memory);
-            });
+    for (unsigned i = 0; clear.color && i < ColorTargets; ++i)
+        for_planes(registers.targets.color[i], memory, [&](const Surface& plane) {
+            const std::uint32_t color = cleared_color(registers.blend, i, clear.color_value);
+            clear_color(plane, color, registers, rectangle, memory);
+        });
     if (clear.depth || clear.stencil)
         for_planes(registers.targets.depth, memory, [&](const Surface& plane) {
             clear_depth_stencil(plane, clear, registers, rectangle, memory);

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "model/arith/srgb.h"
 #include "model/device/commands.h"
 #include "model/packets/rectangle.h"
 
@@ -11,6 +12,11 @@
 #include <span>
 
 namespace ffgpu {
+
+// What a clear to `color`, rgba8, leaves in colour target `i`, before its precision.
+constexpr std::uint32_t cleared_color(const Blend& blend, unsigned i, std::uint32_t color) {
+    return blend.is_srgb(i) ? srgb_encoded_rgba8(color) : color;
+}
 
 // `rectangle` is cut to each target. A target that does not fit into memory is left alone.
 void clear_rectangle(const ClearCommand& clear,

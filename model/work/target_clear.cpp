@@ -1,5 +1,7 @@
 #include "model/work/target_clear.h"
 
+#include "model/memory/clear.h"
+
 namespace ffgpu::work {
 
 Rectangle cleared_rectangle(const Registers& state) {
@@ -23,11 +25,13 @@ std::vector<TargetClear> target_clears(const WorkDraw& draw) {
         clears.back().fill.rectangle = rectangle;
         return &clears.back();
     };
-    for (const Surface& target : state.targets.color) {
+    for (unsigned i = 0; i < ColorTargets; ++i) {
+        const Surface& target = state.targets.color[i];
         TargetClear* const color = add(target, false);
         if (!color || !draw.clear.color) continue;
         color->bytes = cleared_color_bytes(target.format, state.blend.write_mask);
-        color->fill = color_fill(state, target.format, draw.clear.color_value);
+        color->fill =
+            color_fill(state, target.format, cleared_color(state.blend, i, draw.clear.color_value));
         color->fill.rectangle = rectangle;
     }
     const Format format = state.targets.depth.format;

@@ -52,10 +52,14 @@ WorkFileReader::WorkFileReader(const std::string& path)
 
 WorkFileReader::Places WorkFileReader::read_names(const std::vector<std::string>& ours) {
     Places places(in_.number(Column::Control, MostNames));
+    auto expected = ours.begin(); // The order is ours, but for what another version has or lacks.
     for (std::uint32_t& place : places) {
         const std::string name = in_.text(Column::Control, LongestName);
-        const auto found = std::find(ours.begin(), ours.end(), name);
+        auto found = expected;
+        if (found == ours.end() || *found != name)
+            found = std::find(ours.begin(), ours.end(), name);
         place = found == ours.end() ? NotHere : static_cast<std::uint32_t>(found - ours.begin());
+        if (found != ours.end()) expected = found + 1;
     }
     return places;
 }

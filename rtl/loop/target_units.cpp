@@ -112,6 +112,7 @@ void write_color(const ColorStage& stage,
     const TargetMemory pixels(target.surface, batch, memory);
     const std::vector<TargetQuad> before = pixels.read();
     FastFragmentStages.write_color(stage, target, batch, memory);
+    if (target.srgb) return loop_log().count(BlendUnit::Name, "sRGB targets", batch.live.count());
     BlendWords words{stage.state, {.dither = stage.dither}, target.surface.format};
     words.blend.write_mask = target.write_mask;
     pixels.write(BlendUnit::Name, before, unit<BlendUnit>().run(words, before));

@@ -124,6 +124,7 @@ const std::map<GLenum, GLbitfield> GroupsOf = {
     {GL_BLEND_COLOR, Color},
     {GL_DITHER, Color | Enables},
     {GL_COLOR_LOGIC_OP, Color | Enables},
+    {GL_FRAMEBUFFER_SRGB, Color | Enables},
     {GL_INDEX_LOGIC_OP, Color | Enables},
     {GL_LOGIC_OP_MODE, Color},
     {GL_DRAW_BUFFER, Color},

@@ -65,7 +65,7 @@ module register_fields (
     ffgpu_registers_pkg::decode_depth_control(words_i[63:0]);
   ffgpu_registers_pkg::blend_t blend;
   assign blend =
-    ffgpu_registers_pkg::decode_blend(words_i[63:0]);
+    ffgpu_registers_pkg::decode_blend(words_i[95:0]);
   ffgpu_registers_pkg::multisample_t multisample;
   assign multisample =
     ffgpu_registers_pkg::decode_multisample(words_i[31:0]);
@@ -498,6 +498,7 @@ module register_fields (
       {16'd19, 16'd8}: value_o = {28'd0, blend.alpha_destination};
       {16'd19, 16'd9}: value_o = {28'd0, blend.write_mask};
       {16'd19, 16'd10}: value_o = {blend.constant};
+      {16'd19, 16'd11}: value_o = {24'd0, blend.srgb_targets};
       {16'd20, 16'd0}: value_o = {31'd0, multisample.enable};
       {16'd20, 16'd1}: value_o = {31'd0, multisample.alpha_to_coverage};
       {16'd20, 16'd2}: value_o = {31'd0, multisample.alpha_to_one};

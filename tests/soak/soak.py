@@ -131,8 +131,7 @@ def kills(soak):
     with XServer() as server:
         beside = soak.run(server, 10**6, "beside", *soak.frames_program())
         wait_for(soak.folder / "beside/frame_0000.png", beside)
-        before = len(segments())
-        statuses = set()
+        statuses, killed = set(), set()
         for i in range(count):
             process = soak.run(server, 10**6, "killed", *soak.frames_program())
             wait_for(soak.folder / "killed/frame_0000.png", process)
@@ -142,14 +141,15 @@ def kills(soak):
             time.sleep(choose.uniform(0.005, 0.05))
             program = children_of(process)[0]
             os.kill(program, signal.SIGKILL)
+            killed.add(program)
             server.process.send_signal(signal.SIGCONT)
             statuses.add(ended(process))
             for picture in (soak.folder / "killed").glob("*"):
                 picture.unlink()
         soak.check(statuses == {128 + signal.SIGKILL}, f"exit statuses of ffgpu: {statuses}")
         soak.check(server.wait_for_clients(1), "the server has the other client alone left")
-        soak.check(len(segments()) <= before, f"segments of shared memory: {before} before, "
-                                              f"{len(segments())} after")
+        lost = [segment for segment in segments() if segment["creator"] in killed]
+        soak.check(not lost, f"segments of shared memory that the killed left: {lost}")
         number = len(list((soak.folder / "beside").glob("*.png")))
         wait_for(soak.folder / f"beside/frame_{number + 20:04}.png", beside)
         os.kill(beside.pid, signal.SIGINT)
@@ -157,7 +157,9 @@ def kills(soak):
 
 
 def segments():
-    return pathlib.Path("/proc/sysvipc/shm").read_text().splitlines()[1:]
+    """Those of System V shared memory on this machine, whoever made them."""
+    rows = pathlib.Path("/proc/sysvipc/shm").read_text().splitlines()[1:]
+    return [{"id": int(row.split()[1]), "creator": int(row.split()[4])} for row in rows]
 
 
 def server_gone(soak):

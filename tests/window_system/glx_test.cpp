@@ -130,20 +130,25 @@ TEST_CASE("what glXChooseVisual finds is what it was asked for") {
     CHECK(glXChooseVisual(display, 0, index) == nullptr);
 }
 
-TEST_CASE("configurations say that their buffers hold no sRGB codes") {
+TEST_CASE("configurations say that their buffers can hold sRGB codes, wanted or not") {
     Display* const display = XServer::display();
     if (!display) return;
     int count = 0;
-    const int any[] = {GLX_FRAMEBUFFER_SRGB_CAPABLE_ARB, False, 0};
-    GLXFBConfig* const configs = glXChooseFBConfig(display, DefaultScreen(display), any, &count);
-    REQUIRE(count > 0);
-    int value = -1;
-    CHECK(glXGetFBConfigAttrib(display, configs[0], GLX_FRAMEBUFFER_SRGB_CAPABLE_ARB, &value) == 0);
-    CHECK(value == False);
-    XFree(configs);
-    const int capable[] = {GLX_FRAMEBUFFER_SRGB_CAPABLE_ARB, True, 0};
-    CHECK(!glXChooseFBConfig(display, DefaultScreen(display), capable, &count));
-    CHECK(count == 0);
+    for (const int wish : {False, True}) {
+        const int list[] = {GLX_FRAMEBUFFER_SRGB_CAPABLE_ARB, wish, 0};
+        GLXFBConfig* const configs =
+            glXChooseFBConfig(display, DefaultScreen(display), list, &count);
+        REQUIRE(count > 0);
+        int value = -1;
+        CHECK(glXGetFBConfigAttrib(display, configs[0], GLX_FRAMEBUFFER_SRGB_CAPABLE_ARB, &value) ==
+              0);
+        CHECK(value == True);
+        XFree(configs);
+    }
+    int attributes[] = {GLX_RGBA, GLX_FRAMEBUFFER_SRGB_CAPABLE_ARB, True, 0};
+    XVisualInfo* const visual = glXChooseVisual(display, DefaultScreen(display), attributes);
+    REQUIRE(visual);
+    XFree(visual);
 }
 
 TEST_CASE("contexts share textures only where they are told to") {

@@ -84,6 +84,21 @@ TEST_CASE("Ctrl-C while the program waits for events keeps its statistics") {
     text << file.rdbuf();
     CHECK(count_of(text.str(), "\"frame_count\": 10") == 1);
 }
+
+// As `timeout` does it.
+TEST_CASE("a signal to ffgpu and its program at once keeps the statistics") {
+    Display* const display = tests::XServer::display();
+    if (!display) return;
+    ::setenv("DISPLAY", DisplayString(display), 1);
+    const OutputFolder out;
+    const pid_t group = start({"ffgpu", "run", "-o", out.path.string(), "--", FFGPU_FORKS, "wait"});
+    CHECK(comes_true([&] { return fs::exists(out.path / "frame_0009.png"); }));
+    ::kill(-group, SIGTERM);
+    const int status = wait_status(group);
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 128 + SIGTERM);
+    CHECK(count_of(statistics_in(out), "\"frame_count\": 10") == 1);
+}
 #endif
 
 TEST_CASE("Ctrl-C ends a replay behind a frame, with its statistics") {

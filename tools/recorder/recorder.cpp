@@ -16,8 +16,10 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <memory>
 #include <optional>
 #include <semaphore>
@@ -33,16 +35,26 @@ constexpr auto Patience = std::chrono::seconds(2);
 
 // The signal that came. A handler and a thread write it.
 std::atomic<int> interrupted{0};
+std::atomic<std::int64_t> interrupted_at{0};
 static_assert(std::atomic<int>::is_always_lock_free);
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+constexpr std::int64_t OneSignalMilliseconds = 500;
 std::binary_semaphore signal_came{0};
 
 // Ctrl-C: the frame that is being drawn is the last. Where the program draws none for a while, or
-// waits for events, what is there is completed without it. A second one ends at once.
+// waits for events, what is there is completed without it. A second one ends at once, but for that
+// which comes with the first: who signals a group of processes reaches the program once himself and
+// once by way of ffgpu.
 void interrupt(int signal) {
+    struct timespec now {};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    const std::int64_t milliseconds = std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
     if (interrupted) {
+        if (milliseconds - interrupted_at < OneSignalMilliseconds) return;
         std::signal(signal, SIG_DFL);
         std::raise(signal);
     }
+    interrupted_at = milliseconds;
     interrupted = signal;
     signal_came.release(); // A futex: it may be called here.
 }

@@ -40,11 +40,14 @@ bool has_aligned_rows(const Surface& surface) {
 
 std::string reason_against_targets(const FragmentPipe& pipe) {
     unsigned colors = 0;
+    bool srgb = false;
     bool aligned = has_aligned_rows(pipe.depth_target);
     for (const ColorTarget& target : pipe.color_targets) {
         colors += target.surface.format != Format::None;
+        srgb = srgb || target.srgb;
         aligned = aligned && has_aligned_rows(target.surface);
     }
+    if (srgb) return "sRGB targets";
     return colors > 1 ? "several colour targets" : aligned ? "" : "targets with odd rows";
 }
 

@@ -27,6 +27,7 @@ Match match_of(int attribute) {
     case GLX_ACCUM_ALPHA_SIZE:
     case GLX_SAMPLE_BUFFERS:
     case GLX_SAMPLES:
+    case GLX_FRAMEBUFFER_SRGB_CAPABLE_ARB: // All are; who does not enable it sees nothing of it.
         return Match::AtLeast;
     case GLX_RENDER_TYPE:
     case GLX_DRAWABLE_TYPE:

@@ -58,6 +58,7 @@ std::optional<int> config_attribute(const GlxConfig& config, int attribute) {
         return format.samples > 1 ? format.samples : 0;
     case GLX_DOUBLEBUFFER:
         return format.double_buffer;
+    case GLX_FRAMEBUFFER_SRGB_CAPABLE_ARB:
     case GLX_RGBA:
     case GLX_USE_GL:
     case GLX_X_RENDERABLE:
@@ -80,8 +81,6 @@ std::optional<int> config_attribute(const GlxConfig& config, int attribute) {
         return !format.double_buffer           ? GLX_SWAP_UNDEFINED_OML
                : swap_mode() == SwapMode::Copy ? GLX_SWAP_COPY_OML
                                                : GLX_SWAP_EXCHANGE_OML;
-    // Buffers hold what the pipe wrote, in 8 bits: it has no encoder behind the blending.
-    case GLX_FRAMEBUFFER_SRGB_CAPABLE_ARB:
     case GLX_LEVEL:
     case GLX_STEREO:
     case GLX_AUX_BUFFERS:

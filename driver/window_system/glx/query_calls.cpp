@@ -12,8 +12,8 @@ constexpr const char* Version = "1.4";
 // Each works as its specification says, none needs the server.
 constexpr const char* Extensions =
     "GLX_ARB_create_context GLX_ARB_create_context_profile GLX_ARB_framebuffer_sRGB "
-    "GLX_ARB_get_proc_address GLX_ARB_multisample GLX_EXT_swap_control GLX_EXT_visual_info "
-    "GLX_EXT_visual_rating "
+    "GLX_ARB_get_proc_address GLX_ARB_multisample GLX_EXT_framebuffer_sRGB GLX_EXT_swap_control "
+    "GLX_EXT_visual_info GLX_EXT_visual_rating "
     "GLX_MESA_query_renderer GLX_MESA_swap_control GLX_OML_swap_method GLX_SGIX_fbconfig "
     "GLX_SGI_make_current_read GLX_SGI_swap_control";
 

@@ -183,6 +183,9 @@ struct Blend {
     BlendFactor alpha_destination = BlendFactor::Zero;
     std::uint32_t constant = 0;    // rgba8, red in the lowest byte
     std::uint8_t write_mask = 0xf; // bit 0 red .. bit 3 alpha
+    // A bit for each colour target whose red, green and blue are sRGB codes: they are blended as
+    // light, encoded when they are written, and know no logic operation (EXT_framebuffer_sRGB).
+    std::uint8_t srgb_targets = 0;
 
     template <class Self, class Visitor>
     static constexpr void visit(Self& self, Visitor&& field) {
@@ -197,7 +200,9 @@ struct Blend {
         field("alpha_destination", self.alpha_destination, 4);
         field("write_mask", self.write_mask, 4);
         field("constant", self.constant, 32);
+        field("srgb_targets", self.srgb_targets, ColorTargets);
     }
+    constexpr bool is_srgb(unsigned target) const { return (srgb_targets >> target & 1) != 0; }
     bool operator==(const Blend&) const = default;
 };
 
