@@ -879,6 +879,7 @@ package ffgpu_registers_pkg;
     logic [7:0] alpha_reference;
     logic       dither;
     logic       count_samples;
+    logic [7:0] srgb_targets;
   } fragment_control_t;
   function automatic fragment_control_t decode_fragment_control(
     input fragment_control_words_t words
@@ -889,7 +890,8 @@ package ffgpu_registers_pkg;
       words[4:2],  // alpha_compare
       words[12:5],  // alpha_reference
       words[13],  // dither
-      words[14]  // count_samples
+      words[14],  // count_samples
+      words[22:15]  // srgb_targets
     };
   endfunction
   localparam fragment_control_words_t FragmentControlReset = {
@@ -972,7 +974,7 @@ package ffgpu_registers_pkg;
 
   // blend
   localparam int unsigned BlendAddress = 55;
-  localparam int unsigned BlendWords = 3;
+  localparam int unsigned BlendWords = 2;
   typedef logic [32*BlendWords-1:0] blend_words_t;
   typedef struct packed {
     logic            enable;
@@ -986,7 +988,6 @@ package ffgpu_registers_pkg;
     blend_factor_e   alpha_destination;
     logic [3:0]      write_mask;
     logic [31:0]     constant;
-    logic [7:0]      srgb_targets;
   } blend_t;
   function automatic blend_t decode_blend(
     input blend_words_t words
@@ -1002,12 +1003,11 @@ package ffgpu_registers_pkg;
       words[23:20],  // alpha_source
       words[27:24],  // alpha_destination
       words[31:28],  // write_mask
-      words[63:32],  // constant
-      words[71:64]  // srgb_targets
+      words[63:32]  // constant
     };
   endfunction
   localparam blend_words_t BlendReset = {
-    32'h00000000, 32'h00000000, 32'hf010100c
+    32'h00000000, 32'hf010100c
   };
 
   // multisample

@@ -72,15 +72,14 @@ void lower_fragments(const DeviceContext& context,
     const FragmentState& fragment = context.state.fragment;
     registers.wanted.fog = lower_fog(fragment.fog);
     registers.update<&Registers::fog>();
-    registers.wanted.fragment =
-        lower_fragment_control(fragment, context.state.lighting, context.queries.active != 0);
+    registers.wanted.fragment = lower_fragment_control(
+        fragment, context.state.lighting, context.queries.active != 0, target.srgb_capable);
     registers.update<&Registers::fragment>();
     registers.wanted.stencil = lower_stencil(fragment.stencil, depth);
     registers.update<&Registers::stencil>();
     registers.wanted.depth = lower_depth(fragment.depth, depth);
     registers.update<&Registers::depth>();
-    registers.wanted.blend =
-        lower_blend(fragment.blend, context.state.framebuffer.color_mask, target.srgb_capable);
+    registers.wanted.blend = lower_blend(fragment.blend, context.state.framebuffer.color_mask);
     registers.update<&Registers::blend>();
     registers.wanted.multisample = lower_multisample(context.state.rasterization.multisample);
     registers.update<&Registers::multisample>();

@@ -134,7 +134,8 @@ Fog lower_fog(const FogState& gl) {
 
 FragmentControl lower_fragment_control(const FragmentState& gl,
                                        const LightingState& lighting,
-                                       bool query_is_active) {
+                                       bool query_is_active,
+                                       std::uint8_t srgb_capable) {
     // GL 1.5, 3.9: with lighting on, GL_COLOR_SUM does not matter; the secondary colour is that of
     // the light model's colour control, black if it is single.
     const bool lit_secondary = lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
@@ -144,7 +145,8 @@ FragmentControl lower_fragment_control(const FragmentState& gl,
             .alpha_reference =
                 static_cast<std::uint8_t>(unorm(static_cast<double>(gl.alpha_test.reference), 8)),
             .dither = gl.blend.dither,
-            .count_samples = query_is_active};
+            .count_samples = query_is_active,
+            .srgb_targets = gl.blend.framebuffer_srgb ? srgb_capable : std::uint8_t{0}};
 }
 
 Stencil lower_stencil(const StencilState& gl, DepthTarget target) {
@@ -182,9 +184,7 @@ Multisample lower_multisample(const MultisampleState& gl) {
             .sample_mask = static_cast<std::uint8_t>(mask)};
 }
 
-Blend lower_blend(const BlendState& gl,
-                  const std::array<bool, 4>& color_mask,
-                  std::uint8_t srgb_capable) {
+Blend lower_blend(const BlendState& gl, const std::array<bool, 4>& color_mask) {
     std::uint8_t mask = 0;
     for (unsigned i = 0; i < 4; ++i)
         mask = static_cast<std::uint8_t>(mask | (color_mask[i] ? 1u << i : 0u));
@@ -198,8 +198,7 @@ Blend lower_blend(const BlendState& gl,
             .alpha_source = lower_factor(gl.alpha_source),
             .alpha_destination = lower_factor(gl.alpha_destination),
             .constant = pack_rgba8(gl.color),
-            .write_mask = mask,
-            .srgb_targets = gl.framebuffer_srgb ? srgb_capable : std::uint8_t{0}};
+            .write_mask = mask};
 }
 static_assert(GL_SET - GL_CLEAR == static_cast<GLenum>(LogicOp::Set));
 

@@ -18,15 +18,14 @@ struct DepthTarget {
 };
 
 Fog lower_fog(const FogState& gl);
+// `srgb_capable`: a bit for each colour target that may hold sRGB codes.
 FragmentControl lower_fragment_control(const FragmentState& gl,
                                        const LightingState& lighting,
-                                       bool query_is_active);
+                                       bool query_is_active,
+                                       std::uint8_t srgb_capable);
 Stencil lower_stencil(const StencilState& gl, DepthTarget target);
 DepthControl lower_depth(const DepthState& gl, DepthTarget target);
 Multisample lower_multisample(const MultisampleState& gl);
-// `srgb_capable`: a bit for each colour target that may hold sRGB codes.
-Blend lower_blend(const BlendState& gl,
-                  const std::array<bool, 4>& color_mask,
-                  std::uint8_t srgb_capable);
+Blend lower_blend(const BlendState& gl, const std::array<bool, 4>& color_mask);
 
 } // namespace ffgpu::gl

@@ -9,7 +9,7 @@ namespace {
 ColorTarget compile_color_target(const Registers& registers, unsigned i) {
     const Surface& surface = registers.targets.color[i];
     const unsigned channels = registers.blend.write_mask & stored_channels(surface.format);
-    return {surface, static_cast<std::uint8_t>(channels), registers.blend.is_srgb(i)};
+    return {surface, static_cast<std::uint8_t>(channels), registers.fragment.is_srgb(i)};
 }
 
 } // namespace

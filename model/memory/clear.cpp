@@ -113,7 +113,7 @@ void clear_rectangle(const ClearCommand& clear,
                      std::span<std::byte> memory) {
     for (unsigned i = 0; clear.color && i < ColorTargets; ++i)
         for_planes(registers.targets.color[i], memory, [&](const Surface& plane) {
-            const std::uint32_t color = cleared_color(registers.blend, i, clear.color_value);
+            const std::uint32_t color = cleared_color(registers.fragment, i, clear.color_value);
             clear_color(plane, color, registers, rectangle, memory);
         });
     if (clear.depth || clear.stencil)

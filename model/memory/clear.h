@@ -14,8 +14,9 @@
 namespace ffgpu {
 
 // What a clear to `color`, rgba8, leaves in colour target `i`, before its precision.
-constexpr std::uint32_t cleared_color(const Blend& blend, unsigned i, std::uint32_t color) {
-    return blend.is_srgb(i) ? srgb_encoded_rgba8(color) : color;
+constexpr std::uint32_t
+cleared_color(const FragmentControl& control, unsigned i, std::uint32_t color) {
+    return control.is_srgb(i) ? srgb_encoded_rgba8(color) : color;
 }
 
 // `rectangle` is cut to each target. A target that does not fit into memory is left alone.

@@ -30,8 +30,8 @@ std::vector<TargetClear> target_clears(const WorkDraw& draw) {
         TargetClear* const color = add(target, false);
         if (!color || !draw.clear.color) continue;
         color->bytes = cleared_color_bytes(target.format, state.blend.write_mask);
-        color->fill =
-            color_fill(state, target.format, cleared_color(state.blend, i, draw.clear.color_value));
+        color->fill = color_fill(
+            state, target.format, cleared_color(state.fragment, i, draw.clear.color_value));
         color->fill.rectangle = rectangle;
     }
     const Format format = state.targets.depth.format;

@@ -104,7 +104,7 @@ TEST_CASE("Colour material is lowered to the faces and colours it tracks") {
 TEST_CASE("The colour sum follows the light model with lighting and GL_COLOR_SUM without") {
     FragmentState gl;
     LightingState lighting;
-    const auto sums = [&] { return lower_fragment_control(gl, lighting, false).color_sum; };
+    const auto sums = [&] { return lower_fragment_control(gl, lighting, false, 0).color_sum; };
     CHECK(!sums());
     gl.fog.color_sum = true;
     CHECK(sums());
@@ -119,8 +119,15 @@ TEST_CASE("The colour sum follows the light model with lighting and GL_COLOR_SUM
 }
 
 TEST_CASE("Samples are counted while a query is active") {
-    CHECK(lower_fragment_control({}, {}, true).count_samples);
-    CHECK(!lower_fragment_control({}, {}, false).count_samples);
+    CHECK(lower_fragment_control({}, {}, true, 0).count_samples);
+    CHECK(!lower_fragment_control({}, {}, false, 0).count_samples);
+}
+
+TEST_CASE("Targets hold sRGB codes while it is enabled and they can") {
+    FragmentState gl;
+    CHECK(lower_fragment_control(gl, {}, false, 5).srgb_targets == 0);
+    gl.blend.framebuffer_srgb = true;
+    CHECK(lower_fragment_control(gl, {}, false, 5).srgb_targets == 5);
 }
 
 TEST_CASE("Depth is neither tested nor written without the test or without a buffer") {

@@ -65,7 +65,7 @@ module register_fields (
     ffgpu_registers_pkg::decode_depth_control(words_i[63:0]);
   ffgpu_registers_pkg::blend_t blend;
   assign blend =
-    ffgpu_registers_pkg::decode_blend(words_i[95:0]);
+    ffgpu_registers_pkg::decode_blend(words_i[63:0]);
   ffgpu_registers_pkg::multisample_t multisample;
   assign multisample =
     ffgpu_registers_pkg::decode_multisample(words_i[31:0]);
@@ -466,6 +466,7 @@ module register_fields (
       {16'd16, 16'd3}: value_o = {24'd0, fragment_control.alpha_reference};
       {16'd16, 16'd4}: value_o = {31'd0, fragment_control.dither};
       {16'd16, 16'd5}: value_o = {31'd0, fragment_control.count_samples};
+      {16'd16, 16'd6}: value_o = {24'd0, fragment_control.srgb_targets};
       {16'd17, 16'd0}: value_o = {31'd0, stencil.enable};
       {16'd17, 16'd1}: value_o = {29'd0, stencil.front_compare};
       {16'd17, 16'd2}: value_o = {29'd0, stencil.front_fail};
@@ -498,7 +499,6 @@ module register_fields (
       {16'd19, 16'd8}: value_o = {28'd0, blend.alpha_destination};
       {16'd19, 16'd9}: value_o = {28'd0, blend.write_mask};
       {16'd19, 16'd10}: value_o = {blend.constant};
-      {16'd19, 16'd11}: value_o = {24'd0, blend.srgb_targets};
       {16'd20, 16'd0}: value_o = {31'd0, multisample.enable};
       {16'd20, 16'd1}: value_o = {31'd0, multisample.alpha_to_coverage};
       {16'd20, 16'd2}: value_o = {31'd0, multisample.alpha_to_one};

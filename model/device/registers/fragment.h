@@ -36,7 +36,7 @@ struct Fog {
     bool operator==(const Fog&) const = default;
 };
 
-// Colour sum, alpha test, dither.
+// Colour sum, alpha test, dither, sRGB encoding.
 struct FragmentControl {
     static constexpr const char* Name = "fragment_control";
 
@@ -46,6 +46,9 @@ struct FragmentControl {
     std::uint8_t alpha_reference = 0; // 0 to 255
     bool dither = true;               // Only targets of less than 8 bits a channel are dithered.
     bool count_samples = false;       // Fragments that pass add to the occlusion counter.
+    // A bit for each colour target whose red, green and blue are sRGB codes: they are blended as
+    // light, encoded when they are written, and know no logic operation (EXT_framebuffer_sRGB).
+    std::uint8_t srgb_targets = 0;
 
     template <class Self, class Visitor>
     static constexpr void visit(Self& self, Visitor&& field) {
@@ -55,7 +58,9 @@ struct FragmentControl {
         field("alpha_reference", self.alpha_reference, 8);
         field("dither", self.dither, 1);
         field("count_samples", self.count_samples, 1);
+        field("srgb_targets", self.srgb_targets, ColorTargets);
     }
+    constexpr bool is_srgb(unsigned target) const { return (srgb_targets >> target & 1) != 0; }
     bool operator==(const FragmentControl&) const = default;
 };
 
@@ -183,9 +188,6 @@ struct Blend {
     BlendFactor alpha_destination = BlendFactor::Zero;
     std::uint32_t constant = 0;    // rgba8, red in the lowest byte
     std::uint8_t write_mask = 0xf; // bit 0 red .. bit 3 alpha
-    // A bit for each colour target whose red, green and blue are sRGB codes: they are blended as
-    // light, encoded when they are written, and know no logic operation (EXT_framebuffer_sRGB).
-    std::uint8_t srgb_targets = 0;
 
     template <class Self, class Visitor>
     static constexpr void visit(Self& self, Visitor&& field) {
@@ -200,9 +202,7 @@ struct Blend {
         field("alpha_destination", self.alpha_destination, 4);
         field("write_mask", self.write_mask, 4);
         field("constant", self.constant, 32);
-        field("srgb_targets", self.srgb_targets, ColorTargets);
     }
-    constexpr bool is_srgb(unsigned target) const { return (srgb_targets >> target & 1) != 0; }
     bool operator==(const Blend&) const = default;
 };
 
