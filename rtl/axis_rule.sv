@@ -6,72 +6,80 @@
 module axis_rule #(
   parameter int unsigned Axis = 0
 ) (
-  input  ffgpu_pkg::texture_state_t state_i,
-  input  ffgpu_texture_pkg::texel_header_t  header_i,
-  output ffgpu_texture_pkg::axis_rule_t     rule_o
+  input  logic                                enable_i,  // low: nobody looks at the rule
+  input  ffgpu_registers_pkg::texture_image_t image_i,
+  input  ffgpu_registers_pkg::sampler_t       sampler_i,
+  input  ffgpu_texture_pkg::texel_header_t    header_i,
+  output ffgpu_texture_pkg::axis_rule_t       rule_o
 );
 
   localparam logic [23:0] Half = 24'd128;
 
-  ffgpu_registers_pkg::texture_image_t image;
-  ffgpu_registers_pkg::sampler_t       sampler;
-  ffgpu_registers_pkg::wrap_e          told, wrap;
-  logic                                clamps, is_linear, is_rectangle;
-  logic [12:0]                         size, shifted;
-
-  assign image        = ffgpu_registers_pkg::decode_texture_image(state_i.image);
-  assign sampler      = ffgpu_registers_pkg::decode_sampler(state_i.sampler);
-  assign is_rectangle = image.kind == ffgpu_registers_pkg::TextureKindRectangle;
-  assign is_linear    = header_i.linear;
-  assign size         = Axis == 0 ? image.width : Axis == 1 ? image.height : {3'd0, image.depth};
-  assign shifted      = size >> header_i.level;
-
-  assign told   = Axis == 0 ? sampler.wrap_0 : Axis == 1 ? sampler.wrap_1 : sampler.wrap_2;
-  assign clamps = told == ffgpu_registers_pkg::WrapClamp ||
-    told == ffgpu_registers_pkg::WrapClampToEdge ||
-    told == ffgpu_registers_pkg::WrapClampToBorder;
-  assign wrap = is_rectangle && !clamps ? ffgpu_registers_pkg::WrapClampToEdge : told;
+  ffgpu_registers_pkg::wrap_e told, wrap;
+  logic                       clamps, is_linear, is_rectangle;
+  logic [12:0]                size, shifted;
 
   always_comb begin
-    rule_o.is_rectangle = is_rectangle;
-    rule_o.size = size;
-    rule_o.level_size = shifted == 13'd0 ? 13'd1 : shifted;
-    rule_o.fold = ffgpu_texture_pkg::FoldClamp;
-    rule_o.wraps = 1'b0;
-    rule_o.border = 1'b0;
-    rule_o.low = Half;
-    rule_o.above = -Half;
-    unique case (wrap)
-      ffgpu_registers_pkg::WrapRepeat: begin
-        rule_o.fold = ffgpu_texture_pkg::FoldRepeat;
-        rule_o.wraps = 1'b1;
-        rule_o.low = 24'd0;
-        rule_o.above = 24'd0;
-      end
-      ffgpu_registers_pkg::WrapMirroredRepeat: rule_o.fold = ffgpu_texture_pkg::FoldMirror;
-      ffgpu_registers_pkg::WrapClamp: begin
-        rule_o.border = is_linear;
-        rule_o.low = 24'd0;
-        rule_o.above = is_linear ? 24'd0 : -24'd1;
-      end
-      ffgpu_registers_pkg::WrapClampToEdge: rule_o.fold = ffgpu_texture_pkg::FoldClamp;
-      ffgpu_registers_pkg::WrapClampToBorder: begin
-        rule_o.border = 1'b1;
-        rule_o.low = -Half;
-        rule_o.above = Half;
-      end
-      ffgpu_registers_pkg::WrapMirrorClamp: begin
-        rule_o.fold = ffgpu_texture_pkg::FoldMirrorClamp;
-        rule_o.border = is_linear;
-        rule_o.above = is_linear ? 24'd0 : -24'd1;
-      end
-      ffgpu_registers_pkg::WrapMirrorClampToEdge: rule_o.fold = ffgpu_texture_pkg::FoldMirrorClamp;
-      ffgpu_registers_pkg::WrapMirrorClampToBorder: begin
-        rule_o.fold = ffgpu_texture_pkg::FoldMirrorClamp;
-        rule_o.border = 1'b1;
-        rule_o.above = Half;
-      end
-    endcase
+    size         = 13'd0;
+    shifted      = 13'd0;
+    told         = ffgpu_registers_pkg::WrapClampToEdge;
+    wrap         = ffgpu_registers_pkg::WrapClampToEdge;
+    clamps       = 1'b0;
+    is_linear    = 1'b0;
+    is_rectangle = 1'b0;
+    rule_o       = '0;
+    if (enable_i) begin
+      is_rectangle = image_i.kind == ffgpu_registers_pkg::TextureKindRectangle;
+      is_linear    = header_i.linear;
+      size         = Axis == 0 ? image_i.width : Axis == 1 ? image_i.height : {3'd0, image_i.depth};
+      shifted      = size >> header_i.level;
+
+      told   = Axis == 0 ? sampler_i.wrap_0 : Axis == 1 ? sampler_i.wrap_1 : sampler_i.wrap_2;
+      clamps = told == ffgpu_registers_pkg::WrapClamp ||
+        told == ffgpu_registers_pkg::WrapClampToEdge ||
+        told == ffgpu_registers_pkg::WrapClampToBorder;
+      wrap = is_rectangle && !clamps ? ffgpu_registers_pkg::WrapClampToEdge : told;
+
+      rule_o.is_rectangle = is_rectangle;
+      rule_o.size = size;
+      rule_o.level_size = shifted == 13'd0 ? 13'd1 : shifted;
+      rule_o.fold = ffgpu_texture_pkg::FoldClamp;
+      rule_o.wraps = 1'b0;
+      rule_o.border = 1'b0;
+      rule_o.low = Half;
+      rule_o.above = -Half;
+      unique case (wrap)
+        ffgpu_registers_pkg::WrapRepeat: begin
+          rule_o.fold = ffgpu_texture_pkg::FoldRepeat;
+          rule_o.wraps = 1'b1;
+          rule_o.low = 24'd0;
+          rule_o.above = 24'd0;
+        end
+        ffgpu_registers_pkg::WrapMirroredRepeat: rule_o.fold = ffgpu_texture_pkg::FoldMirror;
+        ffgpu_registers_pkg::WrapClamp: begin
+          rule_o.border = is_linear;
+          rule_o.low = 24'd0;
+          rule_o.above = is_linear ? 24'd0 : -24'd1;
+        end
+        ffgpu_registers_pkg::WrapClampToEdge: rule_o.fold = ffgpu_texture_pkg::FoldClamp;
+        ffgpu_registers_pkg::WrapClampToBorder: begin
+          rule_o.border = 1'b1;
+          rule_o.low = -Half;
+          rule_o.above = Half;
+        end
+        ffgpu_registers_pkg::WrapMirrorClamp: begin
+          rule_o.fold = ffgpu_texture_pkg::FoldMirrorClamp;
+          rule_o.border = is_linear;
+          rule_o.above = is_linear ? 24'd0 : -24'd1;
+        end
+        ffgpu_registers_pkg::WrapMirrorClampToEdge: rule_o.fold = ffgpu_texture_pkg::FoldMirrorClamp;
+        ffgpu_registers_pkg::WrapMirrorClampToBorder: begin
+          rule_o.fold = ffgpu_texture_pkg::FoldMirrorClamp;
+          rule_o.border = 1'b1;
+          rule_o.above = Half;
+        end
+      endcase
+    end
   end
 
 endmodule

@@ -44,6 +44,7 @@ module blend (
       .color_o (destination[32*lane +: 32])
     );
     blend_factors u_factors (
+      .enable_i             (in_valid_i),
       .state_i              (blend_1),
       .source_i             (quad_1.color[32*lane +: 32]),
       .destination_i        (destination[32*lane +: 32]),
@@ -82,6 +83,7 @@ module blend (
 
   for (genvar channel = 0; channel < 4 * ffgpu_pkg::Lanes; channel++) begin : g_channel
     blend_channel u_channel (
+      .enable_i            (factored_valid && blends),
       .equation_i          (channel % 4 == 3 ? blend_2.alpha_equation : blend_2.rgb_equation),
       .source_i            (quad_2.color[8*channel +: 8]),
       .source_factor_i     (factored_q.source_factors[8*channel +: 8]),
@@ -130,6 +132,7 @@ module blend (
 
     // A quad begins at even coordinates.
     color_write u_write (
+      .enable_i (blended_valid),
       .state_i  (blend_3),
       .format_i (state_3.format),
       .dither_i (control_3.dither),

@@ -3,6 +3,7 @@
 // Combinational. Equals factor_value() in model/fragment/blend.cpp.
 
 module blend_factors (
+  input  logic                        enable_i,  // low: nobody looks at the factors
   input  ffgpu_registers_pkg::blend_t state_i,
   input  ffgpu_pkg::color_t           source_i,
   input  ffgpu_pkg::color_t           destination_i,
@@ -32,28 +33,31 @@ module blend_factors (
       end
 
       always_comb begin
-        unique case (factor)
-          ffgpu_registers_pkg::BlendFactorZero:             value = 8'd0;
-          ffgpu_registers_pkg::BlendFactorOne:              value = 8'd255;
-          ffgpu_registers_pkg::BlendFactorSourceColor:      value = source_i[At +: 8];
-          ffgpu_registers_pkg::BlendFactorDestinationColor: value = destination_i[At +: 8];
-          ffgpu_registers_pkg::BlendFactorConstantColor:    value = state_i.constant[At +: 8];
-          ffgpu_registers_pkg::BlendFactorSourceAlpha:      value = source_alpha;
-          ffgpu_registers_pkg::BlendFactorDestinationAlpha: value = destination_alpha;
-          ffgpu_registers_pkg::BlendFactorConstantAlpha:    value = state_i.constant[31:24];
-          ffgpu_registers_pkg::BlendFactorOneMinusSourceColor: value = ~source_i[At +: 8];
-          ffgpu_registers_pkg::BlendFactorOneMinusDestinationColor:
-            value = ~destination_i[At +: 8];
-          ffgpu_registers_pkg::BlendFactorOneMinusConstantColor:
-            value = ~state_i.constant[At +: 8];
-          ffgpu_registers_pkg::BlendFactorOneMinusSourceAlpha: value = ~source_alpha;
-          ffgpu_registers_pkg::BlendFactorOneMinusDestinationAlpha: value = ~destination_alpha;
-          ffgpu_registers_pkg::BlendFactorOneMinusConstantAlpha:
-            value = ~state_i.constant[31:24];
-          ffgpu_registers_pkg::BlendFactorSourceAlphaSaturate:
-            value = channel == 3 ? 8'd255 : saturated;
-          default: value = 8'd0;
-        endcase
+        value = 8'd0;
+        if (enable_i) begin
+          unique case (factor)
+            ffgpu_registers_pkg::BlendFactorZero:             value = 8'd0;
+            ffgpu_registers_pkg::BlendFactorOne:              value = 8'd255;
+            ffgpu_registers_pkg::BlendFactorSourceColor:      value = source_i[At +: 8];
+            ffgpu_registers_pkg::BlendFactorDestinationColor: value = destination_i[At +: 8];
+            ffgpu_registers_pkg::BlendFactorConstantColor:    value = state_i.constant[At +: 8];
+            ffgpu_registers_pkg::BlendFactorSourceAlpha:      value = source_alpha;
+            ffgpu_registers_pkg::BlendFactorDestinationAlpha: value = destination_alpha;
+            ffgpu_registers_pkg::BlendFactorConstantAlpha:    value = state_i.constant[31:24];
+            ffgpu_registers_pkg::BlendFactorOneMinusSourceColor: value = ~source_i[At +: 8];
+            ffgpu_registers_pkg::BlendFactorOneMinusDestinationColor:
+              value = ~destination_i[At +: 8];
+            ffgpu_registers_pkg::BlendFactorOneMinusConstantColor:
+              value = ~state_i.constant[At +: 8];
+            ffgpu_registers_pkg::BlendFactorOneMinusSourceAlpha: value = ~source_alpha;
+            ffgpu_registers_pkg::BlendFactorOneMinusDestinationAlpha: value = ~destination_alpha;
+            ffgpu_registers_pkg::BlendFactorOneMinusConstantAlpha:
+              value = ~state_i.constant[31:24];
+            ffgpu_registers_pkg::BlendFactorSourceAlphaSaturate:
+              value = channel == 3 ? 8'd255 : saturated;
+            default: value = 8'd0;
+          endcase
+        end
       end
     end
   end

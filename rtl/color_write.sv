@@ -6,6 +6,7 @@
 // mask may work on the levels themselves.
 
 module color_write (
+  input  logic                        enable_i,  // low: nobody looks at the pixel
   input  ffgpu_registers_pkg::blend_t state_i,
   input  logic [4:0]                  format_i,
   input  logic                        dither_i,
@@ -34,6 +35,7 @@ module color_write (
     format_i <= ffgpu_registers_pkg::FormatRgb5a1;
 
   pixel_pack u_pack (
+    .narrow_i (enable_i && is_narrow),
     .format_i (format_i),
     .color_i  (color_i),
     .dithers_i(dither_i && is_narrow),
@@ -42,26 +44,26 @@ module color_write (
   );
 
   always_comb begin
-    unique case (state_i.logic_op)
-      ffgpu_registers_pkg::LogicOpClear:        combined = 32'd0;
-      ffgpu_registers_pkg::LogicOpAnd:          combined = source & stored_i;
-      ffgpu_registers_pkg::LogicOpAndReverse:   combined = source & ~stored_i;
-      ffgpu_registers_pkg::LogicOpCopy:         combined = source;
-      ffgpu_registers_pkg::LogicOpAndInverted:  combined = ~source & stored_i;
-      ffgpu_registers_pkg::LogicOpNoop:         combined = stored_i;
-      ffgpu_registers_pkg::LogicOpXor:          combined = source ^ stored_i;
-      ffgpu_registers_pkg::LogicOpOr:           combined = source | stored_i;
-      ffgpu_registers_pkg::LogicOpNor:          combined = ~(source | stored_i);
-      ffgpu_registers_pkg::LogicOpEquiv:        combined = ~(source ^ stored_i);
-      ffgpu_registers_pkg::LogicOpInvert:       combined = ~stored_i;
-      ffgpu_registers_pkg::LogicOpOrReverse:    combined = source | ~stored_i;
-      ffgpu_registers_pkg::LogicOpCopyInverted: combined = ~source;
-      ffgpu_registers_pkg::LogicOpOrInverted:   combined = ~source | stored_i;
-      ffgpu_registers_pkg::LogicOpNand:         combined = ~(source & stored_i);
-      ffgpu_registers_pkg::LogicOpSet:          combined = 32'hffff_ffff;
-    endcase
-    if (!state_i.logic_op_enable) begin
-      combined = source;
+    combined = source;
+    if (enable_i && state_i.logic_op_enable) begin
+      unique case (state_i.logic_op)
+        ffgpu_registers_pkg::LogicOpClear:        combined = 32'd0;
+        ffgpu_registers_pkg::LogicOpAnd:          combined = source & stored_i;
+        ffgpu_registers_pkg::LogicOpAndReverse:   combined = source & ~stored_i;
+        ffgpu_registers_pkg::LogicOpCopy:         combined = source;
+        ffgpu_registers_pkg::LogicOpAndInverted:  combined = ~source & stored_i;
+        ffgpu_registers_pkg::LogicOpNoop:         combined = stored_i;
+        ffgpu_registers_pkg::LogicOpXor:          combined = source ^ stored_i;
+        ffgpu_registers_pkg::LogicOpOr:           combined = source | stored_i;
+        ffgpu_registers_pkg::LogicOpNor:          combined = ~(source | stored_i);
+        ffgpu_registers_pkg::LogicOpEquiv:        combined = ~(source ^ stored_i);
+        ffgpu_registers_pkg::LogicOpInvert:       combined = ~stored_i;
+        ffgpu_registers_pkg::LogicOpOrReverse:    combined = source | ~stored_i;
+        ffgpu_registers_pkg::LogicOpCopyInverted: combined = ~source;
+        ffgpu_registers_pkg::LogicOpOrInverted:   combined = ~source | stored_i;
+        ffgpu_registers_pkg::LogicOpNand:         combined = ~(source & stored_i);
+        ffgpu_registers_pkg::LogicOpSet:          combined = 32'hffff_ffff;
+      endcase
     end
   end
 

@@ -89,8 +89,10 @@ module environment_loop (
   end
   always_ff @(posedge clk_i) begin
     if (enters) begin
-      shaded_q <= in_data_i;
-      left_q   <= enabled;
+      // The running colour is the primary one at first.
+      shaded_q            <= in_data_i;
+      shaded_q.quad.color <= in_data_i.primary;
+      left_q              <= enabled;
     end else if (returns) begin
       shaded_q.quad.color <= result_quad.color;
       left_q              <= left_q & (left_q - 8'd1);

@@ -13,6 +13,7 @@
 module fog_lane #(
   parameter int unsigned Stage = 0
 ) (
+  input  logic                  enable_i,  // low: nobody looks at the value
   input  ffgpu_pkg::fog_curve_t curve_i,
   input  ffgpu_pkg::float_t     value_i,
   output ffgpu_pkg::float_t     value_o
@@ -37,11 +38,13 @@ module fog_lane #(
     ffgpu_pkg::float_t difference, product;
 
     float_add u_difference (
+      .enable_i,
       .a_i  (curve_i.end_coordinate),
       .b_i  ({!value_i[31], value_i[30:0]}),
       .sum_o(difference)
     );
     float_multiply u_product (
+      .enable_i,
       .a_i      (value_i),
       .b_i      (curve_i.scale),
       .product_o(product)
@@ -51,6 +54,7 @@ module fog_lane #(
     ffgpu_pkg::float_t product;
 
     float_multiply u_product (
+      .enable_i,
       .a_i      (value_i),
       .b_i      (is_linear ? curve_i.scale : value_i),
       .product_o(product)
@@ -66,6 +70,7 @@ module fog_lane #(
       .clamped_o(clamped)
     );
     float_multiply u_product (
+      .enable_i,
       .a_i      (is_linear ? clamped : value_i),
       .b_i      (is_linear ? Largest : Log2E),
       .product_o(product)
@@ -84,6 +89,7 @@ module fog_lane #(
     assign fixed = clamped[30:23] == 8'd0 ? 32'd0 :
       {1'b0, clamped[30:23] + 8'd16, clamped[22:0]};
     float_add u_sum (
+      .enable_i,
       .a_i  (is_linear ? value_i : fixed),
       .b_i  (Half),
       .sum_o(result)
@@ -102,7 +108,12 @@ module fog_lane #(
       .x_i     (fixed),
       .result_o(exponential)
     );
-    assign result = {24'd0, is_linear ? fixed[7:0] : exponential};
+    always_comb begin
+      result = 32'd0;
+      if (enable_i) begin
+        result[7:0] = is_linear ? fixed[7:0] : exponential;
+      end
+    end
   end
 
 endmodule

@@ -33,9 +33,10 @@ module fog_stage #(
     fog_lane #(
       .Stage(Stage)
     ) u_lane (
-      .curve_i(curve),
-      .value_i(in_data_i.values[32*lane +: 32]),
-      .value_o(values[32*lane +: 32])
+      .enable_i(in_valid_i),
+      .curve_i (curve),
+      .value_i (in_data_i.values[32*lane +: 32]),
+      .value_o (values[32*lane +: 32])
     );
   end
 

@@ -32,16 +32,19 @@ module level_stage #(
 
   // Coordinates of rectangles count texels.
   always_comb begin
-    densities  = {3'd0, image.depth, image.height, image.width};
+    densities  = '0;
     dimensions = 2'd2;
-    if (image.kind == ffgpu_registers_pkg::TextureKindRectangle) begin
-      densities = {13'd1, 13'd1, 13'd1};
-    end
-    if (image.kind == ffgpu_registers_pkg::TextureKindOneD) begin
-      dimensions = 2'd1;
-    end
-    if (image.kind == ffgpu_registers_pkg::TextureKindThreeD) begin
-      dimensions = 2'd3;
+    if (in_valid_i) begin
+      densities = {3'd0, image.depth, image.height, image.width};
+      if (image.kind == ffgpu_registers_pkg::TextureKindRectangle) begin
+        densities = {13'd1, 13'd1, 13'd1};
+      end
+      if (image.kind == ffgpu_registers_pkg::TextureKindOneD) begin
+        dimensions = 2'd1;
+      end
+      if (image.kind == ffgpu_registers_pkg::TextureKindThreeD) begin
+        dimensions = 2'd3;
+      end
     end
   end
 
@@ -50,6 +53,7 @@ module level_stage #(
       .Stage  (Stage),
       .Element(element)
     ) u_step (
+      .enable_i  (in_valid_i),
       .operands_i({dimensions, densities, in_data_i}),
       .value_o   (values[32*element +: 32])
     );

@@ -8,8 +8,9 @@ module level_step #(
   parameter int unsigned Stage = 0,
   parameter int unsigned Element = 0
 ) (
+  input  logic                               enable_i,  // low: nobody looks at the value
   input  ffgpu_texture_pkg::level_operands_t operands_i,
-  output ffgpu_pkg::float_t          value_o
+  output ffgpu_pkg::float_t                  value_o
 );
 
   localparam int unsigned Axis = Element % 3;
@@ -27,6 +28,7 @@ module level_step #(
 
     assign subtrahend = steps.steps[32*Element +: 32];
     float_add u_difference (
+      .enable_i,
       .a_i  (value),
       .b_i  ({~subtrahend[31], subtrahend[30:0]}),
       .sum_o(value_o)
@@ -35,10 +37,12 @@ module level_step #(
     ffgpu_pkg::float_t density, texels;
 
     float_from_signed u_density (
+      .enable_i,
       .integer_i({19'd0, operands_i.densities[13*Axis +: 13]}),
       .value_o  (density)
     );
     float_multiply u_texels (
+      .enable_i,
       .a_i      (value),
       .b_i      (density),
       .product_o(texels)
@@ -54,6 +58,7 @@ module level_step #(
     end
   end else if (Stage == 2) begin : g_square
     float_multiply u_square (
+      .enable_i,
       .a_i      (value),
       .b_i      (value),
       .product_o(value_o)
@@ -62,13 +67,17 @@ module level_step #(
     ffgpu_pkg::float_t sum;
 
     float_add u_sum (
+      .enable_i,
       .a_i  (value),
       .b_i  (steps.values[32*Other +: 32]),
       .sum_o(sum)
     );
     assign value_o = operands_i.dimensions >= (Stage == 3 ? 2'd2 : 2'd3) ? sum : value;
   end else begin : g_keep
-    assign value_o = value;
+    logic unused_enable;
+
+    assign unused_enable = enable_i;
+    assign value_o       = value;
   end
 
 endmodule

@@ -7,6 +7,7 @@ module perspective_lane #(
   parameter int unsigned Stage = 0,
   parameter int unsigned Lane = 0
 ) (
+  input  logic                         enable_i,  // low: nobody looks at the value
   input  ffgpu_pkg::perspective_quad_t quad_i,
   output logic [31:0]                  value_o
 );
@@ -34,11 +35,13 @@ module perspective_lane #(
       end
     end
     float_from_signed u_convert (
+      .enable_i,
       .integer_i(whole),
       .value_o
     );
   end else if (Stage == 1) begin : g_divide
     float_multiply u_multiply (
+      .enable_i,
       .a_i      (value),
       .b_i      (quad_i.factors[32*Lane +: 32]),
       .product_o(value_o)
@@ -47,8 +50,14 @@ module perspective_lane #(
     logic [7:0]  exponent;
     logic [31:0] scaled, clamped;
 
-    assign exponent = value[30:23] + quad_i.scale - 8'd127;
-    assign scaled   = value[30:23] == 8'd0 ? value : {value[31], exponent, value[22:0]};
+    always_comb begin
+      exponent = 8'd0;
+      scaled   = value;
+      if (enable_i && value[30:23] != 8'd0) begin
+        exponent = value[30:23] + quad_i.scale - 8'd127;
+        scaled   = {value[31], exponent, value[22:0]};
+      end
+    end
     float_clamp #(
       .Most(LargestColor)
     ) u_clamp (
@@ -72,6 +81,7 @@ module perspective_lane #(
     logic [7:0]  color;
 
     float_add u_bias (
+      .enable_i,
       .a_i  (value),
       .b_i  (Half),
       .sum_o(biased)

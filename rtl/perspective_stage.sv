@@ -25,8 +25,9 @@ module perspective_stage #(
       .Stage(Stage),
       .Lane (lane)
     ) u_lane (
-      .quad_i (in_data_i),
-      .value_o(values[32*lane +: 32])
+      .enable_i(in_valid_i),
+      .quad_i  (in_data_i),
+      .value_o (values[32*lane +: 32])
     );
   end
 

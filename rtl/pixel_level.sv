@@ -5,6 +5,7 @@
 module pixel_level #(
   parameter int unsigned Width = 4
 ) (
+  input  logic                enable_i,  // low: nobody looks at the level
   input  ffgpu_pkg::channel_t value_i,
   input  logic                dithers_i,
   input  logic [3:0]          bayer_i,
@@ -17,10 +18,17 @@ module pixel_level #(
   logic [15:0]         scaled;
   ffgpu_pkg::channel_t nearest, lowered, moved;
 
-  assign scaled  = {8'd0, value_i} * Maximum + 16'd127;
-  assign nearest = ffgpu_pkg::floor_255(scaled);
-  assign lowered = value_i - (value_i >> Width);
-  assign moved   = lowered + {4'd0, bayer_i >> (4 - Dropped)};
-  assign level_o = dithers_i ? moved[7:Dropped] : nearest[Width-1:0];
+  always_comb begin
+    scaled  = 16'd0;
+    lowered = 8'd0;
+    moved   = 8'd0;
+    if (enable_i) begin
+      scaled  = {8'd0, value_i} * Maximum + 16'd127;
+      lowered = value_i - (value_i >> Width);
+      moved   = lowered + {4'd0, bayer_i >> (4 - Dropped)};
+    end
+    nearest = ffgpu_pkg::floor_255(scaled);
+    level_o = dithers_i ? moved[7:Dropped] : nearest[Width-1:0];
+  end
 
 endmodule

@@ -3,6 +3,7 @@
 // Combinational. Equals ffgpu::pack_pixel() in model/memory/color_pixel.h, with either rounding.
 
 module pixel_pack (
+  input  logic              narrow_i,  // low: nobody looks at a pixel of 16 bits
   input  logic [4:0]        format_i,
   input  ffgpu_pkg::color_t color_i,
   input  logic              dithers_i,
@@ -23,6 +24,7 @@ module pixel_pack (
     pixel_level #(
       .Width(4)
     ) u_level (
+      .enable_i (narrow_i),
       .value_i  (color_i[8*channel +: 8]),
       .dithers_i(dithers_i),
       .bayer_i  (bayer_i),
@@ -33,6 +35,7 @@ module pixel_pack (
     pixel_level #(
       .Width(5)
     ) u_level (
+      .enable_i (narrow_i),
       .value_i  (color_i[8*channel +: 8]),
       .dithers_i(dithers_i),
       .bayer_i  (bayer_i),
@@ -42,6 +45,7 @@ module pixel_pack (
   pixel_level #(
     .Width(6)
   ) u_green (
+    .enable_i (narrow_i),
     .value_i  (color_i[15:8]),
     .dithers_i(dithers_i),
     .bayer_i  (bayer_i),

@@ -29,11 +29,14 @@ module reciprocal_stage #(
 
   always_comb begin
     remainder = in_data_i.remainder;
-    for (int i = QuotientBits - 1; i >= 0; i--) begin
-      remainder = {remainder[Width-2:0], 1'b0};
-      bits[i]   = remainder >= divisor;
-      if (bits[i]) begin
-        remainder = remainder - divisor;
+    bits      = '0;
+    if (in_valid_i) begin
+      for (int i = QuotientBits - 1; i >= 0; i--) begin
+        remainder = {remainder[Width-2:0], 1'b0};
+        bits[i]   = remainder >= divisor;
+        if (bits[i]) begin
+          remainder = remainder - divisor;
+        end
       end
     end
   end

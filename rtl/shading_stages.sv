@@ -17,16 +17,10 @@ module shading_stages (
   output ffgpu_pkg::quad_t            out_data_o
 );
 
-  ffgpu_pkg::shade_quad_t entering, combined, summed;
+  ffgpu_pkg::shade_quad_t combined, summed;
   ffgpu_pkg::quad_t       fogged, covered;
   logic combined_valid, combined_ready, summed_valid, summed_ready, fogged_valid, fogged_ready;
   logic covered_valid, covered_ready;
-
-  // The running colour is the primary one at first.
-  always_comb begin
-    entering            = in_data_i;
-    entering.quad.color = in_data_i.primary;
-  end
 
   environment_loop u_environments (
     .clk_i,
@@ -37,7 +31,7 @@ module shading_stages (
     .sampled_units_1_i(state_1_i.sampled_units),
     .in_valid_i,
     .in_ready_o,
-    .in_data_i        (entering),
+    .in_data_i,
     .out_valid_o      (combined_valid),
     .out_ready_i      (combined_ready),
     .out_data_o       (combined)

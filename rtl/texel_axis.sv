@@ -8,9 +8,10 @@ module texel_axis #(
   parameter int unsigned Stage = 0,
   parameter int unsigned Axis = 0
 ) (
+  input  logic                               enable_i,  // low: nobody looks at the values
   input  ffgpu_texture_pkg::texel_operands_t operands_i,
-  output logic [31:0]                value_o,
-  output logic [31:0]                other_o
+  output logic [31:0]                        value_o,
+  output logic [31:0]                        other_o
 );
 
   localparam logic [31:0] One = 32'h3f80_0000;
@@ -33,6 +34,7 @@ module texel_axis #(
       .position_o(position)
     );
     float_multiply u_step (
+      .enable_i,
       .a_i      (walk.others[32*Axis +: 32]),
       .b_i      (position),
       .product_o(other_o)
@@ -42,6 +44,7 @@ module texel_axis #(
     ffgpu_pkg::float_t moved, at;
 
     float_add u_move (
+      .enable_i,
       .a_i  (value),
       .b_i  (walk.others[32*Axis +: 32]),
       .sum_o(moved)
@@ -67,6 +70,7 @@ module texel_axis #(
       value[30:23] >= 8'd150 ? 24'd0 : 24'h7f_ffff >> (value[30:23] - 8'd127);
     assign whole = value[30:23] < 8'd127 ? 32'd0 : value & ~{8'd0, below};
     float_add u_floor (
+      .enable_i,
       .a_i  (whole),
       .b_i  (32'hbf80_0000),
       .sum_o(floor_value)
@@ -81,11 +85,13 @@ module texel_axis #(
     assign other = walk.others[32*Axis +: 32];
 
     float_add u_fraction (
+      .enable_i,
       .a_i  (value),
       .b_i  ({~other[31], other[30:0]}),
       .sum_o(fraction)
     );
     float_from_signed u_most (
+      .enable_i,
       .integer_i(operands_i.rule.is_rectangle ? {19'd0, operands_i.rule.size} + 32'd1 : 32'd2),
       .value_o  (most)
     );
@@ -114,6 +120,7 @@ module texel_axis #(
     ffgpu_pkg::float_t back;
 
     float_add u_back (
+      .enable_i,
       .a_i  (Two),
       .b_i  ({~value[31], value[30:0]}),
       .sum_o(back)
@@ -124,10 +131,12 @@ module texel_axis #(
     ffgpu_pkg::float_t scale;
 
     float_from_signed u_scale (
+      .enable_i,
       .integer_i(operands_i.rule.is_rectangle ? 32'd256 : {11'd0, operands_i.rule.level_size, 8'd0}),
       .value_o  (scale)
     );
     float_multiply u_texels (
+      .enable_i,
       .a_i      (value),
       .b_i      (scale),
       .product_o(value_o)
@@ -141,9 +150,16 @@ module texel_axis #(
       .value_i  (value),
       .integer_o(raw)
     );
-    assign high     = {3'd0, operands_i.rule.level_size, 8'd0} + operands_i.rule.above;
-    assign at_least = {~raw[23], raw[22:0]} < {~low[23], low[22:0]} ? low : raw;
-    assign clamped  = {~at_least[23], at_least[22:0]} > {~high[23], high[22:0]} ? high : at_least;
+    always_comb begin
+      high     = 24'd0;
+      at_least = 24'd0;
+      clamped  = 24'd0;
+      if (enable_i) begin
+        high     = {3'd0, operands_i.rule.level_size, 8'd0} + operands_i.rule.above;
+        at_least = {~raw[23], raw[22:0]} < {~low[23], low[22:0]} ? low : raw;
+        clamped  = {~at_least[23], at_least[22:0]} > {~high[23], high[22:0]} ? high : at_least;
+      end
+    end
     assign value_o  = {8'd0, clamped};
     assign other_o  = {30'd0, operands_i.rule.wraps, operands_i.rule.border};
   end

@@ -22,15 +22,20 @@ module texel_stage #(
 );
 
   localparam int unsigned RuleWidth = 79;
+  localparam bit HasRule = Stage != 0 && Stage != 2;  // steps that are the same for all modes
 
-  ffgpu_pkg::texture_state_t state;
-  ffgpu_texture_pkg::texel_header_t  header;
-  ffgpu_texture_pkg::texel_walk_t    left;
-  logic [95:0]               values, others;
+  ffgpu_registers_pkg::texture_image_t image;
+  ffgpu_registers_pkg::sampler_t       sampler;
+  ffgpu_pkg::texture_state_t           state;
+  ffgpu_texture_pkg::texel_header_t    header;
+  ffgpu_texture_pkg::texel_walk_t      left;
+  logic [95:0]                         values, others;
 
-  assign header = in_data_i.header;
-  assign state  = header.tag ? state_1_i : state_0_i;
-  assign left   = {header, values, others};
+  assign header  = in_data_i.header;
+  assign left    = {header, values, others};
+  assign state   = header.tag ? state_1_i : state_0_i;
+  assign image   = ffgpu_registers_pkg::decode_texture_image(state.image);
+  assign sampler = ffgpu_registers_pkg::decode_sampler(state.sampler);
 
   for (genvar axis = 0; axis < 3; axis++) begin : g_axis
     logic [RuleWidth-1:0] rule;
@@ -38,14 +43,17 @@ module texel_stage #(
     axis_rule #(
       .Axis(axis)
     ) u_rule (
-      .state_i (state),
-      .header_i(header),
-      .rule_o  (rule)
+      .enable_i (in_valid_i && HasRule),
+      .image_i  (image),
+      .sampler_i(sampler),
+      .header_i (header),
+      .rule_o   (rule)
     );
     texel_axis #(
       .Stage(Stage),
       .Axis (axis)
     ) u_axis (
+      .enable_i  (in_valid_i),
       .operands_i({rule, in_data_i}),
       .value_o   (values[32*axis +: 32]),
       .other_o   (others[32*axis +: 32])

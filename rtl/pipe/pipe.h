@@ -41,6 +41,8 @@ public:
     virtual void add(const SetupRecord& record) = 0;
     // All quads have left. False: they do not move any more.
     virtual bool finish() = 0;
+    // The pipe's reset, at once: what is inside is lost, and no draw is begun.
+    virtual void reset() = 0;
 
     virtual std::uint64_t cycles() const = 0;
     virtual double seconds() const = 0; // of the host's, in which they were clocked

@@ -14,15 +14,26 @@ double processor_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+// Where it was Verilated so, flops wake up with numbers by the seed.
+std::unique_ptr<VerilatedContext> powered_up(std::uint64_t seed) {
+    auto context = std::make_unique<VerilatedContext>();
+    context->randReset(2);
+    context->randSeed(static_cast<int>(seed % 0x7fffffff) + 1);
+    return context;
+}
+
 } // namespace
 
 VerilatedPipe::VerilatedPipe(const PipeOptions& options)
     : options_(options)
-    , stalls_(options) {
+    , stalls_(options)
+    , context_(powered_up(options.seed)) {
     reset();
 }
 
 void VerilatedPipe::reset() {
+    dut_->plane_valid_i = dut_->record_valid_i = dut_->texel_response_valid_i = 0;
+    dut_->state_write_i = dut_->invalidate_i = 0;
     dut_->rst_ni = 1; // An asynchronous reset is an edge.
     dut_->eval();
     dut_->rst_ni = 0;
@@ -33,6 +44,8 @@ void VerilatedPipe::reset() {
     cycle();
     dut_->rst_ni = 1;
     cycle();
+    stands_ = false;
+    quiet_ = 0;
 }
 
 template <class Valid>
@@ -181,8 +194,6 @@ bool VerilatedPipe::finish() {
     if (began_ != 0) seconds_ += processor_seconds() - std::exchange(began_, 0);
     if (!stands_) return true;
     reset();
-    stands_ = false;
-    quiet_ = 0;
     return false;
 }
 

@@ -20,11 +20,11 @@ public:
     void begin_draw(const DrawContext& context, std::uint32_t number) override;
     void add(const SetupRecord& record) override;
     bool finish() override;
+    void reset() override;
     std::uint64_t cycles() const override { return cycle_; }
     double seconds() const override { return seconds_; }
 
 private:
-    void reset();
     void cycle();
     template <class Done>
     void clock_until(const Done& done);
@@ -43,7 +43,7 @@ private:
     PipeMemory memory_;
     TexelPort texels_;
     TargetPort depths_, colors_;
-    std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
+    std::unique_ptr<VerilatedContext> context_;
     std::unique_ptr<Vfragment_pipe> dut_ = std::make_unique<Vfragment_pipe>(context_.get());
     InterpolantLayout layout_; // of the draw that is added to
     std::uint32_t draw_ = 0;

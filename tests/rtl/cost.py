@@ -17,27 +17,41 @@ Root = Path(__file__).resolve().parents[2]
 Rtl = Root / "rtl"
 Page = Root / "docs" / "rtl_cost.md"
 Tolerance = 0.03
+# Each module inside them is mapped by itself: flattened they take hours.
+Composed = ("fragment_pipe", "interpolator", "shading_stages", "target_stages", "texture_unit")
+CacheSetBits = (3, 4, 5)
 Columns = ("LUT", "flip-flops", "DSP", "memory bits", "longest path")
 
 
 def units():
-    tests = (Root / "tests/rtl").glob("*_test.cpp")
-    names = (p.name[: -len("_test.cpp")] for p in tests)
-    return sorted(n for n in names if (Rtl / f"{n}.sv").exists())
+    """Every module with a clock, but the steps that are parts of one unit and count in it."""
+    steps = re.compile(r".*_stage$|pipeline_register$|filter_axis$|tile_edge$")
+    return sorted(p.stem for p in Rtl.glob("*.sv")
+                  if "clk_i" in p.read_text() and not steps.match(p.stem))
 
 
-def cost(unit):
+def cost(unit, parameters=None):
     """The five figures of a unit: of a design flattened and mapped, before placement."""
     packages = ["ffgpu_registers_pkg.sv", "ffgpu_pkg.sv", "ffgpu_texture_pkg.sv",
                 "ffgpu_pipe_pkg.sv"]
-    modules = [p.name for p in sorted(Rtl.glob("*.sv")) if not p.name.endswith("_pkg.sv")]
-    files = " ".join(str(Rtl / f) for f in packages + modules)
+    files = " ".join(str(Rtl / f) for f in packages + [f"{unit}.sv"])
+    sets = "".join(f"-set {name} {value} " for name, value in (parameters or {}).items())
     with tempfile.TemporaryDirectory() as scratch:
-        script = (f"read_verilog -sv {files}; synth_ecp5 -top {unit}; "
-                  f"tee -q -o {scratch}/stat.json stat -json; delete t:TRELLIS_FF t:DP16KD; tee -q -o {scratch}/path ltp")
+        script = (f"read_verilog -sv {files}; " + (f"chparam {sets} {unit}; " if sets else "") +
+                  f"hierarchy -check -libdir {Rtl} -top {unit}; "
+                  f"synth_ecp5 {'-noflatten' if unit in Composed else ''} -top {unit}; flatten; "
+                  f"tee -q -o {scratch}/stat.json stat -json; "
+                  f"delete t:TRELLIS_FF t:DP16KD t:TRELLIS_DPR16X4; tee -q -o {scratch}/path ltp")
         subprocess.run(["yosys", "-q", "-p", script], check=True, stdout=subprocess.DEVNULL)
         design = json.loads(Path(scratch, "stat.json").read_text())["design"]
         path = Path(scratch, "path").read_text()
+    figures = figures_of(design, path)
+    print(unit, *(f"{name}={value}" for name, value in (parameters or {}).items()), *figures,
+          flush=True)
+    return figures
+
+
+def figures_of(design, path):
     cells = design["num_cells_by_type"]
     # A carry cell holds two LUTs, a cell of distributed memory 64 bits, a block 18432.
     luts = cells.get("LUT4", 0) + 2 * cells.get("CCU2C", 0)
@@ -47,26 +61,62 @@ def cost(unit):
     return (luts, cells.get("TRELLIS_FF", 0), cells.get("MULT18X18D", 0), memory, longest)
 
 
-def page(costs):
+def cache_memory(set_bits, way_bits=2, line_bits=6, fill_bits=3, queue_depth=32):
+    """The memory bits of a texel cache by its parameters: memories of 16 words of 4 bits each."""
+    def memory(words, width):
+        return -(-words // 16) * -(-width // 4) * 64
+    line, ways, number = 8 << line_bits, 1 << way_bits, 32 - line_bits
+    place = set_bits + way_bits + line_bits - 4
+    return (memory(ways << set_bits, line) + memory(1 << fill_bits, line) +
+            memory(1 << set_bits, ways * (number - set_bits)) +
+            memory(queue_depth, 11 + place + 1 + fill_bits))
+
+
+def cache_table(measured):
+    rows = "".join(f"| {1 << bits} | {4 << bits + 6} | {cache_memory(bits)} | {measured[bits]} |\n"
+                   for bits in CacheSetBits)
+    return f"""## Sizes of the texel cache
+
+Sets are a parameter, with four ways of lines of 64 bytes. The memory bits are as predicted from the parameters: lines, lines on their way, tags and the queue, each in memories of 16 words
+of 4 bits.
+
+| sets | bytes | memory bits, predicted | memory bits |
+|---|---|---|---|
+{rows}"""
+
+
+def page(costs, cache):
     version = subprocess.run(["yosys", "-V"], capture_output=True, text=True).stdout.split()[1]
     rows = "".join(f"| {unit} | " + " | ".join(str(f) for f in figures) + " |\n"
                    for unit, figures in sorted(costs.items()))
     return f"""# What the RTL costs
 
-By `./dev rtl-cost`: each unit alone, with yosys {version} (`synth_ecp5`), flattened and mapped, before placement. A carry cell counts as two LUTs. The longest path is the number of
-cells on it between flops, not a time: a carry chain of 24 bits is 12 cells and fast.
+By `./dev rtl-cost`: each unit alone, with yosys {version} (`synth_ecp5`), flattened and mapped, before placement; those of several units ({", ".join(Composed)})
+module by module. A carry cell counts as two LUTs. The longest path is the number of cells on it between flops and memories, not a time: a carry chain of 24 bits is 12 cells
+and fast.
 
 | unit | {" | ".join(Columns)} |
 |---|{"---|" * len(Columns)}
 {rows}
 Quads carry their key (96 bits) and, up to fog, eight units' samples (1024 bits) through every stage: that is most of the flip-flops of the environments. Data that a build never
 looks at goes away with the ports that end it.
-"""
+
+{cache_table(cache)}"""
 
 
 def read_page():
-    rows = re.findall(r"^\| (\w+) \| ([\d |]+) \|$", Page.read_text(), re.M) if Page.exists() else []
+    text = Page.read_text() if Page.exists() else ""
+    rows = re.findall(r"^\| ([a-z]\w+) \| ([\d |]+) \|$", text, re.M)
     return {unit: tuple(int(f) for f in figures.split(" | ")) for unit, figures in rows}
+
+
+def drifts_of(names, before, costs):
+    drifts = [f"{unit}: {column} was {old}, is {new}"
+              for unit in names
+              for column, old, new in zip(Columns, before.get(unit, ()), costs[unit])
+              if abs(new - old) > Tolerance * old]
+    drifts += [f"{unit}: not on the page" for unit in names if unit not in before]
+    return drifts + [f"{unit}: on the page, not in rtl/" for unit in before if unit not in units()]
 
 
 def main():
@@ -78,17 +128,20 @@ def main():
     names = arguments.units or units()
     before = read_page()
     with ThreadPoolExecutor(arguments.jobs) as pool:
-        costs = dict(zip(names, pool.map(cost, names)))
-    drifts = [f"{unit}: {column} was {old}, is {new}"
-              for unit in names for column, old, new in zip(Columns, before.get(unit, ()), costs[unit])
-              if abs(new - old) > Tolerance * old]
-    drifts += [f"{unit}: not on the page" for unit in names if unit not in before]
-    for unit in names:
-        print(unit, *costs[unit])
+        sizes = [pool.submit(cost, "texel_cache", {"SetBits": bits}) for bits in CacheSetBits]
+        # The longest first.
+        order = sorted(names, key=lambda unit: -before.get(unit, (1 << 30,))[0])
+        costs = dict(zip(order, pool.map(cost, order)))
+        cache = {bits: size.result()[3] for bits, size in zip(CacheSetBits, sizes)}
+    wrong = [f"texel_cache of {1 << bits} sets: {cache[bits]} memory bits, not {cache_memory(bits)}"
+             for bits in CacheSetBits if cache[bits] != cache_memory(bits)]
+    drifts = drifts_of(names, before, costs) + wrong
     if arguments.check:
         print(*drifts, sep="\n")
-        sys.exit(1 if drifts else 0)
-    Page.write_text(page({**before, **costs}))
+    else:
+        kept = {unit: figures for unit, figures in before.items() if unit in units()}
+        Page.write_text(page({**kept, **costs}, cache))
+    sys.exit(1 if wrong or (arguments.check and drifts) else 0)
 
 
 if __name__ == "__main__":

@@ -9,11 +9,13 @@ module float_units (
 );
 
   float_multiply u_multiply (
+    .enable_i(1'b1),
     .a_i,
     .b_i,
     .product_o
   );
   float_add u_add (
+    .enable_i(1'b1),
     .a_i,
     .b_i,
     .sum_o

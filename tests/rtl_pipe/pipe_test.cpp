@@ -109,40 +109,84 @@ TEST_CASE("The pipe draws random states as the model does") {
     }
 }
 
+// Draws for a pipe without a gap between them, and the model's.
+class CloseDraws {
+public:
+    explicit CloseDraws(const rtl::PipeOptions& options)
+        : pipe_(reinterpret_cast<rtl::OpenPipe>(rtl_function("ffgpu_pipe.so", rtl::OpenPipeName))(
+              options)) {
+        prepare(model_);
+        prepare(drawn_);
+        drawn_.gpu.settled_memory(); // The clear is in it.
+        pipe_->set_memory(bytes_);
+    }
+
+    rtl::Pipe& pipe() { return *pipe_; }
+
+    // The pipe's part of one may be given up after some records.
+    void draw(std::size_t most_records = SIZE_MAX) {
+        random_.vary(model_.registers, random_.below(3));
+        const auto vertices = triangles(random_, 1 + random_.below(3));
+        model_.draw(PrimitiveType::Triangles, vertices);
+        // Behind everything that a draw reads.
+        constexpr DeviceAddress At = test::VerticesAt;
+        std::memcpy(bytes_.data() + At, vertices.data(), vertices.size() * sizeof vertices[0]);
+        DrawCommand command;
+        command.primitive = PrimitiveType::Triangles;
+        command.count = command.vertex_count = static_cast<std::uint32_t>(vertices.size());
+        command.vertex_address = At;
+        records_.make(model_.registers, number_, command);
+        pipe_->begin_draw(records_.context(), number_++);
+        std::size_t added = 0;
+        records_.for_each([&](const SetupRecord& record) {
+            if (added++ < most_records) pipe_->add(record);
+        });
+    }
+
+    // What the pipe draws on becomes what the model has.
+    void equalize() { std::ranges::copy(model_.gpu.settled_memory(), bytes_.begin()); }
+
+    TargetDifference difference() {
+        REQUIRE(pipe_->finish());
+        return TargetComparison().compare(model_.registers.targets, model_.gpu, drawn_.gpu);
+    }
+
+private:
+    std::unique_ptr<rtl::Pipe> pipe_;
+    test::Scene model_{40, 36}, drawn_{40, 36};
+    std::span<std::byte> bytes_ = drawn_.gpu.settled_memory();
+    PipeRecords records_{bytes_};
+    test::RandomStates random_{11};
+    std::uint32_t number_ = 0;
+};
+
 // Draws close behind each other, two at a time inside: each is under registers of its own.
 TEST_CASE("Draws follow each other through the pipe without a gap") {
-    const auto open =
-        reinterpret_cast<rtl::OpenPipe>(rtl_function("ffgpu_pipe.so", rtl::OpenPipeName));
     for (const rtl::PipeOptions& options : Memories) {
-        const std::unique_ptr<rtl::Pipe> pipe(open(options));
-        test::Scene model(40, 36), drawn(40, 36);
-        prepare(model);
-        prepare(drawn);
-        const std::span<std::byte> bytes = drawn.gpu.settled_memory();
-        pipe->set_memory(bytes);
-        test::RandomStates random(11);
-        PipeRecords records(bytes);
-        for (std::uint32_t draw = 0; draw < 60; ++draw) {
-            random.vary(model.registers, random.below(3));
-            const auto vertices = triangles(random, 1 + random.below(3));
-            model.draw(PrimitiveType::Triangles, vertices);
-            // Behind everything that a draw reads.
-            constexpr DeviceAddress At = test::VerticesAt;
-            std::memcpy(bytes.data() + At, vertices.data(), vertices.size() * sizeof vertices[0]);
-            DrawCommand command;
-            command.primitive = PrimitiveType::Triangles;
-            command.count = command.vertex_count = static_cast<std::uint32_t>(vertices.size());
-            command.vertex_address = At;
-            records.make(model.registers, draw, command);
-            pipe->begin_draw(records.context(), draw);
-            records.for_each([&](const SetupRecord& record) { pipe->add(record); });
-        }
-        REQUIRE(pipe->finish());
-        TargetComparison comparison;
-        const TargetDifference difference =
-            comparison.compare(model.registers.targets, model.gpu, drawn.gpu);
+        CloseDraws draws(options);
+        for (int draw = 0; draw < 60; ++draw)
+            draws.draw();
+        const TargetDifference difference = draws.difference();
         INFO(target_text(difference));
         CHECK(difference.target.empty());
+    }
+}
+
+// Quads, requests, stores and textures' banks of before are gone: nothing of them comes out later.
+TEST_CASE("A reset in mid-stream leaves nothing behind in the pipe") {
+    for (const rtl::PipeOptions& options : Memories) {
+        CloseDraws draws(options);
+        for (std::size_t turn = 0; turn < 12; ++turn) {
+            draws.draw();
+            draws.draw(turn % 3);
+            draws.pipe().reset();
+            draws.equalize();
+            draws.draw();
+            draws.draw();
+            const TargetDifference difference = draws.difference();
+            INFO("turn " << turn << "\n" << target_text(difference));
+            CHECK(difference.target.empty());
+        }
     }
 }
 

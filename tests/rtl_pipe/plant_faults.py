@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
-"""plant_faults.py BUILD [--jobs N]: faults planted in the fragment pipe's own glue, which its test has to see.
+"""plant_faults.py BUILD [--jobs N] [--protocol] [--keep]: faults planted in the fragment pipe's own
+glue, which its test has to see.
 
 All are built into one Verilated pipe, beside a copy of the test program of the build tree BUILD; each
-is run by its number. A test that fails, a crash or a hang kills one; survivors are listed, exit
-status 1. Number 0 is the pipe as it is, and has to pass.
+is run by its number. The protocol checker is bound to every channel, and flops wake up with random
+numbers. A test that fails, an assertion, a crash or a hang kills one; survivors are listed, exit
+status 1. Number 0 is the pipe as it is, and has to pass. --protocol: that alone, and how fast it
+is with the assertions; --keep: what was built before is run again.
 """
 import argparse
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -62,6 +66,28 @@ Mutants = [
     ("bytes", "target_write", "{4'd0, in_data_i.enables[13:12], in_data_i.enables[9:8]}", "{4'd0, 4'hf}"),
     ("bytes", "target_place", "surface_i.stride * {19'd0, y_i}", "surface_i.stride * {19'd0, y_i[12:5], 5'd0}"),
     ("bytes", "texel_supply", "data.block >> {note.offset, 3'd0}", "data.block >> {note.offset[2:0], 3'd0}"),
+    ("not held", "pipeline_register", "in_ready_o && in_valid_i", "in_valid_i"),
+    ("not held", "fifo", "read_q != {~write_q[IndexWidth], write_q[IndexWidth-1:0]}", "1'b1"),
+    ("doubled", "fifo", "read_q != write_q", "read_q != write_q || Depth == 4"),
+    ("doubled", "target_read", "!reads || words_valid", "1'b1"),
+    ("order", "texel_cache", "!head_missed || come_q[head_fill]", "1'b1"),
+    ("order", "texel_cache", "come_q[head_fill] <= 1'b0", "come_q[head_fill] <= 1'b1"),
+    ("slots", "texel_cache", "first_fill_q != {~next_fill_q[FillBits], next_fill_q[FillBits-1:0]}", "1'b1"),
+    ("order", "texel_fetch", "texel_q == last_texel", "texel_q == last_texel || texel_q == 3'd2"),
+    ("stale state", "texel_fetch", "is_last ? 3'd0 : texel_q + 3'd1", "texel_q + 3'd1"),
+    ("hazard", "quad_interlock", "count_q != Entries[CountWidth-1:0]", "1'b1"),
+    ("hazard", "quad_interlock", "first_q + 1'b1", "first_q"),
+    ("slots", "record_store", "{fill, plane_i.attribute}", "{fill ^ 2'd1, plane_i.attribute}"),
+    ("slots", "record_store", "counts_d[CountWidth*done_slot_i +: CountWidth] - 8'd1", "counts_d[CountWidth*done_slot_i +: CountWidth]"),
+    ("slots", "raster_front", "{slot_q, covered}", "{2'd0, covered}"),
+    ("tag mismatch", "texture_banks", "in_data_i.live[lane] && enters", "enters"),
+    ("tag mismatch", "target_stages", "tested_valid && !tested_lives", "1'b0"),
+    ("order", "quad_collect", "(value_valid_i && is_last)", "value_valid_i"),
+    ("bytes", "raster_front", "{2'd0, covered.y} - shading.y_reference", "{2'd0, covered.y} - shading.x_reference"),
+    ("stale state", "environment_loop", "shaded_q.quad.color <= in_data_i.primary", "shaded_q.quad.color <= in_data_i.secondary"),
+    ("not reset", "texel_gather", "texel_q <= 3'd0", "texel_q <= texel_q"),
+    ("not reset", "environment_loop", "inside_q   <= 1'b0", "inside_q <= inside_q"),
+    ("bytes", "sample_collect", "sample_i.color", "sample_i.color ^ {31'd0, at == 5'd6}"),
 ]
 
 
@@ -71,6 +97,30 @@ def planted(expression, mutant, number):
         left, right = expression.split(" <= ")
         return f"{left} <= ({Chosen} == {number} ? ({mutant.split(' <= ')[1]}) : ({right}))"
     return f"({Chosen} == {number} ? ({mutant}) : ({expression}))"
+
+
+# Units whose channels are checked beside registers and queues: those with an output for each input,
+# those with another number of them.
+OneToOne = ["alpha_test", "apply_coverage", "attribute_plane", "blend", "color_sum", "depth_plane",
+            "environment_loop", "fog", "interpolator", "level_of_detail", "perspective",
+            "quad_interlock", "reciprocal", "shading_stages", "stencil_depth", "target_read",
+            "texel_cache", "texel_decode", "texel_supply", "texture_environment"]
+OneToMany = ["filter_tree", "raster_front", "texel_address", "texel_fetch", "texel_sequence",
+             "texture_unit", "tile_sequence", "tile_walker"]
+UnitCheck = """bind {unit} unit_checker #(
+  .InWidth($bits(in_data_i)), .OutWidth($bits(out_data_o)), .OneToOne(1'b{one}),
+  .MostInside(256), .MostIdle(16384)
+) u_checker (
+  .clk_i, .rst_ni, .in_valid_i, .in_ready_i(in_ready_o), .in_data_i,
+  .out_valid_i(out_valid_o), .out_ready_i, .out_data_i(out_data_o)
+);
+"""
+
+
+def checks():
+    units = [UnitCheck.format(unit=u, one=int(u in OneToOne)) for u in OneToOne + OneToMany]
+    text = (Root / "tests/rtl_pipe/pipe_checks.sv.in").read_text()
+    return text.replace("@units@", "\n".join(units))
 
 
 def write_sources():
@@ -87,16 +137,18 @@ def write_sources():
             begin = text.index(expression)
             text = text[:begin] + planted(expression, mutant, number) + text[begin + len(expression):]
         (Work / "rtl" / file.name).write_text(text)
+    (Work / "rtl" / "pipe_checks.sv").write_text(checks())
 
 
 def build(tree):
     """The library and the test, in a tree like the build's."""
     verilated = Work / "verilated"
     sources = [str(Rtl / "lint.vlt")] + [str(Work / "rtl" / f"{p}.sv") for p in Packages]
-    subprocess.run(["verilator", "--cc", "-Wno-lint", "-Wno-fatal", "-O3", "--x-assign", "fast",
-                    "--x-initial", "fast", "--top-module", "fragment_pipe", "--prefix", "Vfragment_pipe",
-                    "-y", str(Work / "rtl"), "--Mdir", str(verilated), *sources,
-                    str(Work / "rtl/fragment_pipe.sv")], check=True)
+    subprocess.run(["verilator", "--cc", "-Wno-lint", "-Wno-fatal", "-O3", "--assert", "--x-assign",
+                    "unique", "--x-initial", "unique", "--top-module", "fragment_pipe", "--prefix",
+                    "Vfragment_pipe", "-y", str(Work / "rtl"), "--Mdir", str(verilated), *sources,
+                    str(Work / "rtl/fragment_pipe.sv"), str(Root / "tests/rtl/unit_checker.sv"),
+                    str(Work / "rtl/pipe_checks.sv")], check=True)
     include = Path("/usr/share/verilator/include")
     cpp = [*verilated.glob("*.cpp"), include / "verilated.cpp", include / "verilated_threads.cpp",
            *(Rtl / "pipe").glob("*.cpp"), Root / "tests/rtl/mutant.cpp"]
@@ -116,7 +168,9 @@ def build(tree):
                     "-pthread"], check=True)
     (libraries / "libGL.so.1").touch()
     (Work / "tests").mkdir()
+    (Work / "tools").mkdir()
     shutil.copy(tree / "tests/rtl_pipe_test", Work / "tests")
+    shutil.copy(tree / "tools/ffgpu", Work / "tools")
 
 
 def run(number):
@@ -130,21 +184,48 @@ def run(number):
         return False
 
 
+def speed(ffgpu):
+    """Million cycles a second of the host's processor, as ffgpu tells for a frame of a trace."""
+    told = subprocess.run([ffgpu, "replay", Root / "traces/corridor.trace", "--rtl", "fragment_pipe",
+                           "--frames", "0-0", "--no-images"], check=True, capture_output=True,
+                          text=True).stderr
+    return float(re.search(r"([\d.]+) million cycles a second", told)[1])
+
+
+def protocol(tree):
+    """The pipe as it is under the checker at every channel: its test, and what the checker costs."""
+    if not run(0):
+        sys.exit("the test fails with the protocol checker at every channel")
+    print("the protocol holds at every channel of the pipe")
+    print(f"{speed(tree / 'tools/ffgpu'):.3f} million cycles a second, "
+          f"{speed(Work / 'tools/ffgpu'):.3f} with the assertions")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("build", type=Path)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--protocol", action="store_true")
+    parser.add_argument("--keep", action="store_true")
     arguments = parser.parse_args()
-    write_sources()
-    build(arguments.build)
+    if not arguments.keep:
+        write_sources()
+        build(arguments.build)
+    if arguments.protocol:
+        return protocol(arguments.build)
     if not run(0):
         sys.exit("the test fails without a mutant")
     with ThreadPoolExecutor(arguments.jobs) as pool:
-        survives = list(pool.map(run, range(1, len(Mutants) + 1)))
-    for number, (survived, mutant) in enumerate(zip(survives, Mutants), 1):
-        print(f"{'SURVIVED' if survived else 'killed  '} {number:2} {mutant[0]:13} {mutant[1]}: {mutant[2]} -> {mutant[3]}")
+        survives = list(pool.map(tell, range(1, len(Mutants) + 1)))
     print(f"{len(Mutants) - sum(survives)} of {len(Mutants)} killed")
     sys.exit(1 if any(survives) else 0)
+
+
+def tell(number):
+    survived, mutant = run(number), Mutants[number - 1]
+    print(f"{'SURVIVED' if survived else 'killed  '} {number:2} {mutant[0]:13} {mutant[1]}: "
+          f"{mutant[2]} -> {mutant[3]}", flush=True)
+    return survived
 
 
 if __name__ == "__main__":
