@@ -12,6 +12,7 @@ module draw_tracker (
   input  logic       tag_i,
   input  logic [2:0] ends_0_i,
   input  logic [2:0] ends_1_i,
+  input  logic [1:0] waits_i,    // stores, by tags
 
   output logic [1:0] idle_o
 );
@@ -23,8 +24,8 @@ module draw_tracker (
 
   assign found_0 = found_i && !tag_i;
   assign found_1 = found_i && tag_i;
-  assign idle_o  = {count_1_q == '0 && !(walking_i && tag_i),
-                    count_0_q == '0 && !(walking_i && !tag_i)};
+  assign idle_o  = {count_1_q == '0 && !(walking_i && tag_i) && !waits_i[1],
+                    count_0_q == '0 && !(walking_i && !tag_i) && !waits_i[0]};
 
   function automatic logic [Width-1:0] ones(input logic [2:0] bits);
     ones = {{Width-1{1'b0}}, bits[0]} + {{Width-1{1'b0}}, bits[1]} + {{Width-1{1'b0}}, bits[2]};

@@ -78,6 +78,7 @@ module fragment_pipe #(
   logic [5:0]       first_attribute, second_attribute;
   logic [1:0]       slot, walked_slot, done_slot, first_slot, second_slot;
   logic [2:0]       ends_0, ends_1;
+  logic [1:0]       waits;
   logic record_taken, store_ready, front_ready, walking, found, walked_tag, done;
   logic quad_valid, quad_ready, request_valid, request_ready, pending_valid, pending_ready;
   logic waiting_valid, waiting_ready, sample_valid, sample_ready, kept_valid, kept_ready;
@@ -250,6 +251,7 @@ module fragment_pipe #(
     .in_data_i (shaded),
     .ends_0_o  (ends_0),
     .ends_1_o  (ends_1),
+    .waits_o   (waits),
     .depth_request_valid_o,
     .depth_request_ready_i,
     .depth_request_o,
@@ -277,6 +279,7 @@ module fragment_pipe #(
     .tag_i    (walked_tag),
     .ends_0_i (ends_0),
     .ends_1_i (ends_1),
+    .waits_i  (waits),
     .idle_o
   );
 

@@ -35,23 +35,24 @@ module quad_collect (
   assign is_last      = value_i.place[6];
   assign is_unit_last = value_i.place[7];
 
-  // The attribute's lanes into their places. What a unit's coordinates do not carry does not matter.
+  // The attribute's lanes into their places, if it is this quad's: what waits stays as it is.
+  // What a unit's coordinates do not carry does not matter.
   always_comb begin
     primary     = primary_q;
     secondary   = secondary_q;
     fog         = fog_q;
     coordinates = coordinates_q;
     for (int unsigned lane = 0; lane < 4; lane++) begin
-      if (attribute[5:2] == 4'd1) begin
+      if (in_data_i.has_values && attribute[5:2] == 4'd1) begin
         primary[32*lane + 8*attribute[1:0] +: 8] = value_i.values[32*lane +: 8];
       end
-      if (attribute[5:2] == 4'd2) begin
+      if (in_data_i.has_values && attribute[5:2] == 4'd2) begin
         secondary[32*lane + 8*attribute[1:0] +: 8] = value_i.values[32*lane +: 8];
       end
-      if (attribute == ffgpu_pipe_pkg::AttributeFog) begin
+      if (in_data_i.has_values && attribute == ffgpu_pipe_pkg::AttributeFog) begin
         fog[32*lane +: 32] = value_i.values[32*lane +: 32];
       end
-      if (attribute[5:4] != 2'd0) begin
+      if (in_data_i.has_values && attribute[5:4] != 2'd0) begin
         coordinates[96*lane + 32*attribute[1:0] +: 32] = value_i.values[32*lane +: 32];
       end
     end

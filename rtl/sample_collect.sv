@@ -36,7 +36,9 @@ module sample_collect (
 
   always_comb begin
     samples = samples_q;
-    samples[32*at +: 32] = sample_i.color;
+    if (has_samples) begin
+      samples[32*at +: 32] = sample_i.color;
+    end
   end
 
   assign sample_ready_o = in_valid_i && has_samples && (!is_last || out_ready_i);

@@ -15,6 +15,8 @@ module target_stages (
   // Quads that ended, by their tags: before the depth target, between the two, behind both.
   output logic [2:0]                      ends_0_o,
   output logic [2:0]                      ends_1_o,
+  // By tags: of a quad that may have ended a store waits for its memory.
+  output logic [1:0]                      waits_o,
 
   output logic                            depth_request_valid_o,
   input  logic                            depth_request_ready_i,
@@ -46,6 +48,7 @@ module target_stages (
   logic tested_valid, tested_ready, tested_lives, color_read_ready, color_valid, color_ready;
   logic color_written_valid, color_written_ready, colored_valid, depth_stored, color_stored;
   logic [2:0] ends;
+  logic [1:0] depth_waits, color_waits;
 
   assign depth_state_0 = state_0_i.stencil_depth;
   assign depth_state_1 = state_1_i.stencil_depth;
@@ -89,6 +92,8 @@ module target_stages (
     .out_data_o (depth_written)
   );
   target_write u_depth_write (
+    .clk_i,
+    .rst_ni,
     .place_0_i    (state_0_i.depth_place),
     .place_1_i    (state_1_i.depth_place),
     .format_0_i   (depth_state_0.format),
@@ -100,6 +105,7 @@ module target_stages (
     .out_ready_i  (tested_ready),
     .out_data_o   (tested),
     .stored_o     (depth_stored),
+    .waits_o      (depth_waits),
     .store_valid_o(depth_store_valid_o),
     .store_ready_i(depth_store_ready_i),
     .store_o      (depth_store_o)
@@ -142,6 +148,8 @@ module target_stages (
     .out_data_o (color_written)
   );
   target_write u_color_write (
+    .clk_i,
+    .rst_ni,
     .place_0_i    (state_0_i.color_place),
     .place_1_i    (state_1_i.color_place),
     .format_0_i   (blend_state_0.format),
@@ -153,12 +161,14 @@ module target_stages (
     .out_ready_i  (1'b1),
     .out_data_o   (colored),
     .stored_o     (color_stored),
+    .waits_o      (color_waits),
     .store_valid_o(color_store_valid_o),
     .store_ready_i(color_store_ready_i),
     .store_o      (color_store_o)
   );
 
   assign ends     = {colored_valid, tested_valid && !tested_lives, in_valid_i && !lives};
+  assign waits_o  = depth_waits | color_waits;
   assign ends_1_o = ends & {colored.tag, tested.tag, in_data_i.tag};
   assign ends_0_o = ends & ~{colored.tag, tested.tag, in_data_i.tag};
 

@@ -10,7 +10,7 @@ import re
 import subprocess
 import sys
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 Root = Path(__file__).resolve().parents[2]
@@ -73,8 +73,8 @@ def cache_memory(set_bits, way_bits=2, line_bits=6, fill_bits=3, queue_depth=32)
 
 
 def cache_table(measured):
-    rows = "".join(f"| {1 << bits} | {4 << bits + 6} | {cache_memory(bits)} | {measured[bits]} |\n"
-                   for bits in CacheSetBits)
+    rows = "".join(f"| {1 << bits} | {4 << bits + 6} | {cache_memory(bits)} | {memory} |\n"
+                   for bits, memory in sorted(measured.items()))
     return f"""## Sizes of the texel cache
 
 Sets are a parameter, with four ways of lines of 64 bytes. The memory bits are as predicted from the parameters: lines, lines on their way, tags and the queue, each in memories of 16 words
@@ -105,9 +105,12 @@ looks at goes away with the ports that end it.
 
 
 def read_page():
+    """The figures of each unit on the page, and the cache's memory bits by the bits of its sets."""
     text = Page.read_text() if Page.exists() else ""
     rows = re.findall(r"^\| ([a-z]\w+) \| ([\d |]+) \|$", text, re.M)
-    return {unit: tuple(int(f) for f in figures.split(" | ")) for unit, figures in rows}
+    sizes = re.findall(r"^\| (\d+) \| \d+ \| \d+ \| (\d+) \|$", text, re.M)
+    return ({unit: tuple(int(f) for f in figures.split(" | ")) for unit, figures in rows},
+            {int(sets).bit_length() - 1: int(memory) for sets, memory in sizes})
 
 
 def drifts_of(names, before, costs):
@@ -126,22 +129,32 @@ def main():
     parser.add_argument("units", nargs="*")
     arguments = parser.parse_args()
     names = arguments.units or units()
-    before = read_page()
-    with ThreadPoolExecutor(arguments.jobs) as pool:
-        sizes = [pool.submit(cost, "texel_cache", {"SetBits": bits}) for bits in CacheSetBits]
-        # The longest first.
-        order = sorted(names, key=lambda unit: -before.get(unit, (1 << 30,))[0])
-        costs = dict(zip(order, pool.map(cost, order)))
-        cache = {bits: size.result()[3] for bits, size in zip(CacheSetBits, sizes)}
-    wrong = [f"texel_cache of {1 << bits} sets: {cache[bits]} memory bits, not {cache_memory(bits)}"
-             for bits in CacheSetBits if cache[bits] != cache_memory(bits)]
+    before, cache = read_page()
+    costs = measured(names, before, cache, arguments)
+    wrong = [f"texel_cache of {1 << bits} sets: {memory} memory bits, not {cache_memory(bits)}"
+             for bits, memory in cache.items() if memory != cache_memory(bits)]
     drifts = drifts_of(names, before, costs) + wrong
-    if arguments.check:
-        print(*drifts, sep="\n")
-    else:
-        kept = {unit: figures for unit, figures in before.items() if unit in units()}
-        Page.write_text(page({**kept, **costs}, cache))
+    print(*(drifts if arguments.check else wrong), sep="\n")
     sys.exit(1 if wrong or (arguments.check and drifts) else 0)
+
+
+def measured(names, before, cache, arguments):
+    """The units' costs, and the cache's sizes into `cache`. The page gets each as it comes: yosys
+    works for long."""
+    costs = {}
+    kept = {unit: figures for unit, figures in before.items() if unit in units()}
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        sizes = {pool.submit(cost, "texel_cache", {"SetBits": bits}): bits
+                 for bits in CacheSetBits if "texel_cache" in names}
+        todo = {**sizes, **{pool.submit(cost, unit): unit for unit in names}}
+        for done in as_completed(todo):
+            if done in sizes:
+                cache[sizes[done]] = done.result()[3]
+            else:
+                costs[todo[done]] = done.result()
+            if not arguments.check:
+                Page.write_text(page({**kept, **costs}, cache))
+    return costs
 
 
 if __name__ == "__main__":
