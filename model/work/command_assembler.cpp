@@ -37,41 +37,60 @@ private:
     std::vector<std::uint32_t> begin_;
 };
 
+// A quad of a batch, by what brings it into the canonical order within its primitive.
 struct Source {
-    std::uint64_t primitive_and_piece = 0;
-    std::uint32_t place = 0; // row, column
+    std::uint64_t piece_and_place = 0; // piece, row, column
     std::uint32_t batch = 0;
     std::uint32_t quad = 0;
 
+    std::uint32_t piece() const { return static_cast<std::uint32_t>(piece_and_place >> 32); }
+
     // Quads of one place stay in the order in which they came.
     bool operator<(const Source& other) const {
-        if (primitive_and_piece != other.primitive_and_piece)
-            return primitive_and_piece < other.primitive_and_piece;
-        if (place != other.place) return place < other.place;
+        if (piece_and_place != other.piece_and_place)
+            return piece_and_place < other.piece_and_place;
         return std::pair(batch, quad) < std::pair(other.batch, other.quad);
     }
 };
 
-// The quads of one place of an image, each drawn by another of its pixels, become pieces.
-void number_image_pieces(std::vector<Source>& sources) {
-    for (std::size_t i = 1; i < sources.size(); ++i)
-        if (sources[i].place == sources[i - 1].place)
-            sources[i].primitive_and_piece = sources[i - 1].primitive_and_piece + 1;
+Source source(const WorkQuad& quad, std::uint32_t batch, std::uint32_t number) {
+    const std::uint32_t place = static_cast<std::uint32_t>(quad.y) << 16 | quad.x;
+    return {std::uint64_t{quad.piece} << 32 | place, batch, number};
 }
 
+// The quads of one place of an image, each drawn by another of its pixels, become pieces.
+void number_image_pieces(std::vector<Source>& sources) {
+    constexpr std::uint64_t OnePiece = std::uint64_t{1} << 32;
+    for (std::size_t i = 1; i < sources.size(); ++i)
+        if ((sources[i].piece_and_place - sources[i - 1].piece_and_place) % OnePiece == 0)
+            sources[i].piece_and_place = sources[i - 1].piece_and_place + OnePiece;
+}
+
+template <class Each>
+void for_each_quad(const std::vector<const WorkBatch*>& batches, Each&& each) {
+    for (std::uint32_t batch = 0; batch < batches.size(); ++batch)
+        for (std::uint32_t q = 0; q < batches[batch]->quads.size(); ++q)
+            each(batches[batch]->quads[q], batch, q);
+}
+
+// By primitives at first, whose numbers are small: each has few quads then.
 std::vector<Source> in_canonical_order(const std::vector<const WorkBatch*>& batches,
                                        bool is_image) {
-    std::vector<Source> sources;
-    for (std::uint32_t batch = 0; batch < batches.size(); ++batch)
-        for (std::uint32_t q = 0; q < batches[batch]->quads.size(); ++q) {
-            const WorkQuad& quad = batches[batch]->quads[q];
-            sources.push_back(
-                {.primitive_and_piece = std::uint64_t{quad.primitive} << 32 | quad.piece,
-                 .place = static_cast<std::uint32_t>(quad.y) << 16 | quad.x,
-                 .batch = batch,
-                 .quad = q});
-        }
-    std::sort(sources.begin(), sources.end());
+    std::vector<std::uint32_t> begin; // of the primitive's quads; then the end
+    for_each_quad(batches, [&](const WorkQuad& quad, std::uint32_t, std::uint32_t) {
+        if (quad.primitive + std::size_t{2} > begin.size()) begin.resize(quad.primitive + 2u, 0);
+        ++begin[quad.primitive + 1];
+    });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<Source> sources(begin.empty() ? 0 : begin.back());
+    for_each_quad(batches, [&](const WorkQuad& quad, std::uint32_t batch, std::uint32_t q) {
+        sources[begin[quad.primitive]++] = source(quad, batch, q);
+    });
+    std::uint32_t first = 0;
+    for (const std::uint32_t end : begin) {
+        std::sort(sources.begin() + first, sources.begin() + end);
+        first = end;
+    }
     if (is_image) {
         number_image_pieces(sources);
         std::sort(sources.begin(), sources.end());
@@ -87,11 +106,13 @@ void append_accesses(const WorkBatch& batch,
     for (const std::uint8_t unit : whole.units) {
         for (std::size_t i = 0; i < batch.textures.size(); ++i) {
             if (batch.textures[i].unit != unit) continue;
-            const auto& accesses = batch.textures[i].accesses;
-            for (std::uint32_t at = index.begin(quad, i); at < index.begin(quad + 1, i); ++at) {
-                whole.accesses.push_back(accesses[at]);
-                whole.accesses.back().lane %= 4;
-            }
+            const TexelAccess* const accesses = batch.textures[i].accesses.data();
+            const std::size_t first = whole.accesses.size();
+            whole.accesses.insert(whole.accesses.end(),
+                                  accesses + index.begin(quad, i),
+                                  accesses + index.begin(quad + 1, i));
+            for (TexelAccess& access : std::span(whole.accesses).subspan(first))
+                access.lane %= 4;
         }
         whole.access_begin.push_back(static_cast<std::uint32_t>(whole.accesses.size()));
     }
@@ -145,7 +166,7 @@ std::shared_ptr<const WholeCommand> CommandAssembler::assemble(const WorkDraw& d
     for (const Source& source : sources) {
         const WorkBatch& batch = *parts.batches[source.batch];
         whole->quads.push_back(batch.quads[source.quad]);
-        whole->quads.back().piece = static_cast<std::uint32_t>(source.primitive_and_piece);
+        whole->quads.back().piece = source.piece();
         append_accesses(batch, indices[source.batch], source.quad, *whole);
         if (has_values) append_values(batch, source.quad, *whole);
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <utility>
 
 namespace ffgpu::work {
 
@@ -38,10 +39,23 @@ void SetStacks::push_down(std::size_t set, std::uint32_t to) {
     if (!dirty_.empty()) push_up(dirty_.data() + set, to);
 }
 
+// Without holes and without anything dirty: each line moves down by one, to where it was.
+std::uint32_t SetStacks::use_clean(const Use& use) {
+    std::uint32_t* const lines = lines_.data() + set_of(use.line);
+    std::uint32_t moved = use.id;
+    for (std::uint32_t at = 0; at < depth_; ++at) {
+        std::swap(moved, lines[at]);
+        if (moved == use.id) return at;
+        if (moved == Empty) return NotThere;
+    }
+    return NotThere;
+}
+
 std::uint32_t SetStacks::use(const Use& use, bool may_be) {
+    used_ = true;
+    if (dirty_.empty() && holes_ == 0 && !use.write) return use_clean(use);
     const std::size_t set = set_of(use.line);
     const std::uint32_t position = may_be ? find(set, use.id) : NotThere;
-    used_ = true;
     if (use.write && dirty_.empty()) dirty_.assign(lines_.size(), WriteBacks::Clean);
     std::uint32_t dirty = use.write ? 0 : WriteBacks::Clean;
     if (position != NotThere) dirty = write_backs_.used(level(set + position), position, use.write);

@@ -59,6 +59,7 @@ private:
         if (!dirty_.empty()) dirty_[at] = level;
     }
     void push_down(std::size_t set, std::uint32_t to);
+    std::uint32_t use_clean(const Use& use);
 
     std::uint64_t mask_;
     std::uint32_t depth_, stride_;

@@ -24,19 +24,26 @@ TexelLookups::TexelLookups(const WholeCommand& command,
     , merges_(config.raster.granularity == Granularity::Quad && config.merges_texel_reads)
     , out_(out) {}
 
+void TexelLookups::place(unsigned unit, const std::vector<PlacedLevel>& levels) {
+    Place& place = places_[unit];
+    place.levels = &levels;
+    place.lines.clear();
+    for (const PlacedLevel& level : levels)
+        place.lines.emplace_back(level, line_bytes_);
+}
+
 void TexelLookups::add(std::uint32_t number, std::uint8_t lanes, PreparedQuad& quad) {
     quad.texel_lines_begin = static_cast<std::uint32_t>(out_.texel_lines.size());
     quad.texture_parts_begin = static_cast<std::uint32_t>(out_.texture_parts.size());
     quad.texture_count = static_cast<std::uint8_t>(command_.units.size());
     for (std::size_t i = 0; i < command_.units.size(); ++i) {
-        const auto* levels = places_[command_.units[i]];
+        const Place& place = places_[command_.units[i]];
         const std::size_t first_line = out_.texel_lines.size();
         std::array<unsigned, 4> samples{}; // a lane
         for (const TexelAccess& access : command_.accesses_of(number, i)) {
             if ((lanes >> access.lane & 1) == 0) continue;
             samples[access.lane] += (access.linear & 4) ? 2 : 1;
-            if (levels && access.level < levels->size())
-                add_access((*levels)[access.level], access, quad);
+            if (access.level < place.lines.size()) add_access(place, access, quad);
         }
         const unsigned steps = *std::max_element(samples.begin(), samples.end());
         out_.texture_parts.push_back(
@@ -56,20 +63,32 @@ void TexelLookups::add_line(std::uint64_t line, const PreparedQuad& quad) {
         out_.texel_lines.push_back(line);
 }
 
-void TexelLookups::add_access(const PlacedLevel& level,
+// Most accesses fall on the line of the texel before.
+void TexelLookups::add_square(const LevelLines& level,
                               const TexelAccess& access,
                               PreparedQuad& quad) {
+    const std::uint64_t layer = level.layer(access.layer0);
+    const std::uint64_t rows[]{layer + level.row(access.y0), layer + level.row(access.y1)};
+    const std::uint64_t columns[]{level.column(access.x0), level.column(access.x1)};
+    quad.texel_reads = static_cast<std::uint16_t>(quad.texel_reads + 4);
+    std::uint64_t last = out_.texel_lines.size() > quad.texel_lines_begin ? out_.texel_lines.back()
+                                                                          : ~std::uint64_t{0};
+    for (const std::uint64_t row : rows)
+        for (const std::uint64_t column : columns) {
+            const std::uint64_t line = level.line(row + column);
+            if (line == last) continue;
+            add_line(line, quad);
+            last = line;
+        }
+}
+
+void TexelLookups::add_access(const Place& place, const TexelAccess& access, PreparedQuad& quad) {
+    const PlacedLevel& level = (*place.levels)[access.level];
     quad.expands_blocks |= level.compressed && level.expansion_log2 == 0;
+    if (is_plain_square(level, access)) // Most are.
+        return add_square(place.lines[access.level], access, quad);
     const std::array columns{level.column_offset(access.x0), level.column_offset(access.x1)};
     const std::array rows{level.row_offset(access.y0), level.row_offset(access.y1)};
-    if (is_plain_square(level, access)) { // Most are.
-        const std::uint64_t layer = level.layer_address(access.layer0);
-        quad.texel_reads = static_cast<std::uint16_t>(quad.texel_reads + 4);
-        for (const std::uint64_t row : rows)
-            for (const std::uint64_t column : columns)
-                add_line(quotient(layer + column + row, line_bytes_), quad);
-        return;
-    }
     for (unsigned corner = 0; corner < 8; ++corner) {
         if (corner & ~unsigned{access.linear}) continue; // Texels that this filter does not read.
         const std::uint16_t x = corner & 1 ? access.x1 : access.x0;

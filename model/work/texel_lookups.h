@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include "model/work/level_lines.h"
 #include "model/work/prepared_work.h"
 
 #include <array>
@@ -19,20 +20,26 @@ class TexelLookups {
 public:
     TexelLookups(const WholeCommand& command, const WorkConfig& config, PreparedScene& out);
 
-    void place(unsigned unit, const std::vector<PlacedLevel>& levels) { places_[unit] = &levels; }
+    void place(unsigned unit, const std::vector<PlacedLevel>& levels);
 
     // Of the fragments `lanes` of the command's quad `number`.
     void add(std::uint32_t number, std::uint8_t lanes, PreparedQuad& quad);
 
 private:
-    void add_access(const PlacedLevel& level, const TexelAccess& access, PreparedQuad& quad);
+    struct Place {
+        const std::vector<PlacedLevel>* levels = nullptr;
+        std::vector<LevelLines> lines; // of each
+    };
+
+    void add_access(const Place& place, const TexelAccess& access, PreparedQuad& quad);
+    void add_square(const LevelLines& level, const TexelAccess& access, PreparedQuad& quad);
     void add_line(std::uint64_t line, const PreparedQuad& quad);
 
     const WholeCommand& command_;
     const std::uint32_t line_bytes_;
     const bool merges_;
     PreparedScene& out_;
-    std::array<const std::vector<PlacedLevel>*, TextureUnits> places_{};
+    std::array<Place, TextureUnits> places_{};
 };
 
 } // namespace ffgpu::work

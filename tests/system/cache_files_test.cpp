@@ -88,6 +88,27 @@ TEST_CASE("the rows of curves.csv add up, and more ways never miss more", "[cach
     CHECK(curves == 5);
 }
 
+TEST_CASE("what curves do not follow of the configured machine is told", "[cache]") {
+    std::vector<std::string> lines;
+    CacheStudyOptions options;
+    options.input = own_trace("corridor");
+    options.frames = {0, 0};
+    options.most_sets = 1;
+    options.warn = [&](const std::string& line) { lines.push_back(line); };
+    timing::TimingConfig& timing = options.configuration.timing;
+    timing.depth_cache.index_hash = work::IndexHash::Xor; // asked for by nobody
+    CacheStudyResult result;
+    study_caches(options, result);
+    CHECK(lines.empty());
+    timing.texel_cache.index_hash = work::IndexHash::Xor;
+    timing.texel_cache.per_pipe = true;
+    timing.raster.quads_per_cycle = 2;
+    study_caches(options, result);
+    REQUIRE(lines.size() == 2);
+    CHECK_THAT(lines[0], Contains("texel_cache.index_hash: not followed"));
+    CHECK_THAT(lines[1], Contains("texel_cache.per_pipe: not followed"));
+}
+
 // Misses of a plain cache, by quad.
 class QuadMisses final : public work::LookupSink {
 public:

@@ -103,6 +103,31 @@ TEST_CASE("curves of one pass equal a plain cache of each shape", "[curves]") {
     }
 }
 
+// `writes`: whether any look-up may write.
+std::vector<Event> read_only(std::vector<Event> events, std::size_t writes_from) {
+    for (std::size_t i = 0; i < std::min(writes_from, events.size()); ++i)
+        if (events[i].kind == Event::Kind::LookUp) events[i].flag = false;
+    return events;
+}
+
+TEST_CASE("look-ups that only read, and begin to write late, equal a plain cache", "[curves]") {
+    constexpr std::size_t Never = ~std::size_t{0};
+    for (const std::size_t writes_from : {Never, std::size_t{3000}})
+        for (const unsigned lines : {12u, 40u, 400u}) {
+            std::vector<Event> all = read_only(events(lines, 6000, lines, 0), writes_from);
+            all.insert(all.begin() + 2000, Event{Event::Kind::Flush, 0, false});
+            MissCurves curves({.most_sets = 16, .most_ways = 20});
+            play(all, curves);
+            for (std::uint32_t sets = 1; sets <= 16; sets *= 2)
+                for (const std::uint32_t ways : {1u, 2u, 3u, 5u, 8u, 15u, 16u, 17u, 20u}) {
+                    INFO(lines << " lines, " << sets << " sets, " << ways << " ways");
+                    PlainCache plain(sets, ways);
+                    play(all, plain);
+                    check_equal(curves.sums().counts(sets, ways), plain.counts);
+                }
+        }
+}
+
 TEST_CASE("fully associative caches of any size, past the first window of times", "[curves]") {
     const std::vector<Event> all = events(7, 80000, 3000, 400);
     MissCurves curves({.most_sets = 1, .most_ways = 1});

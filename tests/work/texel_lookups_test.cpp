@@ -17,6 +17,7 @@ PlacedLevel random_level(std::mt19937& random) {
     PlacedLevel level;
     level.layout = ImageLayout::make(layout, 1u << random() % 4, 8, 16, 16, 1u << random() % 5);
     level.base = 64 * (random() % 64);
+    if (random() % 4 == 0) level.block_width = level.block_height = 2; // texels of an element
     level.layer_bytes = level.layout.bytes();
     return level;
 }

@@ -18,15 +18,23 @@ public:
 private:
     friend class LookupChunker;
     enum class Kind : std::uint8_t { Lookups, Flush, Overwritten, EndFrame };
+    using Scopes = decltype(work::LookupPlace::began);
     struct Step {
+        std::uint64_t place = 0;  // LookupPlace::number
+        std::uint32_t number = 0; // reads, or the frame
+        std::uint32_t end = 0;    // of its look-ups or lines, which begin where those before end
+        std::uint32_t scopes = 0; // in scopes_
+        std::uint16_t x = 0, y = 0;
         Kind kind = Kind::Lookups;
         work::LookupClient client = work::LookupClient::Texel;
-        std::uint32_t number = 0; // reads, or the frame
-        std::size_t end = 0;      // of its look-ups or lines, which begin where those before end
-        work::LookupPlace place{};
     };
 
+    Step step(Kind kind, work::LookupClient client, std::size_t end) const;
+    std::uint32_t add_scopes(const work::LookupPlace& place);
+    work::LookupPlace place_of(const Step& step) const;
+
     std::vector<Step> steps_;
+    std::vector<Scopes> scopes_; // few: most places share all but the first, which is their own
     std::vector<work::LineLookup> lookups_;
     std::vector<work::OverwrittenLine> overwritten_;
 };
