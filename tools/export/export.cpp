@@ -112,6 +112,12 @@ public:
     void end_frame(std::uint32_t) override {}
 };
 
+// An export has no figures of bottlenecks, whose reckoning is a third of the machine's time.
+timing::TimingConfig without_bottlenecks(timing::TimingConfig config) {
+    config.bottlenecks.enable = false;
+    return config;
+}
+
 // The machine in time; where textures are asked for, their places, before it knows them.
 class TracedMachine final : public work::CommandSink {
 public:
@@ -164,7 +170,7 @@ std::string traffic_text(const TrafficByClient& traffic) {
 }
 
 std::string export_memory(const ExportOptions& options) {
-    const timing::TimingConfig& config = options.configuration.timing;
+    const timing::TimingConfig config = without_bottlenecks(options.configuration.timing);
     ExportOutput output(options.output, options.compresses);
     TextWriter text(output);
     const bool names_quads = options.format == ExportFormat::Csv;
@@ -208,7 +214,7 @@ std::string export_time(const ExportOptions& options) {
     ExportOutput output(fst ? "/dev/null" : options.output, options.compresses);
     TextWriter text(output);
     const std::unique_ptr<TimelineFormat> format = make_timeline(options, text);
-    timing::TimingConfig config = options.configuration.timing;
+    timing::TimingConfig config = without_bottlenecks(options.configuration.timing);
     const bool tells_queues = options.format == ExportFormat::Perfetto;
     if (tells_queues) config.series.interval_cycles = TimelineTrace::Interval;
     TracedMachine machine(config, false);
