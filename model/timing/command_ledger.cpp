@@ -54,9 +54,27 @@ void CommandLedger::end_part(std::size_t entry, std::uint64_t now) {
     count(entries_[entry]);
 }
 
+// A charge in an earlier cycle is sure now, and has only what was moved until then.
+void CommandLedger::moved(const MemoryRequest& request, std::uint64_t now) {
+    begin_cycle(now);
+    MovedBytes& bytes = moved_[static_cast<std::size_t>(request.client)];
+    (request.write ? bytes.written : bytes.read) += request.bytes;
+    any_moved_ = true;
+}
+
+void CommandLedger::give_moved(CommandCycles& to) {
+    if (!std::exchange(any_moved_, false)) return;
+    for (std::size_t i = 0; i < moved_.size(); ++i) {
+        const MovedBytes bytes = std::exchange(moved_[i], {});
+        to.moved[i].read += bytes.read;
+        to.moved[i].written += bytes.written;
+    }
+}
+
 // It is sure now whom the cycles were charged to in the last cycle in which any were.
 void CommandLedger::note_charge() {
     if (charged_ == None) return;
+    give_moved(entries_[charged_].listed);
     if (!charges_.empty() && charges_.back().entry == charged_)
         charges_.back().end = cycle_;
     else
@@ -89,6 +107,7 @@ std::vector<CommandCycles> CommandLedger::end_frame(std::uint64_t now,
     Entry& end = entries_.emplace_back(Entry{{.kind = CommandKind::FrameEnd}, 0});
     end.listed.cycles = now - charged_until_;
     note_charge();
+    give_moved(end.listed);
     charges_.push_back({now, entries_.size() - 1});
     if (!waited.empty()) explain(waited);
     save(end, saved);

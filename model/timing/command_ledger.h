@@ -11,6 +11,7 @@
 #pragma once
 
 #include "model/packets/work_stream.h"
+#include "model/timing/memory_request.h"
 #include "model/timing/moment.h"
 #include "model/timing/resource.h"
 #include "model/timing/wait_paths.h"
@@ -51,6 +52,13 @@ constexpr CommandKind command_kind(WorkKind kind) {
     return CommandKind::Copy;
 }
 
+// Bytes that memory has moved.
+struct MovedBytes {
+    std::uint64_t read = 0, written = 0;
+
+    bool operator==(const MovedBytes&) const = default;
+};
+
 struct CommandCycles {
     CommandKind kind = CommandKind::Draw;
     std::uint32_t number = 0; // WorkDraw::number; of a host transfer: of the draw that it precedes
@@ -58,6 +66,7 @@ struct CommandCycles {
     WaitedCycles waited{};   // whose sum they are; none where nobody looked
     Saved saved{};           // that it would have taken less without each resource, about
     work::DrawShape shape{}; // of a draw or an image
+    std::array<MovedBytes, Clients> moved{}; // in its cycles, whoever asked for them before
 
     // Without which it would have taken the fewest cycles; of two the first. Where none is saved
     // the one that it waited for most.
@@ -83,6 +92,9 @@ public:
     void retire(std::size_t entry, std::uint64_t now);   // A part that is charged for the time.
     void end_part(std::size_t entry, std::uint64_t now); // Any other part.
 
+    // Memory has read or written what was asked for: bytes of whoever is charged for the cycle.
+    void moved(const MemoryRequest& request, std::uint64_t now);
+
     // Cycle `now` is over, which would have been so much sooner: who was charged for it has saved
     // what that is more than before.
     void end_cycle(std::uint64_t now, const Saved& saved) {
@@ -106,6 +118,7 @@ private:
     void charge(std::size_t entry, std::uint64_t now);
     void count(Entry& entry);
     void note_charge();
+    void give_moved(CommandCycles& to);
     void save(Entry& entry, const Saved& saved);
     void explain(const std::vector<WaitPaths::Run>& waited);
 
@@ -119,7 +132,9 @@ private:
         std::size_t entry = 0;
     };
     std::vector<Charge> charges_;
-    Saved saved_; // up to the last end_cycle()
+    Saved saved_;                             // up to the last end_cycle()
+    std::array<MovedBytes, Clients> moved_{}; // since the last charge that is sure
+    bool any_moved_ = false;
     // Of the cycle of the last call:
     std::uint64_t cycle_ = 0;
     std::size_t oldest_before_ = 0; // oldest_ when it began

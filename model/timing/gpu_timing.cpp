@@ -86,6 +86,21 @@ void GpuTiming::set_activity_observer(ActivityObserver* observer) {
         units[i]->set_observer(observer, i);
 }
 
+std::vector<std::uint32_t> GpuTiming::block_bytes(const Surface& color, bool depth) {
+    const TimingConfig& config = machine_->config;
+    const std::uint32_t line_bytes =
+        depth ? config.depth_cache.line_bytes : config.color_cache.line_bytes;
+    const BlockStates* const states =
+        depth ? machine_->blocks.depth.get() : machine_->blocks.color.get();
+    const work::PlacedLevel place = order_->place_of(color, depth);
+    std::vector<std::uint32_t> bytes;
+    if (!states || place.layer_bytes == 0) return bytes;
+    for (std::uint32_t y = 0; y < color.height; ++y)
+        for (std::uint32_t x = 0; x < color.width; ++x)
+            bytes.push_back(states->stored_bytes(quotient(place.address(x, y, 0), line_bytes)));
+    return bytes;
+}
+
 std::uint64_t GpuTiming::cycles() const {
     return machine_->clock.now();
 }

@@ -12,6 +12,7 @@
 #include "model/timing/command_ledger.h"
 #include "model/timing/config.h"
 #include "model/timing/memory_module.h"
+#include "model/timing/wait_paths.h"
 #include "model/work/machine_order.h"
 
 #include <cstdint>
@@ -28,6 +29,7 @@ struct QuadRetired {
     std::uint8_t written = 0;   // four bits
     std::uint32_t texture_misses = 0;
     std::uint64_t cycles = 0; // since the quad before it retired
+    std::uint64_t end = 0;    // the last of them, since the machine's start
 };
 
 // What one frame took; counters are since the start (the reader subtracts).
@@ -35,6 +37,8 @@ struct FrameTiming {
     std::uint32_t frame = 0;
     std::uint64_t cycles = 0;
     std::vector<CommandCycles> commands; // all of them; the sum of theirs is `cycles`
+    // What its cycles were waited for; empty where nobody is told of quads' ends, or nobody looked.
+    std::vector<WaitPaths::Run> waited{};
 };
 
 class ActivityObserver; // activity_observer.h
@@ -75,6 +79,11 @@ public:
     // What every account counts, over time (series.h), where series.interval_cycles says so; null:
     // nobody. Before the first command.
     void set_series_sink(SeriesSink* sink);
+
+    // Of each pixel of a colour surface that is drawn on, or of the depths that go with it, row by
+    // row: bytes of memory that its block takes, none where the block's state says all. After a
+    // frame's end. Empty where no states are kept, or nothing was drawn.
+    std::vector<std::uint32_t> block_bytes(const Surface& color, bool depth);
 
     std::uint64_t cycles() const;
     // All units' groups: accounts, caches, memory. They add up at the end of a frame.

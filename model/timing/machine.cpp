@@ -159,6 +159,7 @@ Machine::Machine(const SimulationContext& kernel,
     , arbiter("arbiter", clock, config.memory, memory_ports(), memory_in_flight)
     , memory(make_memory ? make_memory(clock, config.memory)
                          : std::make_unique<MemoryController>("memory", clock, config.memory)) {
+    arbiter.set_ledger(&ledger);
     depth_port.cache.set_store(blocks.depth.get());
     color_port.cache.set_store(blocks.color.get());
     connect_links();
@@ -279,7 +280,7 @@ void Machine::settle() {
 void Machine::finish_frame(std::uint32_t number) {
     settle();
     memory->settle();
-    const std::vector<WaitPaths::Run> waited = bottlenecks->end_frame();
+    std::vector<WaitPaths::Run> waited = bottlenecks->end_frame();
     if (series) series->end_frame(statistics(), number);
     frame.frame = number;
     frame.cycles = clock.now() - frame_begin;
@@ -287,6 +288,8 @@ void Machine::finish_frame(std::uint32_t number) {
     frame.commands = ledger.end_frame(clock.now(), waited, bottlenecks->saved());
     for (const CommandCycles& command : frame.commands)
         shapes.add(command.shape);
+    frame.waited.clear();
+    if (on_retire) frame.waited = std::move(waited);
     if (on_frame) on_frame(frame);
 }
 
@@ -350,7 +353,8 @@ void Machine::retire(const QuadToken& token, Cycle now) {
                .y = quad.y,
                .written = quad.after_depth,
                .texture_misses = token.misses,
-               .cycles = cycles});
+               .cycles = cycles,
+               .end = now});
 }
 
 } // namespace ffgpu::timing

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "model/timing/channel.h"
+#include "model/timing/command_ledger.h"
 #include "model/timing/config.h"
 #include "model/timing/in_flight.h"
 #include "model/timing/memory/address_mapping.h"
@@ -47,6 +48,7 @@ public:
     void set_observer(MemoryObserver* observer) { observer_ = observer; }
     // The machine's own, who looks what is waited for; null: nobody.
     void set_waits(MemoryObserver* waits) { waits_ = waits; }
+    void set_ledger(CommandLedger* ledger) { ledger_ = ledger; }
 
 private:
     Activity step() override;
@@ -64,6 +66,7 @@ private:
     ClientStatistics statistics_;
     MemoryObserver* observer_ = nullptr;
     MemoryObserver* waits_ = nullptr;
+    CommandLedger* ledger_ = nullptr;
     std::size_t next_port_ = 0;
     // Per memory channel: the request that the controller has not taken yet, and when it took the
     // last.

@@ -54,11 +54,21 @@ PlacedLevel MachineOrder::shown() {
     return addresses_.surface(shown_, config_.color_cache);
 }
 
+PlacedLevel MachineOrder::place_of(const Surface& color, bool depth) {
+    const auto found = drawn_.find(color.address);
+    if (found == drawn_.end() || !(found->second.color[0] == color)) return {};
+    const Surface& surface = depth ? found->second.depth : found->second.color[0];
+    if (surface.format == Format::None) return {};
+    return addresses_.surface(surface, shape(depth));
+}
+
 void MachineOrder::note_shown(const WorkDraw& draw) {
     const Surface& written = draw.kind == WorkKind::Copy ? draw.copy.destination
                              : draw.state                ? draw.state->targets.color[0]
                                                          : Surface{};
-    if (written.format != Format::None && !format_info(written.format).is_depth) shown_ = written;
+    if (written.format == Format::None || format_info(written.format).is_depth) return;
+    shown_ = written;
+    if (draw.kind != WorkKind::Copy) drawn_[written.address] = draw.state->targets;
 }
 
 void MachineOrder::command(std::shared_ptr<const WholeCommand> command) {

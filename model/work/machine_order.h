@@ -18,6 +18,7 @@
 #include "model/work/tile_scene.h"
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -79,6 +80,10 @@ public:
     // None yet: no bytes.
     PlacedLevel shown();
 
+    // Where a colour surface lies, and the depths that were drawn or cleared with it last. Of what
+    // no command has drawn on, and where there are no depths: no bytes.
+    PlacedLevel place_of(const Surface& color, bool depth);
+
     // Where the textures and surfaces of the commands so far lie.
     AddressMap& addresses() { return addresses_; }
 
@@ -107,7 +112,8 @@ private:
     AddressMap addresses_;
     std::vector<Surface> known_; // whose content was told
     Surface shown_;
-    TileScene tiles_; // what a tile-based machine has gathered
+    std::map<DeviceAddress, Targets> drawn_; // by the first colour target
+    TileScene tiles_;                        // what a tile-based machine has gathered
     DeferredStores deferred_;
     std::uint32_t last_number_ = 0; // of a command
 };

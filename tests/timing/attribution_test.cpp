@@ -116,6 +116,67 @@ TEST_CASE("Draws without a retired quad, clears and copies are listed, and all c
               command.cycles);
 }
 
+TEST_CASE("The bytes of commands are all that memory moved, each in the cycles of one command") {
+    const Architecture architecture = GENERATE(Architecture::Immediate, Architecture::TileBased);
+    Frame frame;
+    frame.clear();
+    frame.draw(100);
+    frame.copy();
+    frame.draw(10);
+    frame.draw(50, true);
+    TimingConfig config;
+    config.raster.architecture = architecture;
+    FrameTiming timed;
+    GpuTiming timing(config);
+    timing.set_on_frame([&](const FrameTiming& ended) { timed = ended; });
+    work::CommandAssembler assembler(timing);
+    assembler.bin(std::make_shared<const WorkBin>(frame.bin));
+    assembler.end_frame(0);
+    const Figures figures = figures_of(timing);
+    for (std::size_t i = 0; i < Clients; ++i) {
+        MovedBytes sum;
+        for (const CommandCycles& command : timed.commands) {
+            sum.read += command.moved[i].read;
+            sum.written += command.moved[i].written;
+        }
+        const std::string client = "memory_" + std::string(ClientNames[i]);
+        INFO(client);
+        CHECK(sum.read == figures.at(client + "_read_bytes"));
+        CHECK(sum.written == figures.at(client + "_written_bytes"));
+    }
+    CHECK(figures.at("memory_color_written_bytes") > 0);
+}
+
+TEST_CASE("Bytes go to whom the cycle is charged to in which they were moved") {
+    CommandLedger ledger;
+    const std::size_t first = ledger.open(CommandKind::Draw, 0, 2);
+    const std::size_t second = ledger.open(CommandKind::Draw, 1, 2);
+    const auto move = [&](Client client, bool write, std::uint32_t bytes, std::uint64_t now) {
+        ledger.moved({.bytes = bytes, .write = write, .client = client}, now);
+    };
+    move(Client::Texture, false, 64, 3);
+    ledger.retire(first, 5);
+    move(Client::Depth, true, 32, 5); // still in its last cycle
+    move(Client::Color, false, 16, 6);
+    ledger.retire(second, 9);
+    ledger.retire(first, 9); // A command before takes the cycles over, and what they moved.
+    move(Client::Color, true, 8, 10);
+    ledger.retire(second, 12);
+    move(Client::Host, true, 4, 13);
+    const std::vector<CommandCycles> commands = ledger.end_frame(15, {}, {});
+    REQUIRE(commands.size() == 3);
+    const auto moved = [&](std::size_t command, Client client) {
+        return commands[command].moved[static_cast<std::size_t>(client)];
+    };
+    CHECK(moved(0, Client::Texture) == MovedBytes{64, 0});
+    CHECK(moved(0, Client::Depth) == MovedBytes{0, 32});
+    CHECK(moved(0, Client::Color) == MovedBytes{16, 0});
+    CHECK(moved(1, Client::Color) == MovedBytes{0, 8});
+    CHECK(moved(2, Client::Host) == MovedBytes{0, 4});
+    CHECK(moved(1, Client::Host) == MovedBytes{});
+    CHECK(moved(1, Client::Depth) == MovedBytes{});
+}
+
 TEST_CASE("A clear's cycles are its own: a line a cycle, and the draw after it is not charged") {
     Frame with_clear, with_two;
     with_clear.clear();

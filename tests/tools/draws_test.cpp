@@ -102,6 +102,31 @@ TEST_CASE("draws.csv has a line a draw, with the call that it came from and what
     CHECK(cycles > 0);
 }
 
+TEST_CASE("A draw's bytes by client stand in draws.csv and stats.json, and add up to the frame's") {
+    const TwoSquares squares;
+    const TemporaryFolder folder;
+    const TemporaryFile file(squares.scene.file());
+    REQUIRE(run({"replay", file.path(), "-o", folder / "out", "--per-draw", "--timing"}) == 0);
+    const auto frame = nlohmann::json::parse(content(folder / "out/stats.json"))["frames"][0];
+    std::map<std::string, std::uint64_t> sums, of_draws;
+    for (const auto& command : frame["commands"])
+        for (const auto& [name, value] : command.items())
+            if (name.ends_with("_bytes")) {
+                sums[name] += value.get<std::uint64_t>();
+                if (command["kind"] == "draw") of_draws[name] += value.get<std::uint64_t>();
+            }
+    CHECK(sums.at("color_written_bytes") >= std::uint64_t{4} * (10 * 10 + 6 * 6));
+    for (const auto& [name, sum] : sums)
+        CHECK(frame["timing"]["memory_" + name] == sum);
+    std::map<std::string, std::uint64_t> in_table;
+    for (const Line& line : lines_in(folder / "out/draws.csv"))
+        if (line.at("kind") == "draw")
+            for (const auto& [name, value] : line)
+                if (name.ends_with("_bytes") && value != "0") in_table[name] += std::stoull(value);
+    CHECK(in_table == of_draws);
+    CHECK(!of_draws.empty());
+}
+
 TEST_CASE("draws.csv counts the texels that a draw reads, and its misses with the timing model") {
     SceneTrace scene;
     scene.call("glEnable", GlEnum{0x0de1});

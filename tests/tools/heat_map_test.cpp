@@ -3,6 +3,7 @@
 #include "model/base/input_error.h"
 #include "tests/support/temporary_file.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/tools/scene_trace.h"
 #include "tests/tools/tool.h"
 #include "tools/files/npy_file.h"
 #include "tools/heatmap/heat_picture.h"
@@ -10,6 +11,7 @@
 #include <bit>
 #include <cstring>
 #include <numeric>
+#include <set>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -117,6 +119,108 @@ TEST_CASE("The heat ramp runs from black over blue, green and red to white") {
         CHECK_THROWS_WITH(parse_heat_scale(wrong), Contains("expected auto or a number above 0"));
     CHECK_THROWS_WITH(parse_heat_maps("overdrow"), Contains("did you mean overdraw?"));
     CHECK(parse_heat_maps("level,overdraw").size() == 2);
+}
+
+// The number of a name, from 1.
+float number_of(timing::Resource resource) {
+    return static_cast<float>(resource) + 1;
+}
+
+TEST_CASE("A quad's stall cause is what most of its cycles were waited for, over the frame") {
+    auto state = std::make_shared<Registers>();
+    Surface& target = state->targets.color[0];
+    target = {.address = 64, .format = Format::Rgba8, .width = 4, .height = 2, .stride = 16};
+    auto bin = std::make_shared<WorkBin>();
+    bin->draws.push_back({.kind = WorkKind::Draw, .state = state});
+    bin->tiles.emplace_back().batches.emplace_back().quads.emplace_back();
+    HeatRecorder recorder;
+    recorder.bin(bin);
+    // Cycles 1 to 10, 11 to 14 and 15 to 16; the other quad retires with the last and has none.
+    recorder.quad_retired({.x = 0, .y = 0, .cycles = 10, .end = 10});
+    recorder.quad_retired({.x = 2, .y = 0, .cycles = 4, .end = 14});
+    recorder.quad_retired({.x = 0, .y = 0, .cycles = 2, .end = 16});
+    using timing::Resource;
+    const std::vector<timing::WaitPaths::Run> waited{{4, Resource::Texture},
+                                                     {9, Resource::MemoryLatency},
+                                                     {13, Resource::Depth},
+                                                     {16, Resource::Texture}};
+    recorder.frame_waited(waited);
+    // Quad 0: texture 4 + 2, latency 5, depth 1. Quad 1: depth 3, texture 1.
+    const HeatPlane plane = recorder.plane(HeatMap::StallCause, target);
+    const float texture = number_of(Resource::Texture), depth = number_of(Resource::Depth);
+    CHECK(plane.values ==
+          std::vector<float>{texture, texture, depth, depth, texture, texture, depth, depth});
+}
+
+TEST_CASE("A map of names has squares of the most common one, and a legend of those that occur") {
+    const float texture = number_of(timing::Resource::Texture);
+    const float color = number_of(timing::Resource::Color);
+    const HeatPlane plane{200, 1, std::vector<float>(200, texture)};
+    HeatPlane mixed = plane;
+    for (std::size_t i = 0; i < 3; ++i)
+        mixed.values[i] = color;
+    mixed.values[9] = color;
+    const HeatPlane squares = most_common(mixed, 4);
+    CHECK(std::count(squares.values.begin(), squares.values.end(), color) == 4);
+    CHECK(squares.values[3] == color);
+    CHECK(squares.values[9] == texture);
+    const Image frame(200, 1);
+    const Image one = heat_picture(HeatMap::StallCause, plane, {}, frame);
+    const Image two = heat_picture(HeatMap::StallCause, mixed, {}, frame);
+    const auto occurs = [](const Image& image, Color wanted) {
+        for (unsigned y = 1; y < image.height; ++y)
+            for (unsigned x = 0; x < image.width; ++x)
+                if (color_at(image, x, y) == wanted) return true;
+        return false;
+    };
+    CHECK(color_at(two, 0, 0) == name_color(static_cast<std::size_t>(color)));
+    CHECK(occurs(one, name_color(static_cast<std::size_t>(texture))));
+    CHECK(!occurs(one, name_color(static_cast<std::size_t>(color))));
+    CHECK(occurs(two, name_color(static_cast<std::size_t>(color))));
+    std::set<Color> colors;
+    for (std::size_t number = 0; number <= timing::Resources; ++number)
+        colors.insert(name_color(number));
+    CHECK(colors.size() == timing::Resources + 1);
+}
+
+// The lower left quarter of a window of 32x32 is drawn over its clear colour.
+TEST_CASE("Maps of blocks tell the bytes of each: none where a clear wrote the state alone") {
+    SceneTrace scene;
+    scene.call("glClear", GlEnum{0x4100});
+    scene.call("glEnable", GlEnum{0x0b71}); // the depth test
+    scene.call("glColor3f", 1.0f, 0.0f, 0.0f);
+    scene.call("glRectf", -1.0f, -1.0f, 0.0f, 0.0f);
+    scene.swap();
+    const TemporaryFolder folder;
+    const TemporaryFile file(scene.file());
+    const auto replay = [&](std::vector<std::string> settings) {
+        std::vector<std::string> arguments{"replay",
+                                           file.path(),
+                                           "-o",
+                                           folder / "out",
+                                           "--timing",
+                                           "--heatmap",
+                                           "depth_blocks,color_blocks,stall_cause",
+                                           "--heatmap-npy"};
+        for (const std::string& setting : settings)
+            arguments.insert(arguments.end(), {"--set", setting});
+        return run(arguments);
+    };
+    REQUIRE(replay({"depth_blocks.fast_clear=true", "color_blocks.fast_clear=true"}) == 0);
+    for (const char* const map : {"depth_blocks", "color_blocks"}) {
+        const auto bytes = numbers_in(folder / "out/heat_" + std::string(map) + "_0000.npy");
+        REQUIRE(bytes.size() == 32 * 32);
+        for (unsigned row = 0; row < 32; ++row)
+            for (unsigned x = 0; x < 32; ++x)
+                REQUIRE(bytes[32 * row + x] == (row >= 16 && x < 16 ? 64 : 0));
+    }
+    const auto causes = numbers_in(folder / "out/heat_stall_cause_0000.npy");
+    CHECK(std::count(causes.begin(), causes.end(), 0.0f) >= 3 * 256);
+    CHECK(std::count(causes.begin(), causes.end(), 0.0f) < 1024);
+    CHECK(replay({"depth_blocks.fast_clear=true"}) == 2);
+    CHECK(replay({"depth_blocks.fast_clear=true",
+                  "color_blocks.fast_clear=true",
+                  "bottlenecks.enable=false"}) == 2);
 }
 
 TEST_CASE("The numbers of a heat map add up to the statistics of its frame") {

@@ -20,14 +20,33 @@ std::map<Key, std::deque<timing::CommandCycles>> by_name(const timing::FrameTimi
     return named;
 }
 
+std::string client_columns() {
+    std::string names;
+    for (const std::string_view client : timing::ClientNames)
+        names += fmt::format(",{0}_read_bytes,{0}_written_bytes", client);
+    return names;
+}
+
+std::string costs_text(const timing::CommandCycles& cost) {
+    std::string text =
+        fmt::format("{},{},{}",
+                    cost.cycles,
+                    timing::ResourceNames[static_cast<std::size_t>(cost.bottleneck())],
+                    cost.bottleneck_cycles());
+    for (const timing::MovedBytes& bytes : cost.moved)
+        text += fmt::format(",{},{}", bytes.read, bytes.written);
+    return text;
+}
+
 } // namespace
 
 DrawTable::DrawTable(const std::string& path, DrawNotes& notes)
     : file_(path)
     , notes_(notes) {
     file_.write(fmt::format("frame,kind,draw,{},texel_cache_misses,cycles,bottleneck,"
-                            "bottleneck_cycles\n",
-                            draw_fact_names()));
+                            "bottleneck_cycles{}\n",
+                            draw_fact_names(),
+                            client_columns()));
 }
 
 void DrawTable::command(std::shared_ptr<const work::WholeCommand> command) {
@@ -62,16 +81,12 @@ void DrawTable::write(std::uint64_t frame, const timing::FrameTiming* timed) {
                             row.facts);
         std::deque<timing::CommandCycles>& found = costs[{row.kind, row.number}];
         if (found.empty()) {
-            text += ",,,\n";
+            text += ",,," + std::string(2 * timing::Clients, ',') + '\n';
             continue;
         }
         const timing::CommandCycles cost = found.front();
         found.pop_front();
-        text += fmt::format("{},{},{},{}\n",
-                            misses_of(row),
-                            cost.cycles,
-                            timing::ResourceNames[static_cast<std::size_t>(cost.bottleneck())],
-                            cost.bottleneck_cycles());
+        text += fmt::format("{},{}\n", misses_of(row), costs_text(cost));
     }
     file_.write(text);
     const std::lock_guard lock(mutex_);

@@ -3,9 +3,12 @@
 
 #pragma once
 
+#include "model/timing/resource.h"
+
 #include <array>
 #include <cstdint>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -22,6 +25,9 @@ enum class HeatMap : std::uint8_t {
     Texture,
     TextureMisses,
     Cycles,
+    StallCause,
+    DepthBlocks,
+    ColorBlocks,
     Count
 };
 
@@ -29,6 +35,7 @@ struct HeatMapInfo {
     std::string_view name, unit;
     double full_scale; // the value at the ramp's hot end; 0: what one pixel in 200 exceeds
     bool needs_timing;
+    std::span<const std::string_view> names{}; // what 1, 2 ... stand for; empty: it is a quantity
 };
 constexpr std::array<HeatMapInfo, static_cast<std::size_t>(HeatMap::Count)> HeatMapTable{{
     {"overdraw", "fragments written", 8, false},
@@ -41,6 +48,9 @@ constexpr std::array<HeatMapInfo, static_cast<std::size_t>(HeatMap::Count)> Heat
     {"texture", "number", 0, false},
     {"texture_misses", "misses a quad", 16, true},
     {"cycles", "cycles a quad", 32, true},
+    {"stall_cause", "what its cycles waited for", 0, true, timing::ResourceNames},
+    {"depth_blocks", "bytes a block", 64, true},
+    {"color_blocks", "bytes a block", 64, true},
 }};
 constexpr const HeatMapInfo& info(HeatMap map) {
     return HeatMapTable[static_cast<std::size_t>(map)];

@@ -31,7 +31,14 @@ std::array<std::uint8_t, 3> heat_color(double value);
 // The mean of each square, at all of its pixels.
 HeatPlane averaged(const HeatPlane& plane, unsigned tile);
 
-// `frame`: of the plane's size.
+// Of a map of names: the one that most pixels of each square have, at all of its pixels; of two the
+// first.
+HeatPlane most_common(const HeatPlane& plane, unsigned tile);
+
+// Colours that tell the names of a map apart, from 1 on; 0 is black.
+std::array<std::uint8_t, 3> name_color(std::size_t number);
+
+// `frame`: of the plane's size. The legend of a map of names lists those that occur.
 Image heat_picture(HeatMap map,
                    const HeatPlane& plane,
                    const HeatMapOptions& options,

@@ -1,5 +1,6 @@
 #include "tools/heatmap/heat_recorder.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace ffgpu::tools {
@@ -92,6 +93,25 @@ void HeatRecorder::quad_retired(const timing::QuadRetired& quad) {
     QuadCost& cost = costs_[static_cast<std::uint32_t>(quad.y) << 16 | quad.x];
     cost.misses += quad.texture_misses;
     cost.cycles += quad.cycles;
+    if (quad.cycles > 0)
+        ends_.push_back({static_cast<std::uint32_t>(quad.y) << 16 | quad.x, quad.cycles, quad.end});
+}
+
+// Both are in the order of time.
+void HeatRecorder::frame_waited(std::span<const timing::WaitPaths::Run> waited) {
+    auto run = waited.begin();
+    for (const QuadEnd& quad : ends_) {
+        timing::WaitedCycles& of = costs_[quad.place].waited;
+        for (std::uint64_t at = quad.end - quad.cycles; at < quad.end;) {
+            while (run != waited.end() && run->end <= at)
+                ++run;
+            if (run == waited.end()) break;
+            const std::uint64_t end = std::min(run->end, quad.end);
+            of[static_cast<std::size_t>(run->resource)] += end - at;
+            at = end;
+        }
+    }
+    ends_.clear();
 }
 
 double HeatRecorder::value(HeatMap map, const Pixel& pixel) const {
@@ -118,8 +138,15 @@ double HeatRecorder::value(HeatMap map, const Pixel& pixel) const {
 double HeatRecorder::cost(HeatMap map, std::uint32_t x, std::uint32_t y) const {
     const auto found = costs_.find((y & ~1u) << 16 | (x & ~1u));
     if (found == costs_.end()) return 0;
+    if (map == HeatMap::StallCause) return cause(found->second.waited);
     return static_cast<double>(map == HeatMap::Cycles ? found->second.cycles
                                                       : found->second.misses);
+}
+
+// From 1, in the order of their names; of two the first; 0: nothing was waited for.
+double HeatRecorder::cause(const timing::WaitedCycles& waited) {
+    const auto most = std::max_element(waited.begin(), waited.end());
+    return *most == 0 ? 0 : static_cast<double>(most - waited.begin() + 1);
 }
 
 HeatPlane HeatRecorder::plane(HeatMap map, const Surface& shown) const {
@@ -144,6 +171,7 @@ HeatPlane HeatRecorder::plane(HeatMap map, const Surface& shown) const {
 void HeatRecorder::clear() {
     targets_.clear();
     costs_.clear();
+    ends_.clear();
 }
 
 } // namespace ffgpu::tools

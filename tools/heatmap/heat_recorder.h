@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace ffgpu::tools {
@@ -29,6 +30,8 @@ public:
 
     // From the timing model.
     void quad_retired(const timing::QuadRetired& quad);
+    // What the cycles of the frame that has ended were waited for.
+    void frame_waited(std::span<const timing::WaitPaths::Run> waited);
 
     // The map of the frame that ended with `shown`.
     HeatPlane plane(HeatMap map, const Surface& shown) const;
@@ -51,6 +54,11 @@ private:
     };
     struct QuadCost {
         std::uint64_t misses = 0, cycles = 0;
+        timing::WaitedCycles waited{};
+    };
+    struct QuadEnd {
+        std::uint32_t place = 0; // as in costs_
+        std::uint64_t cycles = 0, end = 0;
     };
 
     std::uint32_t texture_number(const WorkDraw& draw);
@@ -59,9 +67,11 @@ private:
     static void add_accesses(Target& target, const WorkBatch& batch, std::uint32_t texture);
     double value(HeatMap map, const Pixel& pixel) const;
     double cost(HeatMap map, std::uint32_t x, std::uint32_t y) const;
+    static double cause(const timing::WaitedCycles& waited);
 
     std::map<DeviceAddress, Target> targets_;
     std::map<std::uint32_t, QuadCost> costs_; // by y << 16 | x of the quad
+    std::vector<QuadEnd> ends_;               // of the frame, in their order
     std::map<DeviceAddress, std::uint32_t> textures_;
 };
 

@@ -77,6 +77,28 @@ void Recording::draw_done(std::uint32_t draw, const Targets& targets) {
     gpu_.hide_from_work(false);
 }
 
+// What the map shows is there in this machine.
+void Recording::check_map(HeatMap map) const {
+    const timing::TimingConfig& timing = options_.configuration.timing;
+    const auto refuse = [&](bool is_there, const char* wanted) {
+        if (!is_there)
+            throw InputError(fmt::format("--heatmap {} needs {}", info(map).name, wanted));
+    };
+    if (map == HeatMap::StallCause) refuse(timing.bottlenecks.enable, "bottlenecks.enable=true");
+    if (map == HeatMap::DepthBlocks)
+        refuse(timing.depth_blocks.is_on(),
+               "depth_blocks.fast_clear=true or depth_blocks.compression=true");
+    if (map == HeatMap::ColorBlocks)
+        refuse(timing.color_blocks.is_on(),
+               "color_blocks.fast_clear=true or color_blocks.compression=true");
+}
+
+HeatPlane Recording::heat_plane(HeatMap map, const Surface& shown) const {
+    if (map == HeatMap::DepthBlocks || map == HeatMap::ColorBlocks)
+        return pipeline_.block_bytes(shown, map == HeatMap::DepthBlocks);
+    return heat_.plane(map, shown);
+}
+
 WorkPipeline::Options Recording::pipeline_options() {
     bool needs_costs = false;
     for (const HeatMap map : options_.heat.maps) {
@@ -84,6 +106,7 @@ WorkPipeline::Options Recording::pipeline_options() {
         if (!options_.timing)
             throw InputError("--heatmap " + std::string(info(map).name) + " needs --timing");
         needs_costs = true;
+        check_map(map);
     }
     return {.timing = options_.timing ? &options_.configuration.timing : nullptr,
             .save_work = options_.save_work,
@@ -165,8 +188,10 @@ void Recording::write_pictures(const Frame& frame) {
 
 void Recording::write_heat_map(HeatMap map, const Frame& frame, const Image& picture) {
     const HeatMapOptions& heat = options_.heat;
-    HeatPlane plane = heat_.plane(map, frame.picture);
-    if (heat.tile > 1) plane = averaged(plane, heat.tile);
+    HeatPlane plane = heat_plane(map, frame.picture);
+    if (heat.tile > 1)
+        plane =
+            info(map).names.empty() ? averaged(plane, heat.tile) : most_common(plane, heat.tile);
     const std::string prefix = fmt::format("heat_{}", info(map).name);
     images_.add(folder_.picture(prefix, frame.number), heat_picture(map, plane, heat, picture));
     if (heat.raw)

@@ -85,6 +85,8 @@ private:
     void draw_comes(const WatchedDraw& draw);
     void draw_done(std::uint32_t draw, const Targets& targets);
     void tell_what_is_missing() const;
+    void check_map(HeatMap map) const;
+    HeatPlane heat_plane(HeatMap map, const Surface& shown) const;
     void write_heat_map(HeatMap map, const Frame& frame, const Image& picture);
 
     const RecordingOptions& options_;

@@ -12,6 +12,7 @@ WorkPipeline::WorkPipeline(const Options& options, StatisticsReport& report)
     , draw_pixels_(options.draw_pixels.empty() ? nullptr
                                                : std::make_unique<DrawPixels>(options.draw_pixels))
     , meter_(report, timing_.get())
+    , costs_(options.timing ? options.costs : nullptr)
     , on_frame_(options.on_frame)
     , assembler_(readers_) {
     if (timing_ && options.timing->series.interval_cycles > 0) series_.emplace(*timing_);
@@ -36,6 +37,7 @@ void WorkPipeline::frame(const work::FrameFigures& figures, const Surface& shown
 void WorkPipeline::add(const work::FrameFigures& figures, const Surface& shown) {
     if (file_) file_->frame(figures);
     const std::optional<timing::FrameTiming> timed = meter_.add(figures);
+    if (costs_ && timed) costs_->frame_waited(timed->waited);
     if (table_) table_->write(figures.number, timed ? &*timed : nullptr);
     if (draw_pixels_) draw_pixels_->frame(figures.number, shown);
     on_frame_();
@@ -43,6 +45,18 @@ void WorkPipeline::add(const work::FrameFigures& figures, const Surface& shown) 
 
 void WorkPipeline::drain() {
     if (thread_) thread_->drain();
+}
+
+HeatPlane WorkPipeline::block_bytes(const Surface& shown, bool depth) const {
+    HeatPlane plane{shown.width, shown.height, {}};
+    plane.values.resize(std::size_t{plane.width} * plane.height);
+    if (!timing_) return plane;
+    const std::vector<std::uint32_t> bytes = timing_->block_bytes(shown, depth);
+    for (std::size_t i = 0; i < bytes.size(); ++i) { // The lowest row is the first of them.
+        const std::size_t x = i % plane.width, row = plane.height - 1 - i / plane.width;
+        plane.values[row * plane.width + x] = static_cast<float>(bytes[i]);
+    }
+    return plane;
 }
 
 void WorkPipeline::write_series(const std::string& folder) const {

@@ -47,6 +47,9 @@ public:
     void drain();
     // The same at the end: completes the file.
     void finish();
+    // After drain(): bytes that the blocks of the frame's pixels take in the machine's memory, of
+    // depths or colours.
+    HeatPlane block_bytes(const Surface& shown, bool depth) const;
     // After drain(): the machine's series, if its configuration wants one.
     void write_series(const std::string& folder) const;
 
@@ -59,6 +62,7 @@ private:
     std::unique_ptr<work::WorkFileWriter> file_;
     std::unique_ptr<DrawPixels> draw_pixels_;
     FrameMeter meter_;
+    HeatRecorder* costs_ = nullptr;
     std::function<void()> on_frame_;
     CommandFanOut readers_;
     work::CommandAssembler assembler_;

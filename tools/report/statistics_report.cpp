@@ -62,6 +62,12 @@ Json describe(const timing::CommandCycles& command) {
               {"cycles", command.cycles},
               {"bottleneck", timing::ResourceNames[static_cast<std::size_t>(command.bottleneck())]},
               {"bottleneck_cycles", command.bottleneck_cycles()}};
+    for (std::size_t i = 0; i < command.moved.size(); ++i) {
+        const std::string client(timing::ClientNames[i]);
+        if (command.moved[i].read > 0) json[client + "_read_bytes"] = command.moved[i].read;
+        if (command.moved[i].written > 0)
+            json[client + "_written_bytes"] = command.moved[i].written;
+    }
     work::DrawShape::visit(command.shape, [&](auto name, auto, auto, const auto& counts) {
         if (Json array = array_of(counts); !array.empty()) json[name] = std::move(array);
     });

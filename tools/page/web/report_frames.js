@@ -148,6 +148,9 @@ const MapNames = {
   heat_texture: "texture",
   heat_texture_misses: "texel-cache misses",
   heat_cycles: "cycles",
+  heat_stall_cause: "stall cause",
+  heat_depth_blocks: "bytes of depth blocks",
+  heat_color_blocks: "bytes of colour blocks",
 };
 function mapName(map) {
   return MapNames[map] ?? words((map ?? "no map").replace(/^(heat|view)_/, ""));
