@@ -218,7 +218,7 @@ TEST_CASE("what is wrong with an export is one line, and status 2", "[export]") 
     const std::string trace = own_trace("corridor");
     const auto fails = [](const std::vector<std::string>& arguments) {
         int status = 0;
-        const std::string text = printed(stderr, [&] { status = run(arguments); });
+        std::string text = printed(stderr, [&] { status = run(arguments); });
         CHECK(status == 2);
         CHECK(std::count(text.begin(), text.end(), '\n') == 1);
         return text;

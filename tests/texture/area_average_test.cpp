@@ -5,6 +5,7 @@
 #include "tests/texture/wrapped_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -38,10 +39,7 @@ struct Floor {
         Picture half{.width = picture.width / 2, .height = picture.height / 2, .texels = {}};
         for (int i = 0; i < half.width * half.height; ++i) {
             const int x = 2 * (i % half.width), y = 2 * (i / half.width);
-            const auto red = [&](int dx, int dy) {
-                return picture
-                    .texels[static_cast<std::size_t>((y + dy) * picture.width + x + dx)][0];
-            };
+            const auto red = [&](int dx, int dy) { return picture.texel(x + dx, y + dy)[0]; };
             half.texels.push_back({(red(0, 0) + red(1, 0) + red(0, 1) + red(1, 1) + 2) / 4, 0, 0});
         }
         return half;
@@ -112,11 +110,12 @@ int checker(int x, int y, int size) {
 
 TEST_CASE("Elliptic samples are nearer to the area average than Feline and trilinear") {
     Random random(42);
-    std::vector<int> noise(Side * Side);
-    for (int& texel : noise)
-        texel = static_cast<int>(below(random, 256));
+    std::array<std::array<int, Side>, Side> noise{};
+    for (auto& row : noise)
+        for (int& texel : row)
+            texel = static_cast<int>(below(random, 256));
     std::vector<std::pair<std::string, Grey>> pictures{
-        {"noise", [&](int x, int y) { return noise[static_cast<std::size_t>(y * Side + x)]; }}};
+        {"noise", [&](int x, int y) { return noise.at(unsigned(y)).at(unsigned(x)); }}};
     for (const int size : {2, 4, 8, 16, 32, 64})
         pictures.emplace_back("checkers of " + std::to_string(size),
                               [size](int x, int y) { return checker(x, y, size); });

@@ -209,8 +209,7 @@ TEST_CASE("A summed-area table gives the mean over the pixel's box") {
                 std::uint32_t sum = 0;
                 for (int j = 0; j <= y; ++j)
                     for (int i = 0; i <= x; ++i)
-                        sum += static_cast<std::uint32_t>(
-                            picture.texels[static_cast<std::size_t>(j * Width + i)][channel]);
+                        sum += static_cast<std::uint32_t>(picture.texel(i, j)[channel]);
                 memory.put_rgba8(
                     0, 0, 4 * static_cast<unsigned>(x) + channel, static_cast<unsigned>(y), sum);
             }

@@ -64,10 +64,16 @@ struct Picture {
     std::vector<std::array<int, 4>> texels;
     std::array<int, 4> border{200, 3, 77, 140};
 
+    // Of the picture itself.
+    const std::array<int, 4>& texel(int x, int y) const {
+        return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)];
+    }
+
     double at(Wrap wrap, int x, int y, unsigned channel) const {
         const int column = walked(wrap, x, width), row = walked(wrap, y, height);
         if (column == BorderTexel || row == BorderTexel) return border[channel];
-        return texels[static_cast<std::size_t>(row * width + column)][channel];
+        return texel(column, row)[channel];
     }
 };
 
@@ -97,12 +103,11 @@ struct PictureCorner {
 inline void put(const Picture& picture, const PictureCorner& at, TextureMemory& memory) {
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x)
-            memory.put_rgba8(
-                at.level,
-                0,
-                at.x + static_cast<unsigned>(x),
-                at.y + static_cast<unsigned>(y),
-                rgba8(picture.texels[static_cast<std::size_t>(y * picture.width + x)]));
+            memory.put_rgba8(at.level,
+                             0,
+                             at.x + static_cast<unsigned>(x),
+                             at.y + static_cast<unsigned>(y),
+                             rgba8(picture.texel(x, y)));
 }
 
 // A pixel in texels of level 0: its place, and its steps for a pixel in x and in y.

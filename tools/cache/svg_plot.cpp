@@ -128,10 +128,10 @@ private:
 
     void curve(std::size_t number) {
         const PlotSeries& series = plot_.series[number];
-        const std::string style = fmt::format("stroke=\"{}\" stroke-dasharray=\"{}\"",
+        const std::string style = fmt::format(R"(stroke="{}" stroke-dasharray="{}")",
                                               Colors[number % Colors.size()],
                                               Dashes[number / Colors.size() % Dashes.size()]);
-        add("<polyline class=\"curve\" {} points=\"", style);
+        add(R"(<polyline class="curve" {} points=")", style);
         for (const auto& [size, value] : series.points)
             add("{:.1f},{:.1f} ", x(log2_of(size)), y(value));
         text_ += "\"/>\n";

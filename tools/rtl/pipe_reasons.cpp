@@ -19,7 +19,7 @@ bool overlap(const TextureImage& image, const Surface& surface) {
 std::string reason_against_textures(const DrawContext& context) {
     for (unsigned unit = 0; unit < TextureUnits; ++unit) {
         if (!context.pixels->samples(unit)) continue;
-        const std::string reason = reason_against(context.pixels->textures[unit]);
+        std::string reason = reason_against(context.pixels->textures[unit]);
         if (!reason.empty()) return reason;
         const TextureImage& image = context.regs().images[unit];
         if (image.address % 64 != 0) return "images that do not begin at a line";
