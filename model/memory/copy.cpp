@@ -1,5 +1,6 @@
 #include "model/memory/copy.h"
 
+#include "model/base/check.h"
 #include "model/memory/pixel_format.h"
 
 #include <algorithm>
@@ -125,6 +126,7 @@ public:
     // Rows of as many pictures as wanted to their mean: to nearest, halves up.
     void average(const SourceRows& source, std::uint32_t y, std::byte* destination) {
         const unsigned count = source.planes();
+        check(count > 0, "a mean of something");
         sums_.assign(pixels_.size(), {});
         for (unsigned picture = 0; picture < count; ++picture) {
             load_rgba8(from_, source.row(y, picture), pixels_);
