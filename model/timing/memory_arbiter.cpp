@@ -1,5 +1,6 @@
 #include "model/timing/memory_arbiter.h"
 
+#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -20,32 +21,39 @@ MemoryArbiter::MemoryArbiter(sc_core::sc_module_name name,
     socket.register_nb_transport_bw(this, &MemoryArbiter::on_backward);
 }
 
-// The ports with a request, from the one whose turn it is.
+// Rounds over the ports, from the one whose turn it is: each sends one in a round.
 Activity MemoryArbiter::step() {
+    std::uint32_t left = config_.channels;
+    while (left > 0) {
+        const std::uint32_t sent = send_round(left);
+        if (sent == 0) break;
+        left -= sent;
+    }
+    if (left < config_.channels) return Activity::Busy;
+    const auto wants = [](const auto* port) { return port->can_pop(); };
+    return std::ranges::any_of(ports_.requests_in, wants) ? Activity::StalledOutput
+                                                          : Activity::Idle;
+}
+
+std::uint32_t MemoryArbiter::send_round(std::uint32_t most) {
     std::uint64_t wanting = 0;
     const std::size_t ports = ports_.requests_in.size();
     for (std::size_t port = 0; port < ports; ++port)
         wanting |= std::uint64_t{ports_.requests_in[port]->can_pop()} << port;
-    if (wanting == 0) return Activity::Idle;
-    std::uint32_t free_channels = 0;
-    for (std::uint32_t channel = 0; channel < config_.channels; ++channel)
-        free_channels += is_free(channel) ? 1 : 0;
-
-    bool sent = false;
+    std::uint32_t sent = 0;
     const std::uint64_t before = (std::uint64_t{1} << next_port_) - 1;
     for (std::uint64_t turn : {wanting & ~before, wanting & before}) {
-        for (; turn != 0 && free_channels > 0; turn &= turn - 1) {
+        for (; turn != 0 && sent < most; turn &= turn - 1) {
             const auto port = static_cast<std::size_t>(std::countr_zero(turn));
             const MemoryRequest& request = ports_.requests_in[port]->front();
             const std::uint32_t channel = memory_channel(config_, request.address);
             if (!is_free(channel)) continue;
             send(port, channel);
             next_port_ = port + 1 < ports ? port + 1 : 0;
-            --free_channels;
-            sent = true;
+            ++sent;
         }
     }
-    return sent ? Activity::Busy : Activity::StalledOutput;
+    return sent;
 }
 
 void MemoryArbiter::send(std::size_t port, std::uint32_t channel) {
@@ -60,10 +68,8 @@ void MemoryArbiter::send(std::size_t port, std::uint32_t channel) {
     sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
     pending_[channel] = &payload;
     if (observer_) observer_->sent(request, now());
-    if (socket->nb_transport_fw(payload, phase, delay) == tlm::TLM_UPDATED) {
+    if (socket->nb_transport_fw(payload, phase, delay) == tlm::TLM_UPDATED)
         pending_[channel] = nullptr;
-        taken_at_[channel] = now();
-    }
 }
 
 tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,

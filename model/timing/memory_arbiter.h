@@ -1,5 +1,6 @@
-// MemoryArbiter: takes the clients' requests in turn (round robin) and sends them to the
-// memory through a TLM-2.0 socket, one a memory channel and cycle. It counts what each client asked
+// MemoryArbiter: takes the clients' requests in turn (round robin) and sends them to the memory
+// through a TLM-2.0 socket: in a cycle as many as there are memory channels, of any clients to any
+// channels that take them. A client's requests go in their order. It counts what each client asked
 // for and how long it waited, whatever memory is bound to the socket.
 //
 // The protocol is the base protocol's, without END_RESP: the memory answers BEGIN_REQ with
@@ -52,6 +53,7 @@ public:
 
 private:
     Activity step() override;
+    std::uint32_t send_round(std::uint32_t most);
     void send(std::size_t port, std::uint32_t channel);
     bool is_free(std::uint32_t channel) const {
         return !pending_[channel] && taken_at_[channel] < now();
@@ -68,8 +70,7 @@ private:
     MemoryObserver* waits_ = nullptr;
     CommandLedger* ledger_ = nullptr;
     std::size_t next_port_ = 0;
-    // Per memory channel: the request that the controller has not taken yet, and when it took the
-    // last.
+    // Per memory channel: the request that it has not taken yet, and when it took one late.
     std::vector<tlm::tlm_generic_payload*> pending_;
     std::vector<Cycle> taken_at_;
 };

@@ -2,6 +2,7 @@
 
 #include "model/base/input_error.h"
 
+#include <algorithm>
 #include <string>
 
 namespace ffgpu::timing {
@@ -30,6 +31,21 @@ void check_memory_lines(const TimingConfig& config) {
     if (config.texel_l2.enable) check_cache(TexelL2Config::Name, config.texel_l2.line_bytes);
     check_cache(DepthCacheConfig::Name, config.depth_cache.line_bytes);
     check_cache(ColorCacheConfig::Name, config.color_cache.line_bytes);
+}
+
+void check_refresh(const MemoryConfig& config) {
+    const std::uint32_t interval = config.refresh_interval_cycles;
+    const std::uint32_t read = config.read_to_precharge_cycles;
+    const std::uint32_t write =
+        config.write_column_cycles + config.burst_cycles + config.write_recovery_cycles;
+    const std::uint32_t row =
+        std::max(config.row_active_cycles, config.row_to_column_cycles + std::max(read, write));
+    const std::uint32_t commands = 4; // refresh, activate, column, precharge: a cycle each
+    const std::uint32_t least = config.refresh_cycles + row + config.precharge_cycles + commands;
+    if (interval == 0 || interval >= least) return;
+    throw InputError("memory.refresh_interval_cycles: expected 0 or at least " +
+                     std::to_string(least) + ", what a refresh and a row take, found " +
+                     std::to_string(interval));
 }
 
 } // namespace ffgpu::timing

@@ -1,5 +1,5 @@
-// Whether the caches' lines fit the memory: a line is one request, and lies in one row of one
-// channel.
+// Whether what is configured fits the memory. A cache's line is one request, and lies in one row of
+// one channel; between two refreshes a row must be opened, used and closed.
 
 #pragma once
 
@@ -9,5 +9,8 @@ namespace ffgpu::timing {
 
 // Throws InputError that names both parameters.
 void check_memory_lines(const TimingConfig& config);
+
+// Throws InputError that names the parameter and the least that would do.
+void check_refresh(const MemoryConfig& config);
 
 } // namespace ffgpu::timing

@@ -7,6 +7,7 @@ constexpr std::array<const char*, LostCauses> LostMeanings{
     "without data: no request was waiting",
     "without data: the oldest request's bank closed or opened a row",
     "without data: tRRD or tFAW held back an activate",
+    "without data: the cycle's command went to another bank than the oldest request's",
     "without data: between read and write",
     "without data: refresh",
     "without data: tCCD is longer than a burst",

@@ -1,6 +1,7 @@
 // The host's bus, what goes over it to memory, and the screen: cycles and bytes against closed
 // forms.
 
+#include "model/timing/memory/lost_cycles.h"
 #include "tests/timing/analytic_scenes.h"
 #include "tests/timing/front_end_scenes.h"
 
@@ -137,6 +138,15 @@ TEST_CASE("the screen reads the shown surface once a refresh, evenly, and no fra
         CHECK(figures(refresh, 4) == on);
         CHECK(static_cast<double>(on.at("total_cycles")) ==
               Approx(off.at("total_cycles")).epsilon(0.05));
+    }
+    // What the bus still carries for the screen at a frame's end is of the next frame.
+    for (std::uint32_t refresh = 700; refresh < 1700; refresh += 53) {
+        const Figures on = figures(refresh, 0);
+        std::uint64_t cycles = on.at("memory_data_cycles");
+        for (const std::string_view cause : LostToNames)
+            cycles += on.at("memory_lost_" + std::string(cause) + "_cycles");
+        INFO("refresh " << refresh);
+        CHECK(cycles == on.at("memory_bus_cycles"));
     }
 }
 

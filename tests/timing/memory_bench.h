@@ -16,19 +16,21 @@ namespace ffgpu::timing {
 
 using Figures = std::map<std::string, std::uint64_t>;
 
-// Asks once a cycle, with at most `outstanding` reads under way.
+// Asks for `a_cycle` requests a cycle, with at most `outstanding` reads under way.
 class BenchClient final : public Unit {
 public:
     BenchClient(const Clock& clock,
                 RequestPort& requests,
                 Channel<std::uint64_t>& responses,
                 std::vector<MemoryRequest> list,
-                std::size_t outstanding)
+                std::size_t outstanding,
+                std::uint32_t a_cycle)
         : Unit("client", clock)
         , requests_(requests)
         , responses_(responses)
         , list_(std::move(list))
         , outstanding_(outstanding)
+        , a_cycle_(a_cycle)
         , asked_at_(list_.size()) {}
 
     bool has_asked_all() const { return next_ == list_.size(); }
@@ -44,13 +46,18 @@ private:
             waited += now() - asked_at_[index];
             --under_way_;
         }
-        if (has_asked_all() || under_way_ >= outstanding_ || !requests_.can_push())
-            return Activity::Idle;
-        list_[next_].ticket = next_;
-        under_way_ += !list_[next_].write;
-        asked_at_[next_] = now();
-        requests_.push(list_[next_++]);
-        return Activity::Busy;
+        Activity activity = Activity::Idle;
+        for (std::uint32_t i = 0; i < a_cycle_ && can_ask(); ++i) {
+            list_[next_].ticket = next_;
+            under_way_ += !list_[next_].write;
+            asked_at_[next_] = now();
+            requests_.push(list_[next_++]);
+            activity = Activity::Busy;
+        }
+        return activity;
+    }
+    bool can_ask() const {
+        return !has_asked_all() && under_way_ < outstanding_ && requests_.can_push();
     }
     Cycle next_work(Activity) const override { return now() + 1; }
 
@@ -58,6 +65,7 @@ private:
     Channel<std::uint64_t>& responses_;
     std::vector<MemoryRequest> list_;
     const std::size_t outstanding_;
+    const std::uint32_t a_cycle_;
     std::vector<Cycle> asked_at_;
     std::size_t next_ = 0, under_way_ = 0;
 };
@@ -99,7 +107,7 @@ inline BenchResult run_memory(const MemoryConfig& config,
         const std::unique_ptr<MemoryModule> memory =
             make_memory ? make_memory(clock, config)
                         : std::make_unique<MemoryController>("memory", clock, config);
-        BenchClient client(clock, port, responses, list, outstanding);
+        BenchClient client(clock, port, responses, list, outstanding, config.channels);
         asking = &client;
         port.channel().connect("client_requests", client, arbiter);
         memory->connect(arbiter);

@@ -96,6 +96,7 @@ void DramChannel::serve(std::size_t index, MemoryCycle now) {
     const bool turns = request.write != device_.last_was_write();
     if (turns && device_.has_carried_data()) observer_.on_turnaround();
     const DataBurst data = device_.column(request, now);
+    tell(now);
     charge_until(data, request.bytes, turns ? LostTo::Turnaround : LostTo::NoRequest);
     causes_.restart(now, LostTo::Column);
 
@@ -112,27 +113,47 @@ void DramChannel::serve(std::size_t index, MemoryCycle now) {
 // The bus up to the end of these data: first the gap before them, by the causes of the command
 // slots in which their column did not go out, then the bytes asked for, then the burst's rest.
 void DramChannel::charge_until(const DataBurst& data, std::uint32_t bytes, LostTo before) {
-    const auto lose = [&](LostTo cause, MemoryCycle cycles) { observer_.on_lost(cause, cycles); };
+    const auto lose = [&](LostTo cause, MemoryCycle cycles) { charge({false, cause, cycles}); };
     const MemoryCycle latency = device_.column_latency(device_.last_was_write());
     causes_.charge(data.begin - latency, data.begin - charged_, before, lose);
     const MemoryCycle asked = (bytes + config_.bytes_per_cycle - 1) / config_.bytes_per_cycle;
-    observer_.on_data(asked);
+    charge({true, {}, asked});
     const std::uint32_t bursts = config_.bursts(bytes);
     const MemoryCycle on_bus = MemoryCycle{bursts} * config_.burst_cycles;
     if (on_bus > asked) lose(LostTo::Burst, on_bus - asked);
     if (data.end - data.begin > on_bus) lose(LostTo::Column, data.end - data.begin - on_bus);
-    charged_ = data.end;
+    check(charged_ == data.end, "each cycle of the bus is charged once");
+}
+
+void DramChannel::charge(const Charge& charge) {
+    if (charge.cycles == 0) return;
+    untold_.push_back(charge);
+    charged_ += charge.cycles;
+}
+
+// A column's data may lie beyond a frame's end.
+void DramChannel::tell(MemoryCycle end) {
+    while (told_ < end && !untold_.empty()) {
+        Charge& first = untold_.front();
+        const MemoryCycle cycles = std::min(first.cycles, end - told_);
+        first.data ? observer_.on_data(cycles) : observer_.on_lost(first.cause, cycles);
+        told_ += cycles;
+        first.cycles -= cycles;
+        if (first.cycles == 0) untold_.pop_front();
+    }
 }
 
 void DramChannel::settle(MemoryCycle end) {
     advance(end);
-    if (end <= charged_) return;
     const MemoryCycle latency = device_.column_latency(false);
-    causes_.charge(end > latency ? end - latency : 0,
-                   end - charged_,
-                   LostTo::NoRequest,
-                   [&](LostTo cause, MemoryCycle cycles) { observer_.on_lost(cause, cycles); });
-    charged_ = end;
+    if (charged_ < end)
+        causes_.charge(end > latency ? end - latency : 0,
+                       end - charged_,
+                       LostTo::NoRequest,
+                       [&](LostTo cause, MemoryCycle cycles) {
+                           charge({false, cause, cycles});
+                       });
+    tell(end);
 }
 
 bool DramChannel::is_wanted(std::uint32_t bank) const {

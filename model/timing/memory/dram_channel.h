@@ -51,7 +51,16 @@ private:
     void issue(const DramCommand& command, MemoryCycle now);
     void precharge(std::uint32_t bank, MemoryCycle now);
     void serve(std::size_t index, MemoryCycle now);
+    // The bus's cycles from charged_ on: what they carried or were lost to.
+    struct Charge {
+        bool data = false;
+        LostTo cause = LostTo::NoRequest; // where no data
+        MemoryCycle cycles = 0;
+    };
+
     void charge_until(const DataBurst& data, std::uint32_t bytes, LostTo before);
+    void charge(const Charge& charge);
+    void tell(MemoryCycle end);
     bool is_wanted(std::uint32_t bank) const;
     MemoryCycle next_row_to_close() const;
 
@@ -65,6 +74,8 @@ private:
     Ring<ServedRequest> served_;
     SlotCauses causes_;
     MemoryCycle charged_ = 0;   // data cycles up to here have their cause
+    MemoryCycle told_ = 0;      // and up to here the observer knows
+    Ring<Charge> untold_;       // from told_ to charged_
     MemoryCycle next_work_ = 0; // nothing happens before
     MemoryCycle refresh_due_;
 };

@@ -114,7 +114,8 @@ void DramScheduler::find_row_by_bits(Search& search) const {
     }
 }
 
-// Data do not flow because of the oldest request: what it waits for, or waited for until now.
+// Data do not flow because of the oldest request: what it waits for, or waited for until now. Where
+// nothing goes out though it could, younger ones still use its bank's row.
 LostTo DramScheduler::why_oldest_waits(const Search& search) {
     const DramRequest& oldest = search.waiting.front().request;
     const DramDevice& device = search.device;
@@ -122,6 +123,10 @@ LostTo DramScheduler::why_oldest_waits(const Search& search) {
                         : device.open_row(oldest.bank) == DramDevice::NoRow
                             ? device.activate_ready(oldest.bank)
                             : device.precharge_ready(oldest.bank);
+    const DramCommand& command = search.command;
+    const bool goes_elsewhere = command.kind != DramCommand::Kind::None &&
+                                search.waiting[command.index].request.bank != oldest.bank;
+    if (goes_elsewhere && ready.at <= search.now) return LostTo::Commands;
     return ready.at < search.now ? LostTo::Row : ready.cause;
 }
 

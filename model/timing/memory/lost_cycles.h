@@ -21,6 +21,7 @@ enum class LostTo : std::uint8_t {
     NoRequest,  // the channel had nothing to do
     Row,        // precharge, activate, write recovery: tRP, tRCD, tRAS, tRTP, tWR
     Activates,  // tRRD, tFAW
+    Commands,   // the one command a cycle went to another bank
     Turnaround, // between read and write: tWTR, tRTW, different column latencies
     Refresh,    // rows closed for it, and tRFC
     Column,     // tCCD longer than a burst
@@ -29,8 +30,15 @@ enum class LostTo : std::uint8_t {
     Count
 };
 inline constexpr std::size_t LostCauses = static_cast<std::size_t>(LostTo::Count);
-inline constexpr std::array<std::string_view, LostCauses> LostToNames{
-    "no_request", "row", "activates", "turnaround", "refresh", "column", "order", "burst"};
+inline constexpr std::array<std::string_view, LostCauses> LostToNames{"no_request",
+                                                                      "row",
+                                                                      "activates",
+                                                                      "commands",
+                                                                      "turnaround",
+                                                                      "refresh",
+                                                                      "column",
+                                                                      "order",
+                                                                      "burst"};
 
 // The causes of the command slots since the last column command, as runs.
 class SlotCauses {
