@@ -35,6 +35,7 @@ launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 say "Building aarch64"
 cmake -S . -B "$Build" -G Ninja "${launcher[@]}" -DBUILD_TESTING=OFF -DFFGPU_RTL=OFF -DFFGPU_PICTURES=OFF \
+    -DCMAKE_C_FLAGS_RELEASE="-O1 -DNDEBUG" -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
     -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/aarch64-linux-gnu.cmake" -DFFGPU_ARM64_ROOT="$Root" >/dev/null
 cmake --build "$Build" -j "$Jobs" --target ffgpu >"$Build.log" || { tail -20 "$Build.log" >&2; exit 1; }
 

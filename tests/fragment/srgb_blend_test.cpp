@@ -121,6 +121,10 @@ TEST_CASE("sRGB targets are blended as light, within 0.1 of a code before roundi
             REQUIRE(std::abs(result[channel] - code_of(blended(state, in))) < 0.6);
         }
         REQUIRE(result[3] == blend(state, source, destination)[3]);
+        const ColorTarget target{{.format = Format::Rgba8}, 0xf, true};
+        REQUIRE(
+            written_color(compile_color_stage(state, false), target, {0, 0, source}, destination) ==
+            result);
     }
 }
 

@@ -42,7 +42,7 @@ void ffgpu::fuzz::run(Bytes bytes) {
     static const gl::Registry registry = gl::read_registry("/usr/share/khronos-api/gl.xml");
     static gl::WalkMemory memory;
     if (registry.empty()) return;
-    FunctionalGpu device({.memory_bytes = std::uint64_t{64} << 20});
+    FunctionalGpu device({.memory_bytes = std::uint64_t{16} << 20});
     gl::OffscreenContext context(device, {.width = Width, .height = Height});
     context.make_current();
     Choices choices(bytes);

@@ -1,20 +1,21 @@
 // A device capture, played on the functional GPU.
 
 #include "model/base/input_error.h"
+#include "model/capture/capture_reader.h"
 #include "model/gpu/functional_gpu.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/packing.h"
-#include "tools/frames/frame_source.h"
 
 void ffgpu::fuzz::run(Bytes bytes) {
     const MemoryFile file(pack_capture(bytes));
     FunctionalGpu gpu({.memory_bytes = std::uint64_t{64} << 20});
     try {
-        const auto source =
-            tools::open_frame_source(file.path(), gpu, {.warn = [](const std::string&) {}});
-        source->prepare();
-        while (source->next()) {
+        capture::CaptureReader reader(file.path());
+        if (reader.memory_size() > gpu.memory_size()) return;
+        reader.play_snapshot(gpu);
+        while (reader.play_frame(gpu)) {
         }
+        reader.expect_frames();
     } catch (const InputError&) {
     } catch (const std::bad_alloc&) { // The device's memory is small.
     }
