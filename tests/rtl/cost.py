@@ -89,6 +89,8 @@ def page(costs, cache):
     version = subprocess.run(["yosys", "-V"], capture_output=True, text=True).stdout.split()[1]
     rows = "".join(f"| {unit} | " + " | ".join(str(f) for f in figures) + " |\n"
                    for unit, figures in sorted(costs.items()))
+    left = [unit for unit in units() if unit not in costs]
+    left = f"\nNot measured yet: {', '.join(left)}.\n" if left else ""
     return f"""# What the RTL costs
 
 By `./dev rtl-cost`: each unit alone, with yosys {version} (`synth_ecp5`), flattened and mapped, before placement; those of several units ({", ".join(Composed)})
@@ -100,7 +102,7 @@ and fast.
 {rows}
 Quads carry their key (96 bits) and, up to fog, eight units' samples (1024 bits) through every stage: that is most of the flip-flops of the environments. Data that a build never
 looks at goes away with the ports that end it.
-
+{left}
 {cache_table(cache)}"""
 
 

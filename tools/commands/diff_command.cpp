@@ -1,5 +1,6 @@
 #include "model/base/input_error.h"
 #include "tools/commands/commands.h"
+#include "tools/diff/backend.h"
 #include "tools/diff/difference_text.h"
 #include "tools/record/recording_arguments.h"
 
@@ -27,10 +28,8 @@ std::string side_text(const AccountSide& side) {
 // What another build asks this one for.
 int run_account(const Arguments& arguments) {
     const AccountSide& side = arguments.diff.a;
-    const Stages* const stages = find_backend(side.backend);
-    if (!stages)
-        throw InputError("--backend-a " + side.backend + ": expected functional or reference");
-    write_account(side.input, *stages, arguments.diff.question, stdout);
+    const Backend backend(side.backend);
+    write_account(side.input, backend.stages(), arguments.diff.question, stdout);
     return 0;
 }
 
@@ -66,7 +65,9 @@ void add_diff_command(CLI::App& application, Run& run) {
         "diff", "Names the first draw, stage, quad, lane and field in which two backends part");
     verb->add_option("a", options.a.input, "An apitrace file or a .ffc capture")->required();
     verb->add_option("b", arguments->input_b, "The other side's; the same if there is none");
-    verb->add_option("--backend-a", options.a.backend, "functional (default) or reference")
+    verb->add_option("--backend-a",
+                     options.a.backend,
+                     "functional (default), reference, rtl or rtl:UNIT,UNIT")
         ->type_name("NAME");
     verb->add_option("--backend-b",
                      arguments->backend_b,

@@ -1,6 +1,7 @@
 #include "tools/diff/account_stream.h"
 
 #include "model/base/input_error.h"
+#include "tools/diff/backend.h"
 #include "tools/files/other_program.h"
 
 #include <array>
@@ -46,17 +47,11 @@ std::vector<std::string> arguments_of(const AccountSide& side, const AccountQues
 
 } // namespace
 
-const Stages* find_backend(std::string_view name) {
-    if (name == "functional") return &FastStages;
-    if (name == "reference") return &ReferenceStages;
-    return nullptr;
-}
-
 AccountStream::AccountStream(const AccountSide& side, const AccountQuestion& question)
     : side_(side) {
-    const Stages* const stages = side.stages ? side.stages : find_backend(side.backend);
-    if (!stages && side.program.empty())
-        throw InputError("--backend " + side.backend + ": expected functional or reference");
+    std::optional<Backend> backend;
+    if (!side.stages && side.program.empty()) backend.emplace(side.backend);
+    const Stages* const stages = backend ? &backend->stages() : side.stages;
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError("diff: no pipe");
     std::fflush(stdout);

@@ -15,17 +15,14 @@ namespace ffgpu::tools {
 
 struct AccountSide {
     std::string input;
-    std::string backend = "functional"; // a name of find_backend()
+    std::string backend = "functional"; // a Backend's name
     std::string program{};              // another build's ffgpu; empty: this one
     const Stages* stages = nullptr;     // instead of the backend's
 };
 
-// "functional", "reference"; null: there is no such backend.
-const Stages* find_backend(std::string_view name);
-
 class AccountStream {
 public:
-    // Throws InputError where the other program cannot be started.
+    // Throws InputError where there is no such backend, or the other program cannot be started.
     AccountStream(const AccountSide& side, const AccountQuestion& question);
     ~AccountStream();
     AccountStream(const AccountStream&) = delete;

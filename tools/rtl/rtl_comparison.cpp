@@ -9,15 +9,6 @@
 namespace ffgpu::tools {
 namespace {
 
-std::unique_ptr<rtl::RtlStages> open_stages(const rtl::LoopOptions& options) {
-    const auto open =
-        reinterpret_cast<rtl::OpenRtlStages>(rtl_function("ffgpu_rtl.so", rtl::OpenRtlStagesName));
-    std::string why;
-    auto* const stages = open(options, why);
-    if (!stages) throw InputError("--rtl: " + why);
-    return std::unique_ptr<rtl::RtlStages>(stages);
-}
-
 // Draws that make fragments.
 bool is_draw(Opcode opcode) {
     return opcode == Opcode::Draw || opcode == Opcode::DrawImage;
@@ -61,8 +52,17 @@ std::string share_text(const std::vector<rtl::StageShare>& shares) {
 
 } // namespace
 
+std::unique_ptr<rtl::RtlStages> open_rtl_stages(const rtl::LoopOptions& options) {
+    const auto open =
+        reinterpret_cast<rtl::OpenRtlStages>(rtl_function("ffgpu_rtl.so", rtl::OpenRtlStagesName));
+    std::string why;
+    auto* const stages = open(options, why);
+    if (!stages) throw InputError("--rtl: " + why);
+    return std::unique_ptr<rtl::RtlStages>(stages);
+}
+
 RtlComparison::RtlComparison(const rtl::LoopOptions& options)
-    : rtl_(open_stages(options)) {}
+    : rtl_(open_rtl_stages(options)) {}
 
 void RtlComparison::attach(Device& device, FunctionalGpu& gpu) {
     device_ = &device;

@@ -23,9 +23,11 @@ struct RtlDifference {
     TargetDifference target{};                   // of none: the stage's values alone did
 };
 
+// Throws InputError where a unit does not exist, or ffgpu was built without Verilator.
+std::unique_ptr<rtl::RtlStages> open_rtl_stages(const rtl::LoopOptions& options);
+
 class RtlComparison final : public RtlDevice {
 public:
-    // Throws InputError where a unit does not exist, or ffgpu was built without Verilator.
     explicit RtlComparison(const rtl::LoopOptions& options);
 
     // For the GPU that is compared. It draws on one thread.

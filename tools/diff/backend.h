@@ -1,0 +1,26 @@
+// What draws a side of a diff: stages by their name.
+
+#pragma once
+
+#include "model/gpu/stages.h"
+#include "rtl/loop/rtl_stages.h"
+
+#include <memory>
+#include <string>
+
+namespace ffgpu::tools {
+
+class Backend {
+public:
+    // "functional", "reference"; "rtl": all Verilated units in the model's stages, "rtl:fog,blend":
+    // these. Throws InputError where there is no such thing.
+    explicit Backend(const std::string& name);
+
+    const Stages& stages() const { return *stages_; }
+
+private:
+    std::unique_ptr<rtl::RtlStages> rtl_;
+    const Stages* stages_ = nullptr;
+};
+
+} // namespace ffgpu::tools
