@@ -66,6 +66,18 @@ int checked_output(int status) {
 
 } // namespace
 
+int status_of(const std::function<int()>& work) {
+    try {
+        return work();
+    } catch (const InputError& error) {
+        return fail(error.what());
+    } catch (const timing::MachineStuck& stuck) {
+        return fail(stuck.what(), timing::StuckStatus);
+    } catch (const std::bad_alloc&) {
+        return fail("out of memory: of the host, or of the device for what it is given to draw");
+    }
+}
+
 int run_command_line(int count, const char* const* arguments, const char* version) {
     CLI::App application("ffgpu: a deterministic emulator of a fixed-function GPU", "ffgpu");
     application.set_version_flag("--version", std::string("ffgpu ") + version);
@@ -92,10 +104,13 @@ int run_command_line(int count, const char* const* arguments, const char* versio
     add_manual_command(application, run);
     add_presets_command(application, run);
     add_sweep_command(application, run, version);
-    try {
+    const auto parse_and_run = [&] {
         if (count > 1) check_verb(application, arguments[1]);
         parse(application, count, arguments);
         return checked_output(run());
+    };
+    try {
+        return status_of(parse_and_run);
     } catch (const CLI::ExtrasError& error) {
         return fail((unexpected(error) + " (ffgpu --help lists the verbs)").c_str());
     } catch (const CLI::RequiredError& error) {
@@ -104,12 +119,6 @@ int run_command_line(int count, const char* const* arguments, const char* versio
         if (error.get_exit_code() == Done) // --help, --version
             return checked_output(application.exit(error));
         return fail((std::string(error.what()) + " (ffgpu --help lists the verbs)").c_str());
-    } catch (const InputError& error) {
-        return fail(error.what());
-    } catch (const timing::MachineStuck& stuck) {
-        return fail(stuck.what(), timing::StuckStatus);
-    } catch (const std::bad_alloc&) {
-        return fail("out of memory: of the host, or of the device for what it is given to draw");
     }
 }
 
