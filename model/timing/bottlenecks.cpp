@@ -11,11 +11,10 @@ namespace ffgpu::timing {
 namespace {
 
 constexpr std::uint64_t ArbiterBit = std::uint64_t{1} << 63;
-constexpr std::size_t MostUnderWay =
-    256; // requests of a port, beyond its queue, that are told apart
 
 // Of a cycle, in sixteenths, whose sums are the same in any order.
 float part(std::uint64_t items, std::uint32_t in_a_cycle) {
+    if (items == 0 || in_a_cycle == 1) return static_cast<float>(static_cast<std::int64_t>(items));
     return static_cast<float>(16 * items / in_a_cycle) / 16;
 }
 
@@ -48,41 +47,36 @@ Bottlenecks::Bottlenecks(const Clock& clock, Parts parts)
 }
 
 void Bottlenecks::attach() {
+    looks_ = true;
     for (Place& place : places_) {
         connect(place);
         std::uint64_t bits = 0; // of all stages of its unit
         for (std::size_t i = 0; i < places_.size(); ++i)
             bits |= std::uint64_t{places_[i].stage.unit == place.stage.unit} << i;
         place.stage.unit->show_calls_in(called_, bits);
-        heads_.insert(heads_.end(), {&place.last.path, &place.taken.path});
     }
     parts_.arbiter.show_calls_in(called_, ArbiterBit);
-    for (const Link* const link : parts_.requests)
+    for (const Link* const link : parts_.requests) {
         requests_.push_back(&way_of(link));
+        requests_.back()->to_memory = requests_.back()->of_stage;
+    }
     for (const Link* const link : parts_.responses)
         responses_.push_back(link ? &way_of(link) : nullptr);
-    for (Way& way : ways_)
-        for (std::vector<Moment>* const moments : {&way.sent, &way.freed})
-            for (Moment& moment : *moments)
-                heads_.push_back(&moment.path);
-    for (auto& [unit, moment] : answers_)
-        heads_.push_back(&moment.path);
-    memory_.add_heads(heads_);
     paths_.restart(0);
 }
 
 Bottlenecks::Way& Bottlenecks::way_of(const Link* link) {
     for (Way& way : ways_)
         if (way.link == link) return way;
-    Way& way = ways_.emplace_back();
-    way.link = link;
-    way.of_stage = std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
-        return place.stage.unit == link->producer();
-    });
-    const std::size_t under_way = link->carries_requests() ? MostUnderWay : 0;
-    way.sent.resize(link->places() + under_way);
-    way.freed.resize(link->places());
-    return way;
+    const auto is_stage = [&](const Unit* unit) {
+        return std::ranges::any_of(
+            places_, [&](const Place& place) { return place.stage.unit == unit; });
+    };
+    const bool of_stage = is_stage(link->producer());
+    return ways_.emplace_back(Way{.link = link,
+                                  .of_stage = of_stage,
+                                  .to_stage = is_stage(link->consumer()),
+                                  .freed = Moments(of_stage ? link->places() : 1)});
 }
 
 void Bottlenecks::connect(Place& place) {
@@ -111,7 +105,7 @@ void Bottlenecks::end_cycle() {
     for (std::uint64_t left = called & ~ArbiterBit; left != 0; left &= left - 1)
         look(places_[static_cast<std::size_t>(std::countr_zero(left))]);
     if ((called & ArbiterBit) != 0) take_requests();
-    paths_.collect(heads_);
+    if (paths_.is_full()) collect_paths();
 }
 
 void Bottlenecks::look(Place& place) {
@@ -148,13 +142,16 @@ void Bottlenecks::note_stall(Place& place, Activity activity, bool refused) {
 void Bottlenecks::take_answers(Place& place) {
     for (Way* const way : place.answered) {
         for (; way->popped < way->link->popped(); ++way->popped) {
-            Moment& answer = way->freed[way->popped % way->freed.size()];
-            answer = way->sent[way->popped % way->sent.size()];
-            const Cycle way_back = way->link->latency() - 1; // of a second level of caches alone
-            answer.at += way_back;
-            answer.path = paths_.share(paths_.extend(answer.path, Resource::TexelL2, answer.at));
-            answer.saved[Resource::TexelL2] += static_cast<float>(way_back);
+            Moment answer = way->sent[way->popped];
+            const Cycle way_back = way->link->latency() - 1;
+            if (way_back > 0) { // of a second level of caches alone
+                answer.at += way_back;
+                answer.path =
+                    paths_.share(paths_.extend(answer.path, Resource::TexelL2, answer.at));
+                answer.saved[Resource::TexelL2] += static_cast<float>(way_back);
+            }
             merge(paths_, *place.memory, answer);
+            way->freed[way->popped] = answer;
         }
     }
 }
@@ -192,21 +189,31 @@ void Bottlenecks::take_requests() {
     const Cycle now = clock_.now();
     for (Way* const way : requests_) {
         for (; way->popped < way->link->popped(); ++way->popped) {
-            const Moment& sent = way->sent[way->popped % way->sent.size()];
-            way->freed[way->popped % way->freed.size()] =
+            const Moment& sent = way->sent[way->popped];
+            way->freed[way->popped] =
                 way->of_stage ? memory_.taken(paths_, sent, now) : Moment{now, sent.path, {}};
         }
     }
 }
 
+// The answers come in any order.
+void Bottlenecks::Way::note_answer(std::uint64_t item) {
+    while (answered.size() <= item - first_asked)
+        answered.push_back(0);
+    answered[item - first_asked] = 1;
+    for (; !answered.empty() && answered.front() != 0; ++first_asked)
+        answered.pop_front();
+}
+
 void Bottlenecks::done(const MemoryRequest& request, std::uint64_t cycle) {
-    const Way& way = *requests_[request.port];
+    Way& way = *requests_[request.port];
     const Moment* const asked =
-        way.of_stage ? &way.sent[request.number % way.sent.size()] : nullptr;
+        way.of_stage ? &way.sent[request.number] : nullptr;
     const Moment& answer = memory_.answer(paths_, request, asked, cycle);
+    if (way.to_memory) way.note_answer(request.number);
     Way* const back = responses_[request.port];
     if (request.write || !back) return;
-    back->sent[back->link->pushed() % back->sent.size()] = answer;
+    back->send(back->link->pushed(), answer);
 }
 
 // --- Moments -----------------------------------------------------------------------------------
@@ -220,7 +227,7 @@ std::span<const Dependence> Bottlenecks::dependences(const Place& place) {
         {&place.last, work, {place.stage.resource, std::max(work - place.passing_free, 0.0F)}});
     for (const Way* const way : place.in) {
         if (way->popped == way->link->popped()) continue;
-        const Moment& sent = way->sent[(way->link->popped() - 1) % way->sent.size()];
+        const Moment& sent = way->sent[way->link->popped() - 1];
         const Cycle arrival = sent.at + way->link->latency();
         // What came behind the last moment has been worked on since, where it is taken when done.
         const float since =
@@ -236,7 +243,7 @@ std::span<const Dependence> Bottlenecks::dependences(const Place& place) {
     for (const std::vector<Way*>* const ways : {&place.out, &place.asked}) {
         for (const Way* const way : *ways) {
             if (way->pushed == way->link->pushed()) continue;
-            found.add({&way->freed[(way->link->pushed() - 1) % way->freed.size()], 1});
+            found.add({&way->place_freed(way->link->pushed() - 1), 1});
             gives = true;
         }
     }
@@ -275,15 +282,29 @@ void Bottlenecks::act(Place& place, bool takes) {
 void Bottlenecks::pass_on(Place& place) {
     for (Way* const way : place.in)
         for (; way->popped < way->link->popped(); ++way->popped)
-            way->freed[way->popped % way->freed.size()] = place.last;
+            way->freed[way->popped] = place.last;
     for (const std::vector<Way*>* const ways : {&place.out, &place.asked})
         for (Way* const way : *ways)
             for (; way->pushed < way->link->pushed(); ++way->pushed)
-                way->sent[way->pushed % way->sent.size()] = place.last;
+                way->send(way->pushed, place.last);
+}
+
+void Bottlenecks::collect_paths() {
+    heads_.clear();
+    for (Place& place : places_)
+        heads_.insert(heads_.end(), {&place.last.path, &place.taken.path});
+    for (Way& way : ways_)
+        for (Moments* const moments : {&way.sent, &way.freed})
+            for (Moment& moment : *moments)
+                heads_.push_back(&moment.path);
+    for (auto& [unit, moment] : answers_)
+        heads_.push_back(&moment.path);
+    memory_.add_heads(heads_);
+    paths_.collect(heads_);
 }
 
 std::vector<WaitPaths::Run> Bottlenecks::end_frame() {
-    if (heads_.empty()) return {};
+    if (!looks_) return {};
     const Cycle now = clock_.now();
     const Place* last = &places_.front();
     for (const Place& place : places_)
@@ -302,7 +323,7 @@ std::vector<WaitPaths::Run> Bottlenecks::end_frame() {
     for (Place& place : places_)
         place.last = place.taken = {now, 0, {}};
     for (Way& way : ways_)
-        for (std::vector<Moment>* const moments : {&way.sent, &way.freed})
+        for (Moments* const moments : {&way.sent, &way.freed})
             std::fill(moments->begin(), moments->end(), Moment{});
     for (auto& [unit, moment] : answers_)
         moment = {};

@@ -13,10 +13,12 @@
 #pragma once
 
 #include "model/base/check.h"
+#include "model/base/ring.h"
 #include "model/timing/memory_observer.h"
 #include "model/timing/memory_statistics.h"
 #include "model/timing/memory_waits.h"
 #include "model/timing/moment.h"
+#include "model/timing/moments.h"
 #include "model/timing/resource.h"
 #include "model/timing/unit.h"
 #include "model/timing/wait_paths.h"
@@ -84,13 +86,32 @@ public:
     void done(const MemoryRequest& request, std::uint64_t cycle) override;
 
 private:
-    // Moments of a link's items: when they were sent, and when the place of each came free. Both
-    // are kept until another item has its place.
+    // When a link's items were sent, and when they left a place to another.
     struct Way {
         const Link* link;
-        bool of_stage = false;                // Its producer is one.
+        bool of_stage = false;  // Its producer is one.
+        bool to_stage = false;  // Its consumer is one.
+        bool to_memory = false; // Its items are answered to.
         std::uint64_t pushed = 0, popped = 0; // that were looked at
-        std::vector<Moment> sent, freed;
+        Moments sent{8}, freed;
+        // Requests whose answer has not come, from the oldest on.
+        std::uint64_t first_asked = 0;
+        Ring<std::uint8_t> answered{};
+
+        // The first that is still of use.
+        std::uint64_t first_sent() const {
+            if (to_memory) return first_asked;
+            return to_stage ? popped : link->popped();
+        }
+        void send(std::uint64_t item, const Moment& moment) {
+            sent.make_room(first_sent(), item);
+            sent[item] = moment;
+        }
+        void note_answer(std::uint64_t item);
+        // When the place of the item came free; long ago where it is the first there.
+        const Moment& place_freed(std::uint64_t item) const {
+            return freed[item - link->places()];
+        }
     };
     struct Place {
         Stage stage;
@@ -130,6 +151,7 @@ private:
     std::span<const Dependence> dependences(const Place& place);
     void pass_on(Place& place);
     void take_requests();
+    void collect_paths();
 
     const Clock& clock_;
     const Parts parts_;
@@ -140,11 +162,12 @@ private:
     std::vector<Place> places_;
     std::deque<std::pair<const Unit*, Moment>> answers_; // the last of each unit
     std::vector<Way*> requests_, responses_;             // by the arbiter's ports
-    std::vector<WaitPaths::Path*> heads_;
+    std::vector<WaitPaths::Path*> heads_;                // of collect_paths()
     Dependences found_;
     std::uint64_t called_ = 0; // stages, a bit each, and the arbiter, whose units were called
     Saved saved_;
     Cycle frame_begin_ = 0; // The cycle before it.
+    bool looks_ = false;    // Somebody attached it.
 };
 
 } // namespace ffgpu::timing

@@ -7,11 +7,16 @@
 namespace ffgpu::timing {
 
 void merge(WaitPaths& paths, Moment& last, const Moment& next) {
-    const std::array both{Dependence{&next}, Dependence{&last}};
-    const Cycle at = std::max(last.at, next.at);
-    const Dependence& later = last_of(both, at);
-    const WaitPaths::Path path = paths.share(later.moment->path);
-    last = {at, path, saved_after(both, later, at)};
+    const bool is_later = next.at >= last.at;
+    const auto between = static_cast<float>(
+        static_cast<std::int64_t>(is_later ? next.at - last.at : last.at - next.at));
+    const float last_more = is_later ? between : 0, next_more = is_later ? 0 : between;
+    const Saved saved = next.saved;
+    for (std::size_t i = 0; i < Saved::Lanes; ++i)
+        last.saved.cycles[i] =
+            std::min(saved.cycles[i] + next_more, last.saved.cycles[i] + last_more);
+    last.path = paths.share(is_later ? next.path : last.path);
+    last.at = std::max(last.at, next.at);
 }
 
 MemoryWaits::MemoryWaits(const MemoryConfig& config, bool is_ours)

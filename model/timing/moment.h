@@ -13,7 +13,9 @@
 #include "model/timing/resource.h"
 #include "model/timing/wait_paths.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <span>
 
 namespace ffgpu::timing {
@@ -45,7 +47,10 @@ struct Dependence {
 };
 
 // Of these, how long the moment did not wait for it.
-float slack(const Dependence& dependence, Cycle at);
+inline float slack(const Dependence& dependence, Cycle at) {
+    const auto since = static_cast<std::int64_t>(at - std::min(dependence.moment->at, at));
+    return std::max(static_cast<float>(since) - dependence.takes, 0.0F);
+}
 // The dependence that was over last; of several the first.
 const Dependence& last_of(std::span<const Dependence> all, Cycle at);
 // `last`: last_of() them.

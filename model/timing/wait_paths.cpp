@@ -6,26 +6,26 @@
 namespace ffgpu::timing {
 
 WaitPaths::Path WaitPaths::restart(Cycle now) {
-    nodes_.assign(1, {{now, Resource::Links}, 0, true});
+    nodes_.assign(1, {now, 0, Resource::Links, true});
     return 0;
 }
 
 WaitPaths::Path WaitPaths::extend(Path path, Resource resource, Cycle end) {
     Node& last = nodes_[path];
-    if (end <= last.run.end) return path;
-    const bool goes_on = last.run.resource == resource && path != 0;
+    if (end <= last.end) return path;
+    const bool goes_on = last.resource == resource && path != 0;
     if (goes_on && !last.shared) {
-        last.run.end = end;
+        last.end = end;
         return path;
     }
-    nodes_.push_back({{end, resource}, goes_on ? last.before : path, false});
+    nodes_.push_back({end, goes_on ? last.before : path, resource, false});
     return static_cast<Path>(nodes_.size() - 1);
 }
 
 std::vector<WaitPaths::Run> WaitPaths::runs(Path path) const {
     std::vector<Run> runs;
     for (; path != 0; path = nodes_[path].before)
-        runs.push_back(nodes_[path].run);
+        runs.push_back({nodes_[path].end, nodes_[path].resource});
     std::reverse(runs.begin(), runs.end());
     return runs;
 }
@@ -33,8 +33,8 @@ std::vector<WaitPaths::Run> WaitPaths::runs(Path path) const {
 // A path's nodes stand behind the one before them: what is marked from the last to the first is
 // moved from the first to the last.
 void WaitPaths::collect(std::span<Path* const> kept) {
-    if (nodes_.size() < most_) return;
-    std::vector<Path> moved(nodes_.size(), 0);
+    std::vector<Path>& moved = moved_;
+    moved.assign(nodes_.size(), 0);
     moved[0] = 1;
     for (const Path* const path : kept)
         moved[*path] = 1;

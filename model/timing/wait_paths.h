@@ -37,22 +37,27 @@ public:
     // On to cycle `end`, by waiting for `resource`. A path that was shared stays as it is.
     Path extend(Path path, Resource resource, Cycle end);
 
-    Cycle end(Path path) const { return nodes_[path].run.end; }
+    Cycle end(Path path) const { return nodes_[path].end; }
     // From the frame's begin.
     std::vector<Run> runs(Path path) const;
 
     std::size_t nodes() const { return nodes_.size(); }
-    // Forgets the paths that none of `kept` goes through, once they are many; names these anew.
+    // It is time to collect: nodes are many.
+    bool is_full() const { return nodes_.size() >= most_; }
+    // Forgets the paths that none of `kept` goes through; names these anew.
     void collect(std::span<Path* const> kept);
 
 private:
+    // A run, in 16 bytes.
     struct Node {
-        Run run;
+        Cycle end = 0;
         Path before = 0; // the first: itself
+        Resource resource = Resource::Links;
         bool shared = false;
     };
 
     std::vector<Node> nodes_;
+    std::vector<Path> moved_; // while it collects
     std::size_t most_;
 };
 
