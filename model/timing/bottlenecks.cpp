@@ -69,8 +69,8 @@ Bottlenecks::Way& Bottlenecks::way_of(const Link* link) {
     for (Way& way : ways_)
         if (way.link == link) return way;
     const auto is_stage = [&](const Unit* unit) {
-        return std::ranges::any_of(
-            places_, [&](const Place& place) { return place.stage.unit == unit; });
+        return std::ranges::any_of(places_,
+                                   [&](const Place& place) { return place.stage.unit == unit; });
     };
     const bool of_stage = is_stage(link->producer());
     return ways_.emplace_back(Way{.link = link,
@@ -104,7 +104,7 @@ void Bottlenecks::end_cycle() {
     const std::uint64_t called = std::exchange(called_, 0);
     for (std::uint64_t left = called & ~ArbiterBit; left != 0; left &= left - 1)
         look(places_[static_cast<std::size_t>(std::countr_zero(left))]);
-    if ((called & ArbiterBit) != 0) take_requests();
+    if ((called & ArbiterBit) != 0 && parts_.arbiter.activity() == Activity::Busy) take_requests();
     if (paths_.is_full()) collect_paths();
 }
 
@@ -207,8 +207,7 @@ void Bottlenecks::Way::note_answer(std::uint64_t item) {
 
 void Bottlenecks::done(const MemoryRequest& request, std::uint64_t cycle) {
     Way& way = *requests_[request.port];
-    const Moment* const asked =
-        way.of_stage ? &way.sent[request.number] : nullptr;
+    const Moment* const asked = way.of_stage ? &way.sent[request.number] : nullptr;
     const Moment& answer = memory_.answer(paths_, request, asked, cycle);
     if (way.to_memory) way.note_answer(request.number);
     Way* const back = responses_[request.port];

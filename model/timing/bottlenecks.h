@@ -89,9 +89,9 @@ private:
     // When a link's items were sent, and when they left a place to another.
     struct Way {
         const Link* link;
-        bool of_stage = false;  // Its producer is one.
-        bool to_stage = false;  // Its consumer is one.
-        bool to_memory = false; // Its items are answered to.
+        bool of_stage = false;                // Its producer is one.
+        bool to_stage = false;                // Its consumer is one.
+        bool to_memory = false;               // Its items are answered to.
         std::uint64_t pushed = 0, popped = 0; // that were looked at
         Moments sent{8}, freed;
         // Requests whose answer has not come, from the oldest on.
@@ -109,9 +109,7 @@ private:
         }
         void note_answer(std::uint64_t item);
         // When the place of the item came free; long ago where it is the first there.
-        const Moment& place_freed(std::uint64_t item) const {
-            return freed[item - link->places()];
-        }
+        const Moment& place_freed(std::uint64_t item) const { return freed[item - link->places()]; }
     };
     struct Place {
         Stage stage;

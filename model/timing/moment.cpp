@@ -32,8 +32,8 @@ const Dependence& last_of(std::span<const Dependence> all, Cycle at) {
     return *last;
 }
 
-// Parts are added to all lanes, as nothing where they are not the lane's own: a lane that is written
-// and then read in a vector would be waited for.
+// Parts are added to all lanes, as nothing where they are not the lane's own: a lane that is
+// written and then read in a vector would be waited for.
 Saved saved_after(std::span<const Dependence> all, const Dependence& last, Cycle at) {
     const float least = slack(last, at);
     Saved saved;

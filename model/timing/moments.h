@@ -1,5 +1,5 @@
-// Moments: those of a link's items, by the items' numbers. Few are of use at a time: what is kept is
-// small, so that the processor's cache holds it, and grows where it has to.
+// Moments: those of a link's items, by the items' numbers. Few are of use at a time: what is kept
+// is small, so that the processor's cache holds it, and grows where it has to.
 
 #pragma once
 
