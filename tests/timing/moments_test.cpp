@@ -1,8 +1,8 @@
 #include "model/timing/moments.h"
 
-#include <catch2/catch.hpp>
-
 #include <map>
+
+#include <catch2/catch.hpp>
 
 namespace ffgpu::timing {
 namespace {
