@@ -3,6 +3,9 @@
 #include "model/fragment/fragment_tap.h"
 #include "model/fragment/sample_pipe.h"
 
+#include <cstddef>
+#include <cstring>
+
 namespace ffgpu {
 namespace {
 
@@ -10,6 +13,17 @@ ColorTarget compile_color_target(const Registers& registers, unsigned i) {
     const Surface& surface = registers.targets.color[i];
     const unsigned channels = registers.blend.write_mask & stored_channels(surface.format);
     return {surface, static_cast<std::uint8_t>(channels), registers.fragment.is_srgb(i)};
+}
+
+// Without environments the primary colour goes on.
+void take_primary(FragmentBatch& batch) {
+    const std::size_t bytes = batch.lanes() * sizeof(std::uint16_t);
+    const ColorPlanes& from = batch.primary;
+    ColorPlanes& to = batch.color;
+    std::memcpy(to.r.data(), from.r.data(), bytes);
+    std::memcpy(to.g.data(), from.g.data(), bytes);
+    std::memcpy(to.b.data(), from.b.data(), bytes);
+    std::memcpy(to.a.data(), from.a.data(), bytes);
 }
 
 } // namespace
@@ -51,7 +65,7 @@ void early_depth_test(const FragmentPipe& pipe, FragmentBatch& batch, const Prob
 void shade(const FragmentPipe& pipe, FragmentBatch& batch, const ProbeTap* tap) {
     const FragmentStages& stages = *pipe.stages;
     ShadeTap told(tap);
-    if (pipe.environments.units.empty()) batch.color = batch.primary;
+    if (pipe.environments.units.empty()) take_primary(batch);
     for (unsigned i = 0; i < pipe.environments.units.size(); ++i) {
         told.enters(i == 0 ? batch.primary : batch.color);
         stages.run_environment(pipe.environments, i, batch);

@@ -21,6 +21,22 @@ TexCoordPlanes constant_coordinates(const std::array<float, 4>& value, bool cube
     return planes;
 }
 
+// Without a call: FragmentMask's own comparison is one of the library's.
+bool same(const FragmentMask& a, const FragmentMask& b) {
+    std::uint64_t different = 0;
+    for (std::size_t i = 0; i < a.words.size(); ++i)
+        different |= a.words[i] ^ b.words[i];
+    return different == 0;
+}
+
+// The lanes of `mask`, most often all of the batch's.
+std::uint64_t count_lanes(const FragmentMask& mask, unsigned lanes) {
+    FragmentMask all;
+    for (std::size_t i = 0; i < all.words.size() && lanes > 64 * i; ++i)
+        all.words[i] = ~std::uint64_t{0} >> (lanes < 64 * i + 64 ? 64 * i + 64 - lanes : 0);
+    return same(mask, all) ? lanes : mask.count();
+}
+
 // The samples of quad q: bit 4 i + s for sample s of lane i.
 std::uint16_t sample_bits(const SampleMasks& samples, unsigned q) {
     unsigned bits = 0;
@@ -243,9 +259,9 @@ void TileRenderer::count(const FragmentMask& covered,
     // Most batches lose nobody: comparing masks is quicker than counting bits.
     const auto next =
         [](std::uint64_t count, const FragmentMask& before, const FragmentMask& after) {
-            return before == after ? count : std::uint64_t{after.count()};
+            return same(before, after) ? count : std::uint64_t{after.count()};
         };
-    const std::uint64_t all = covered.count();
+    const std::uint64_t all = count_lanes(covered, batch_.lanes());
     const std::uint64_t after_early = next(all, covered, early);
     const std::uint64_t coverage = next(after_early, early, fates.after_coverage);
     const std::uint64_t alpha = next(coverage, fates.after_coverage, fates.after_alpha);

@@ -79,7 +79,7 @@ private:
     FragmentBatch batch_{};
     SampleMasks covered_samples_; // of the batch, where targets are multisampled
     SampleDepths sample_depths_;
-    QuadCollector collector_{batch_};
+    QuadCollector collector_{batch_, stages_.pack_quads};
     TileCoverage coverage_;
     TileSampleCoverage sample_coverage_;
     PerspectivePlanes perspective_;

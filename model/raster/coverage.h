@@ -56,6 +56,10 @@ void cover_tile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& cover
 // The same, pixel by pixel: the specification.
 void cover_tile_scalar(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage);
 
+// The form of cover_tile() for the instruction set that Highway chooses now.
+using CoverTileForm = void (*)(const EdgeSet&, const Rectangle& tile, TileCoverage&);
+CoverTileForm choose_cover_tile();
+
 // The pixels of the block at (x, y) that lie inside `rectangle`.
 BlockMask rectangle_mask(const Rectangle& rectangle, int x, int y);
 

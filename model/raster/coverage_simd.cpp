@@ -7,7 +7,12 @@
 
 #include "model/raster/tile_walk.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cstdlib>
+#include <cstring>
+#include <type_traits>
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -117,56 +122,85 @@ BlockRow classify_row(const TileWalk& walk, const BlockOffsets& offsets, int y) 
     return row;
 }
 
-bool is_small(const Rectangle& blocks) {
-    return blocks.width() <= 2 * BlockSize && blocks.height() <= 2 * BlockSize;
-}
-
 void add_block(int x, int y, BlockMask mask, TileCoverage& coverage) {
     if (mask == 0) return;
     coverage.blocks[coverage.count++] = {
         static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), mask};
 }
 
-// An edge over the lanes of a row of quads.
-struct RowEdge {
-    hn::Vec<Lanes> at, up; // `up`: what the next row has more
-};
+// Small primitives: up to two blocks each way, whose edges' values differ by less than 2^15 in a
+// block, so that 16 bits hold all that matters.
+using Narrow = hn::CappedTag<std::int16_t, 2 * QuadRow>;
+constexpr std::size_t NarrowLanes = hn::MaxLanes(Narrow());
+constexpr std::size_t BlockVectors = BlockSize * BlockSize / NarrowLanes;
 
-// Pixels outside an edge: those of a block's rows of quads, as many as a vector has lanes.
-template <std::size_t Count>
-HWY_INLINE BlockMask rows_outside(std::array<RowEdge, Count>& edges) {
-    BlockMask mask = 0;
-    for (unsigned row = 0; row < BlockQuadsAcross; ++row) {
-        auto outside = edges[0].at; // The sign bits of all edges.
-        for (std::size_t i = 1; i < Count; ++i)
-            outside = hn::Or(outside, edges[i].at);
-        mask |= BlockMask{negative_lanes(outside)} << (row * QuadRow);
-        for (RowEdge& edge : edges)
-            edge.at = hn::Add(edge.at, edge.up);
+struct BlockPlaces {
+    alignas(64) std::int16_t x[BlockSize * BlockSize]{}, y[BlockSize * BlockSize]{};
+
+    constexpr BlockPlaces() {
+        for (int py = 0; py < BlockSize; ++py)
+            for (int px = 0; px < BlockSize; ++px) {
+                x[block_bit(px, py)] = static_cast<std::int16_t>(px);
+                y[block_bit(px, py)] = static_cast<std::int16_t>(py);
+            }
     }
-    return mask;
+};
+constexpr BlockPlaces Places;
+
+bool has_few_blocks(const Rectangle& blocks) {
+    return blocks.width() <= 2 * BlockSize && blocks.height() <= 2 * BlockSize;
 }
 
-// Of a small primitive all blocks' pixels are evaluated, up to two blocks each way: to ask first
-// which edge crosses which block would take longer.
-template <std::size_t Count>
+bool has_small_steps(const TileWalk& walk) {
+    constexpr int Most = 0x7fff / (BlockSize - 1);
+    int steepest = 0;
+    for (unsigned i = 0; i < walk.edge_count; ++i)
+        steepest = std::max(steepest, std::abs(walk.edges[i].a) + std::abs(walk.edges[i].b));
+    return steepest <= Most;
+}
+
+// A bit a lane.
+HWY_INLINE BlockMask negative_narrow(hn::Vec<Narrow> values) {
+    std::array<std::uint8_t, NarrowLanes / 8> bytes;
+    hn::StoreMaskBits(Narrow(), hn::Lt(values, hn::Zero(Narrow())), bytes.data());
+    std::conditional_t<NarrowLanes == 32,
+                       std::uint32_t,
+                       std::conditional_t<NarrowLanes == 16, std::uint16_t, std::uint8_t>>
+        bits;
+    std::memcpy(&bits, bytes.data(), sizeof bits);
+    return bits;
+}
+
+// All blocks' pixels are evaluated: to ask first which edge crosses which block would take longer.
+// An edge that is cut off at 16 bits keeps its sign: what it adds in a block is less.
 HWY_INLINE void cover_small(const TileWalk& walk, TileCoverage& coverage) {
-    const Lanes d;
+    constexpr unsigned Edges = 3;
+    constexpr std::int32_t Limit = 0x7fff;
+    const Narrow d;
+    hn::Vec<Narrow> inside[Edges][BlockVectors]; // what each pixel has more than the block's first
+    for (unsigned i = 0; i < Edges; ++i) {
+        const auto a = hn::Set(d, static_cast<std::int16_t>(walk.edges[i].a));
+        const auto b = hn::Set(d, static_cast<std::int16_t>(walk.edges[i].b));
+        for (std::size_t part = 0; part < BlockVectors; ++part)
+            inside[i][part] = hn::Add(hn::Mul(a, hn::Load(d, Places.x + part * NarrowLanes)),
+                                      hn::Mul(b, hn::Load(d, Places.y + part * NarrowLanes)));
+    }
     for (int y = walk.blocks.y0; y < walk.blocks.y1; y += BlockSize)
         for (int x = walk.blocks.x0; x < walk.blocks.x1; x += BlockSize) {
+            hn::Vec<Narrow> first[Edges];
+            for (unsigned i = 0; i < Edges; ++i) {
+                const TileEdge& edge = walk.edges[i];
+                const std::int32_t e =
+                    edge.e + edge.a * (x - walk.blocks.x0) + edge.b * (y - walk.blocks.y0);
+                first[i] = hn::Set(d, static_cast<std::int16_t>(std::clamp(e, -Limit - 1, Limit)));
+            }
             BlockMask outside = 0;
-            for (std::size_t lane = 0; lane < QuadRow; lane += hn::Lanes(d)) {
-                std::array<RowEdge, Count> edges;
-                for (std::size_t i = 0; i < Count; ++i) {
-                    const TileEdge& edge = walk.edges[i];
-                    const std::int32_t e =
-                        edge.e + edge.a * (x - walk.blocks.x0) + edge.b * (y - walk.blocks.y0);
-                    const auto in_row =
-                        hn::Add(hn::Mul(hn::Set(d, edge.a), hn::Load(d, LaneX + lane)),
-                                hn::Mul(hn::Set(d, edge.b), hn::Load(d, LaneY + lane)));
-                    edges[i] = {hn::Add(hn::Set(d, e), in_row), hn::Set(d, 2 * edge.b)};
-                }
-                outside |= rows_outside(edges) << lane;
+            for (std::size_t part = 0; part < BlockVectors; ++part) {
+                const auto sum = [&](unsigned i) HWY_ATTR {
+                    return hn::SaturatedAdd(first[i], inside[i][part]);
+                };
+                const auto signs = hn::Or(hn::Or(sum(0), sum(1)), sum(2));
+                outside |= negative_narrow(signs) << (part * NarrowLanes);
             }
             add_block(x, y, rectangle_mask(walk.area, x, y) & ~outside, coverage);
         }
@@ -193,12 +227,12 @@ void CoverTile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& covera
     coverage.count = 0;
     TileWalk walk;
     if (!begin_area(edges, tile, walk)) return;
-    if (edges.edges.size() == 3 && is_small(walk.blocks)) {
+    if (edges.edges.size() == 3 && has_few_blocks(walk.blocks)) {
         add_all_edges(edges, walk);
-        cover_small<3>(walk, coverage);
-    } else if (add_crossing_edges(edges, walk)) {
-        cover_large(walk, coverage);
+        if (has_small_steps(walk)) return cover_small(walk, coverage);
+        walk.edge_count = 0;
     }
+    if (add_crossing_edges(edges, walk)) cover_large(walk, coverage);
 }
 
 } // namespace HWY_NAMESPACE
@@ -210,12 +244,14 @@ namespace ffgpu {
 
 HWY_EXPORT(CoverTile);
 
+CoverTileForm choose_cover_tile() {
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    return HWY_DYNAMIC_DISPATCH(CoverTile);
+}
+
 void cover_tile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
-    // Chosen once: a call for each small triangle would feel Highway's own look-up.
-    static const auto cover = [] {
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        return HWY_DYNAMIC_DISPATCH(CoverTile);
-    }();
+    // A call for each small triangle would feel Highway's own look-up.
+    static const CoverTileForm cover = choose_cover_tile();
     cover(edges, tile, coverage);
 }
 

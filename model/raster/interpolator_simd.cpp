@@ -56,9 +56,12 @@ private:
     float scale_, highest_;
 };
 
-void fill(std::uint16_t* plane, std::size_t first, std::size_t end, std::uint16_t value) {
-    for (std::size_t lane = first; lane < end; ++lane)
-        plane[lane] = value;
+template <class F>
+HWY_INLINE void
+fill(F, std::uint16_t* plane, std::size_t first, std::size_t end, std::uint16_t value) {
+    const hn::Rebind<std::uint16_t, F> d;
+    for (std::size_t lane = first; lane < end; lane += hn::Lanes(d))
+        store_lanes(d, hn::Set(d, value), plane, lane);
 }
 
 // A colour whose planes stand at `first` in the layout.
@@ -69,8 +72,13 @@ void color_run(const LaneRun& run,
                const PerspectivePlanes& planes,
                const std::array<std::uint16_t*, Channels>& out) {
     if (constant) {
-        for (std::size_t i = 0; i < Channels; ++i)
-            fill(out[i], run.first, run.end, constant[i]);
+        const bool few = run.end - run.first <= hn::MaxLanes(PairFloats());
+        for (std::size_t i = 0; i < Channels; ++i) {
+            if (few)
+                fill(PairFloats(), out[i], run.first, run.end, constant[i]);
+            else
+                fill(Floats(), out[i], run.first, run.end, constant[i]);
+        }
         return;
     }
     const std::array<float, Channels> scales =
@@ -144,7 +152,7 @@ void InterpolateColors(const InterpolantLayout& layout,
     const std::array<std::uint16_t*, 4> primary{
         one.r.data(), one.g.data(), one.b.data(), one.a.data()};
     const std::array<std::uint16_t*, 3> secondary{two.r.data(), two.g.data(), two.b.data()};
-    if (layout.secondary >= 0) fill(two.a.data(), 0, batch.lanes(), 0);
+    if (layout.secondary >= 0) fill(Floats(), two.a.data(), 0, batch.lanes(), 0);
     for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
         const SetupRecord& record = run.record;
         const auto constant = [](bool is, const std::array<std::uint8_t, 4>& color) {

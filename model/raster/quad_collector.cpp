@@ -5,8 +5,6 @@
 namespace ffgpu {
 namespace {
 
-constexpr unsigned BlockQuads = BlockQuadsAcross * BlockQuadsAcross;
-
 struct QuadOffsets {
     std::array<std::uint16_t, BlockQuads> x{}, y{};
 
@@ -41,8 +39,8 @@ void QuadCollector::begin_run(const SetupRecord& record) {
 // Appends quads of `mask` while there is room; returns the part of it that is left.
 BlockMask
 QuadCollector::append(const BlockCoverage& block, BlockMask mask, const BlockAntialias* antialias) {
-    if (mask == FullBlock && !antialias && batch_.quad_count <= BatchQuads - BlockQuads) {
-        append_full(block);
+    if (!antialias && batch_.quad_count <= BatchQuads - BlockQuads) { // as many as it may have
+        append_block({block.x, block.y, mask});
         return 0;
     }
     while (mask != 0 && batch_.quad_count < BatchQuads) {
@@ -89,20 +87,19 @@ void QuadCollector::append_samples(SampleBlock& block) {
     }
 }
 
-void QuadCollector::append_full(const BlockCoverage& block) {
+// There is room for all quads of a block.
+void QuadCollector::append_block(const BlockCoverage& block) {
     const SetupRecord& record = *runs_[run_count_ - 1].record;
     const unsigned n = batch_.quad_count;
-    for (unsigned q = 0; q < BlockQuads; ++q) {
-        batch_.x[n + q] = static_cast<std::uint16_t>(block.x + Offsets.x[q]);
-        batch_.y[n + q] = static_cast<std::uint16_t>(block.y + Offsets.y[q]);
-        batch_.primitive[n + q] = record.key;
-    }
+    const PackedQuads packed = pack_(block, batch_.x.data() + n, batch_.y.data() + n);
+    std::fill_n(batch_.primitive.data() + n, BlockQuads, record.key);
     static_assert(BatchQuads == 64, "one word of front_facing");
-    batch_.front_facing[0] |= (record.front_facing ? std::uint64_t{0xffff} : 0) << n;
+    const std::uint64_t quads = (std::uint64_t{1} << packed.count) - 1;
+    batch_.front_facing[0] |= (record.front_facing ? quads : 0) << n;
     const unsigned shift = 4 * (n % 16);
-    batch_.live.words[n / 16] |= FullBlock << shift;
-    if (shift != 0) batch_.live.words[n / 16 + 1] |= FullBlock >> (64 - shift);
-    batch_.quad_count += BlockQuads;
+    batch_.live.words[n / 16] |= packed.lanes << shift;
+    if (shift != 0) batch_.live.words[n / 16 + 1] |= packed.lanes >> (64 - shift);
+    batch_.quad_count += packed.count;
 }
 
 } // namespace ffgpu

@@ -9,6 +9,7 @@
 
 #include "model/packets/fragment_batch.h"
 #include "model/raster/coverage.h"
+#include "model/raster/quad_pack.h"
 #include "model/raster/sample_coverage.h"
 
 #include <array>
@@ -29,8 +30,9 @@ using BlockAntialias = std::array<std::uint8_t, BlockSize * BlockSize>;
 
 class QuadCollector {
 public:
-    explicit QuadCollector(FragmentBatch& batch)
-        : batch_(batch) {
+    explicit QuadCollector(FragmentBatch& batch, PackQuads pack = pack_quads)
+        : batch_(batch)
+        , pack_(pack) {
         clear();
     }
 
@@ -59,16 +61,18 @@ public:
 private:
     template <class Block>
     unsigned block_index(const Block& block) const {
-        const int x = (block.x - tile_.x0) / BlockSize, y = (block.y - tile_.y0) / BlockSize;
-        return static_cast<unsigned>(y * (MaxTileSize / BlockSize) + x);
+        const unsigned x = block.x - static_cast<unsigned>(tile_.x0);
+        const unsigned y = block.y - static_cast<unsigned>(tile_.y0);
+        return y / BlockSize * (MaxTileSize / BlockSize) + x / BlockSize;
     }
     void begin_run(const SetupRecord& record);
     BlockMask append(const BlockCoverage& block, BlockMask mask, const BlockAntialias* antialias);
-    void append_full(const BlockCoverage& block);
+    void append_block(const BlockCoverage& block);
     void append_samples(SampleBlock& block);
     unsigned append_quad(unsigned x, unsigned y, unsigned lanes);
 
     FragmentBatch& batch_;
+    const PackQuads pack_;
     Rectangle tile_;
     unsigned run_count_ = 0;
     std::array<BatchRun, BatchQuads> runs_;

@@ -162,13 +162,29 @@ namespace {
 HWY_EXPORT(choose_levels);
 } // namespace
 
+namespace {
+
+// One level, and one filter whether it magnifies or minifies.
+bool has_one_choice(const TextureUnit& unit) {
+    const Sampler& sampler = unit.sampler;
+    return unit.max_probes == 1 && sampler.mip_filter == MipFilter::None &&
+           sampler.minify_linear == sampler.magnify_linear;
+}
+
+} // namespace
+
 void choose_levels_batch(const TextureUnit& unit,
                          const LevelInputs& inputs,
                          unsigned quad_count,
                          SamplingBatch& out) {
+    out.max_probes = 1;
+    if (has_one_choice(unit)) {
+        out.all_of = out.any_of = unit.sampler.minify_linear ? SamplingBatch::LinearBit : 0;
+        std::fill_n(out.choice.begin(), 4 * grouped_quads(quad_count), out.any_of);
+        return;
+    }
     out.all_of = ~0u;
     out.any_of = 0;
-    out.max_probes = 1;
     HWY_DYNAMIC_DISPATCH(choose_levels)(unit, inputs, grouped_quads(quad_count), out);
 }
 

@@ -108,6 +108,34 @@ TEST_CASE("the vector form covers what the scalar form covers") {
     CHECK(drawn > 2000);
 }
 
+TEST_CASE("small triangles: each instruction set covers what the scalar form covers") {
+    for_each_target([] {
+        const CoverTileForm form = choose_cover_tile();
+        Random random(7);
+        RecordBuffer buffer;
+        TileCoverage vector, scalar;
+        int covering = 0, blocks = 0;
+        for (int i = 0; i < 6000; ++i) {
+            const int x = random.between(0, 64 * 256), y = random.between(0, 64 * 256);
+            const int reach = 128 << (i % 6); // up to what does not fit 16 bits
+            const auto near = [&] {
+                const WindowVertex v = random_vertex(random, -reach, reach);
+                return vertex(x + v.x, y + v.y);
+            };
+            const WindowVertex a = near(), b = near(), c = near();
+            if (!buffer.triangle(context({3, 5, 50, 61}), a, b, c)) continue;
+            const Rectangle tile{0, 0, 64, 64};
+            form(edge_set(buffer.record()), tile, vector);
+            cover_tile_scalar(edge_set(buffer.record()), tile, scalar);
+            REQUIRE(same(vector, scalar));
+            covering += scalar.count != 0;
+            blocks += scalar.count > 1;
+        }
+        CHECK(covering > 2000);
+        CHECK(blocks > 1000);
+    });
+}
+
 TEST_CASE("a triangle that reaches the guard band on all sides fills the window") {
     constexpr int Limit = GuardBand * 256;
     RecordBuffer buffer;

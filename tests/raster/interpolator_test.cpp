@@ -138,15 +138,7 @@ void compare_forms() {
 } // namespace
 
 TEST_CASE("vector and scalar interpolation give the same bits with every instruction set") {
-    const std::int64_t supported = hwy::SupportedTargets();
-    for (const std::int64_t target :
-         {std::int64_t{HWY_SSE4}, std::int64_t{HWY_AVX2}, std::int64_t{HWY_AVX3}}) {
-        if ((supported & target) == 0) continue;
-        INFO("target " << hwy::TargetName(target));
-        hwy::SetSupportedTargetsForTest(target);
-        compare_forms();
-    }
-    hwy::SetSupportedTargetsForTest(0);
+    for_each_target(compare_forms);
     compare_forms();
 }
 

@@ -14,9 +14,26 @@
 #include <utility>
 #include <vector>
 
+#include <catch2/catch.hpp>
+#include <hwy/targets.h>
+
 namespace ffgpu::test {
 
 using Pixel = std::pair<int, int>;
+
+// Calls body() with each instruction set that this processor has as Highway's choice.
+template <class Body>
+void for_each_target(Body&& body) {
+    const std::int64_t supported = hwy::SupportedTargets();
+    for (const std::int64_t target :
+         {std::int64_t{HWY_SSE4}, std::int64_t{HWY_AVX2}, std::int64_t{HWY_AVX3}}) {
+        if ((supported & target) == 0) continue;
+        INFO("target " << hwy::TargetName(target));
+        hwy::SetSupportedTargetsForTest(target);
+        body();
+    }
+    hwy::SetSupportedTargetsForTest(0);
+}
 
 inline WindowVertex vertex(int x, int y, float depth = 0.5f, float inverse_w = 1) {
     WindowVertex v;

@@ -88,10 +88,15 @@ void present(osmesa_context& to) {
     const ffgpu::Surface surface = to.context->drawable().readable_front();
     if (!to.buffer || surface.format == ffgpu::Format::None) return;
     ffgpu::Device& device = ProcessGpu::instance().device();
-    std::vector<std::uint8_t>& rgba = to.rows;
-    rgba.resize(std::size_t{surface.stride} * static_cast<std::size_t>(to.height));
-    device.read_memory(surface.address, std::as_writable_bytes(std::span(rgba)));
     const auto pixels = static_cast<std::size_t>(to.row_length > 0 ? to.row_length : to.width);
+    const std::size_t bytes = std::size_t{surface.stride} * static_cast<std::size_t>(to.height);
+    const bool as_in_device = to.format == OSMESA_RGBA && to.y_up &&
+                              pixels == static_cast<std::size_t>(to.width) &&
+                              surface.stride == 4 * pixels;
+    if (as_in_device) return device.read_memory(surface.address, {to.buffer, bytes});
+    std::vector<std::uint8_t>& rgba = to.rows;
+    rgba.resize(bytes);
+    device.read_memory(surface.address, std::as_writable_bytes(std::span(rgba)));
     const std::size_t out_stride =
         pixels * static_cast<std::size_t>(channel_order(to.format).bytes);
     for (GLsizei y = 0; y < to.height; ++y) {
