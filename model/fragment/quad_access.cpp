@@ -76,7 +76,8 @@ public:
         return even_ || (batch_.x[q] + 1u < width_ && batch_.y[q] + 1u < height_);
     }
 
-    // Four quads from q on stand side by side, so that a row of them is eight pixels.
+    // Four quads from q on stand side by side, so that a row of them is eight
+    // pixels.
     bool is_row(unsigned q) const {
         std::uint64_t x, y;
         std::memcpy(&x, batch_.x.data() + q, sizeof x);
@@ -105,6 +106,12 @@ public:
         const Byte* row = lower_row(q);
         Pair::split(load_word<Word>(row), pixels);
         Pair::split(load_word<Word>(row + stride_), pixels + 2);
+    }
+
+    void store(unsigned q, const std::uint32_t* pixels) const {
+        Byte* row = lower_row(q);
+        store_word(row, Pair::join(pixels));
+        store_word(row + stride_, Pair::join(pixels + 2));
     }
 
     void store_masked(unsigned q, unsigned lanes, const std::uint32_t* pixels) const {
@@ -139,53 +146,57 @@ private:
     const FragmentBatch& batch_;
 };
 
-// The lanes of the quads from q on, at least four of them; those behind the batch are none.
-unsigned lanes_from(const FragmentMask& mask, unsigned q) {
-    const unsigned shift = 4 * (q % 16);
-    std::uint64_t lanes = mask.words[q / 16] >> shift;
-    if (shift > 48 && q / 16 + 1 < mask.words.size())
-        lanes |= mask.words[q / 16 + 1] << (64 - shift);
-    return static_cast<unsigned>(lanes & 0xffff);
+// Is each lane of the batch in the mask? (Counting bits costs a call where
+// x86-64 has no popcnt.)
+bool all_lanes(const FragmentMask& mask, const FragmentBatch& batch) {
+    constexpr std::uint64_t Full = ~std::uint64_t{0};
+    const unsigned whole = batch.lanes() / 64, rest = batch.lanes() % 64;
+    for (unsigned i = 0; i < whole; ++i)
+        if (mask.words[i] != Full) return false;
+    return rest == 0 || mask.words[whole] == Full >> (64 - rest);
 }
 
-// Calls row(q) for four quads side by side that are wholly in the mask, one(q, lanes) for others
-// that have a lane in it.
+// Calls row(q) for four quads side by side, one(q) for others, of a batch whose
+// lanes are all live. In other batches to look for rows takes longer than they
+// save.
 template <class Surface, class Row, class One>
-void for_quads(const Surface& surface,
-               const FragmentBatch& batch,
-               const FragmentMask& mask,
-               Row&& row,
-               One&& one) {
+void for_rows(const Surface& surface, const FragmentBatch& batch, Row&& row, One&& one) {
     const unsigned quads = batch.quad_count;
     for (unsigned q = 0; q < quads;) {
-        const unsigned lanes = lanes_from(mask, q);
-        if (lanes == 0xffff && surface.is_row(q)) {
+        if (q + RowQuads <= quads && surface.is_row(q)) {
             row(q);
             q += RowQuads;
-            continue;
+        } else {
+            one(q++);
         }
-        if ((lanes & 0xf) != 0) one(q, lanes & 0xf);
-        ++q;
     }
 }
 
-// The masks are copied: a store of pixels might change them, for all that the compiler knows.
+// The masks are copied: a store of pixels might change them, for all that the
+// compiler knows.
 template <class Pixel>
 void load_sized(const QuadSurface<Pixel, const std::byte>& surface,
                 const FragmentBatch& batch,
                 std::uint32_t* pixels) {
+    const unsigned quads = batch.quad_count;
+    if (all_lanes(batch.live, batch)) { // so that each quad is whole
+        for_rows(
+            surface,
+            batch,
+            [&](unsigned q) { surface.load_row(q, pixels + 4 * q); },
+            [&](unsigned q) { surface.load(q, pixels + 4 * q); });
+        return;
+    }
     const FragmentMask live = batch.live;
-    for_quads(
-        surface,
-        batch,
-        live,
-        [&](unsigned q) { surface.load_row(q, pixels + 4 * q); },
-        [&](unsigned q, unsigned lanes) {
-            if (surface.is_whole(q))
-                surface.load(q, pixels + 4 * q);
-            else
-                surface.load_pixels(q, lanes, pixels + 4 * q);
-        });
+    for (unsigned q = 0; q < quads; ++q) {
+        const unsigned lanes = live.quad(q);
+        if (lanes == 0) continue;
+        if (surface.is_whole(q)) {
+            surface.load(q, pixels + 4 * q);
+        } else {
+            surface.load_pixels(q, lanes, pixels + 4 * q);
+        }
+    }
 }
 
 template <class Pixel>
@@ -193,18 +204,25 @@ void store_sized(const QuadSurface<Pixel, std::byte>& surface,
                  const FragmentBatch& batch,
                  const FragmentMask& mask,
                  const std::uint32_t* pixels) {
+    const unsigned quads = batch.quad_count;
+    if (all_lanes(mask, batch)) {
+        for_rows(
+            surface,
+            batch,
+            [&](unsigned q) { surface.store_row(q, pixels + 4 * q); },
+            [&](unsigned q) { surface.store(q, pixels + 4 * q); });
+        return;
+    }
     const FragmentMask written = mask;
-    for_quads(
-        surface,
-        batch,
-        written,
-        [&](unsigned q) { surface.store_row(q, pixels + 4 * q); },
-        [&](unsigned q, unsigned lanes) {
-            if (surface.is_whole(q))
-                surface.store_masked(q, lanes, pixels + 4 * q);
-            else
-                surface.store_pixels(q, lanes, pixels + 4 * q);
-        });
+    for (unsigned q = 0; q < quads; ++q) {
+        const unsigned lanes = written.quad(q);
+        if (lanes == 0) continue;
+        if (surface.is_whole(q)) {
+            surface.store_masked(q, lanes, pixels + 4 * q);
+        } else {
+            surface.store_pixels(q, lanes, pixels + 4 * q);
+        }
+    }
 }
 
 } // namespace
