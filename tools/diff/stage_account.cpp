@@ -117,13 +117,15 @@ void StageAccount::perspective(const probed::Batch& batch, const probed::Perspec
 
 void StageAccount::colors(const probed::Batch& batch, const probed::Colors& told) {
     const FragmentBatch& fragments = *batch.fragments;
+    const bool has_secondary = batch.registers->fragment.color_sum; // else nobody makes one
     entries({Stage::Colors}, batch, fragments.live, [&](unsigned lane) {
         for (std::size_t i = 0; i < 4; ++i) {
             sink_.real("primary_over_w", told.primary_over_w[i][lane], static_cast<int>(i));
-            sink_.real("secondary_over_w", told.secondary_over_w[i][lane], static_cast<int>(i));
+            if (has_secondary)
+                sink_.real("secondary_over_w", told.secondary_over_w[i][lane], static_cast<int>(i));
         }
         sink_.color("primary", packed(fragments.primary, lane));
-        sink_.color("secondary", packed(fragments.secondary, lane));
+        if (has_secondary) sink_.color("secondary", packed(fragments.secondary, lane));
         if (batch.registers->fog.mode == FogMode::Off) return; // Nobody makes one.
         sink_.real("fog_over_w", told.fog_over_w[lane]);
         sink_.real("fog_coordinate", fragments.fog_coordinate[lane]);
