@@ -76,8 +76,7 @@ public:
         return even_ || (batch_.x[q] + 1u < width_ && batch_.y[q] + 1u < height_);
     }
 
-    // Four quads from q on stand side by side, so that a row of them is eight
-    // pixels.
+    // Four quads from q on stand side by side, so that a row of them is eight pixels.
     bool is_row(unsigned q) const {
         std::uint64_t x, y;
         std::memcpy(&x, batch_.x.data() + q, sizeof x);
@@ -146,8 +145,7 @@ private:
     const FragmentBatch& batch_;
 };
 
-// Is each lane of the batch in the mask? (Counting bits costs a call where
-// x86-64 has no popcnt.)
+// Is each lane of the batch in the mask? (Counting bits costs a call where x86-64 has no popcnt.)
 bool all_lanes(const FragmentMask& mask, const FragmentBatch& batch) {
     constexpr std::uint64_t Full = ~std::uint64_t{0};
     const unsigned whole = batch.lanes() / 64, rest = batch.lanes() % 64;
@@ -156,9 +154,8 @@ bool all_lanes(const FragmentMask& mask, const FragmentBatch& batch) {
     return rest == 0 || mask.words[whole] == Full >> (64 - rest);
 }
 
-// Calls row(q) for four quads side by side, one(q) for others, of a batch whose
-// lanes are all live. In other batches to look for rows takes longer than they
-// save.
+// Calls row(q) for four quads side by side, one(q) for others, of a batch whose lanes are all live.
+// In other batches to look for rows takes longer than they save.
 template <class Surface, class Row, class One>
 void for_rows(const Surface& surface, const FragmentBatch& batch, Row&& row, One&& one) {
     const unsigned quads = batch.quad_count;
@@ -172,8 +169,7 @@ void for_rows(const Surface& surface, const FragmentBatch& batch, Row&& row, One
     }
 }
 
-// The masks are copied: a store of pixels might change them, for all that the
-// compiler knows.
+// The masks are copied: a store of pixels might change them, for all that the compiler knows.
 template <class Pixel>
 void load_sized(const QuadSurface<Pixel, const std::byte>& surface,
                 const FragmentBatch& batch,
