@@ -6,8 +6,7 @@ namespace ffgpu::timing {
 
 DramDevice::DramDevice(const MemoryConfig& config)
     : config_(config)
-    , banks_(config.banks)
-    , activates_{} {}
+    , banks_(config.banks) {}
 
 bool DramDevice::any_row_open() const {
     return std::ranges::any_of(banks_, [](const Bank& bank) { return bank.row != NoRow; });
