@@ -53,6 +53,7 @@ public:
         for (const std::string& name : pictures_in(trace_.reference))
             if (is_wanted(name)) names.insert(name);
         std::vector<CheckedFrame> frames;
+        frames.reserve(names.size());
         for (const std::string& name : names)
             frames.push_back(told(check(name)));
         return frames;

@@ -37,7 +37,7 @@ std::size_t count_of(const std::vector<CheckedFrame>& frames, Verdict verdict) {
 
 std::string junit_case(const CheckedFrame& frame) {
     const std::string head = fmt::format(
-        "    <testcase classname=\"{}\" name=\"{}\"", escaped(frame.trace), escaped(frame.name));
+        R"(    <testcase classname="{}" name="{}")", escaped(frame.trace), escaped(frame.name));
     if (frame.verdict == Verdict::Passed) return head + "/>\n";
     const char* const kind = frame.verdict == Verdict::Failed ? "failure" : "error";
     return fmt::format(

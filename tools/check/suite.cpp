@@ -58,7 +58,7 @@ private:
     std::optional<Value> value(const char* key, const char* expected) const {
         const toml::node* const node = table_.get(key);
         if (!node) return std::nullopt;
-        const auto found = node->value<Value>();
+        auto found = node->value<Value>();
         if (!found) fail(*node, fmt::format("{}: expected {}", key, expected));
         return found;
     }

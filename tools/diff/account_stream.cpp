@@ -1,5 +1,6 @@
 #include "tools/diff/account_stream.h"
 
+#include "model/base/check.h"
 #include "model/base/input_error.h"
 #include "tools/diff/backend.h"
 #include "tools/files/other_program.h"
@@ -61,6 +62,7 @@ AccountStream::AccountStream(const AccountSide& side, const AccountQuestion& que
         std::signal(SIGPIPE, SIG_DFL); // Nobody reads on: it is known enough.
         ::dup2(ends[1], STDOUT_FILENO);
         if (!side.program.empty()) run_program(arguments_of(side, question));
+        check(stages != nullptr, "a side that no other program draws is drawn here");
         write_account(side.input, *stages, question, stdout);
         ::_exit(0);
     }
