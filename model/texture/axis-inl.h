@@ -63,13 +63,21 @@ HWY_INLINE VF fold_coordinate(Fold fold, VF s, float extent) {
     return hn::Min(hn::Max(s, hn::Set(d, -1.0f)), hn::Set(d, extent + 1));
 }
 
+// Of less than 2^22 in magnitude: the sum leaves no fraction bits. Folded coordinates of the
+// largest images are below.
+HWY_INLINE VI round_to_int(VF x) {
+    const VF shift = hn::Set(DF(), 0x1.8p23f);
+    return hn::Sub(hn::BitCast(DI(), hn::Add(x, shift)), hn::BitCast(DI(), shift));
+}
+
 HWY_INLINE VI texel_coordinate(VF folded, const AxisLevel& level, const WrapRule& rule) {
-    const VI raw = hn::NearestInt(hn::Mul(folded, level.scale));
+    const VI raw = round_to_int(hn::Mul(folded, level.scale));
+    if (rule.wraps) return raw; // From 0 to the size as it is.
     const VI high = hn::Add(hn::ShiftLeft<8>(level.size), constant(rule.above));
     return hn::Min(hn::Max(raw, constant(rule.low)), high);
 }
 
-// Indices of wrap.h's AxisTexels; the weight comes in both halves of its lane.
+// Indices of wrap.h's AxisTexels; the weight comes times 128, in both halves of its lane.
 struct AxisTexelVectors {
     VI first, second;
     VI weight;
@@ -89,12 +97,13 @@ HWY_INLINE AxisTexelVectors nearest_texel(VI coordinate, VI size, const WrapRule
 HWY_INLINE AxisTexelVectors linear_texels(VI coordinate, VI size, const WrapRule& rule) {
     const VI from_centre = hn::Sub(coordinate, constant(128));
     const VI index = hn::ShiftRight<8>(from_centre);
-    const VI weight = hn::And(from_centre, constant(0xff));
+    const VI weight = hn::And(hn::ShiftLeft<7>(from_centre), constant(0xff << 7));
+    const VI both_weights = hn::Or(weight, hn::ShiftLeft<16>(weight));
     // -1 stays where it means a border texel; a wrapping axis turns it into size - 1.
     const VI below = hn::And(hn::ShiftRight<31>(index), size);
     const VI first = rule.wraps ? hn::Add(index, below) : index;
     const VI second = resolve_above(hn::Add(index, constant(1)), size, rule);
-    return {first, second, hn::Or(weight, hn::ShiftLeft<16>(weight))};
+    return {first, second, both_weights};
 }
 
 template <bool Linear>

@@ -109,7 +109,7 @@ void filter_lanes(const TextureUnit& unit,
 void lerp_levels(const FilterInputs& in, const PackedColors& coarse, PackedColors& fine) {
     for (unsigned lane = 0; lane < 4 * grouped_quads(in.quad_count); lane += Step) {
         const VU choice = hn::Load(DU(), in.sampling->choice.data() + lane);
-        const VU weight = hn::And(hn::ShiftRight<16>(choice), hn::Set(DU(), 0xff));
+        const VU weight = hn::And(hn::ShiftRight<9>(choice), hn::Set(DU(), 0xff << 7));
         const VU both = hn::Or(weight, hn::ShiftLeft<16>(weight));
         const VI weights = hn::BitCast(DI(), both);
         fine.store(lerp8w(fine.load(lane), coarse.load(lane), weights), lane);
@@ -157,7 +157,8 @@ void filter_texels(const TextureUnit& unit, const FilterInputs& in, ColorPlanes&
         return unit.srgb ? filter_all<Kernel<SrgbTexels<Fxt1Texels>, false, true>>(unit, in, out)
                          : filter_all<Kernel<Fxt1Texels, false, true>>(unit, in, out);
     if (info.block_width > 1) return filter_kind<BlockTexels>(unit, in, out);
-    if (info.block_bytes == 4) return filter_kind<WordTexels>(unit, in, out);
+    if (unit.format == Format::Rgba8) return filter_kind<WordTexels>(unit, in, out);
+    if (info.block_bytes == 4) return filter_kind<OpaqueWordTexels>(unit, in, out);
     filter_kind<SmallTexels>(unit, in, out);
 }
 

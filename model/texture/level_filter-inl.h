@@ -27,21 +27,25 @@ struct Color16 {
     V16 rb, ga;
 };
 
+using D16Signed = hn::RebindToSigned<D16>;
+
 HWY_INLINE Color16 split(VU rgba) {
     const VU mask = hn::Set(DU(), 0x00ff00ffu);
     return {hn::BitCast(D16(), hn::And(rgba, mask)),
             hn::BitCast(D16(), hn::And(hn::ShiftRight<8>(rgba), mask))};
 }
 
-// 256 a + (b - a) w + 128 is below 2^16 though its parts wrap around.
-HWY_INLINE V16 lerp8w(V16 a, V16 b, V16 weight) {
-    const V16 offset = hn::Mul(hn::Sub(b, a), weight);
-    const V16 rounded = hn::Add(hn::ShiftLeft<8>(a), hn::Set(D16(), 128));
-    return hn::ShiftRight<8>(hn::Add(rounded, offset));
+// (256 a + (b - a) w + 128) >> 8 is a more than the rounded high half of (b - a) times 128 w,
+// twice.
+HWY_INLINE V16 lerp8w(V16 a, V16 b, hn::Vec<D16Signed> weight128) {
+    const D16Signed d;
+    const auto difference = hn::Sub(hn::BitCast(d, b), hn::BitCast(d, a));
+    return hn::Add(a, hn::BitCast(D16(), hn::MulFixedPoint15(difference, weight128)));
 }
 
+// `weight`: 128 times it, in both halves of its lane.
 HWY_INLINE Color16 lerp8w(const Color16& a, const Color16& b, VI weight) {
-    const V16 w = hn::BitCast(D16(), weight);
+    const auto w = hn::BitCast(D16Signed(), weight);
     return {lerp8w(a.rb, b.rb, w), lerp8w(a.ga, b.ga, w)};
 }
 

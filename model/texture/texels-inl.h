@@ -125,13 +125,20 @@ HWY_INLINE VU border_texel(const TextureUnit& unit, VI reference) {
 //   row_of(y)                  the row (of blocks) that holds y
 //   read(unit, row, x, y, ref) the texels x of the rows at byte offset `row`
 
-// Rgba8 and Rgbx8, the fast case.
+// Rgba8, the fast case.
 struct WordTexels {
     static HWY_INLINE VI row_of(VI y) { return y; }
     static HWY_INLINE VU read(const TextureUnit& unit, VI row, VI x, VI, VI) {
-        const VU raw = gather_at(unit, hn::Add(row, hn::ShiftLeft<2>(x)));
-        const std::uint32_t filler = unit.format == Format::Rgbx8 ? 0xff000000u : 0;
-        return hn::Or(raw, hn::Set(DU(), filler));
+        return gather_at(unit, hn::Add(row, hn::ShiftLeft<2>(x)));
+    }
+};
+
+// Rgbx8.
+struct OpaqueWordTexels {
+    static HWY_INLINE VI row_of(VI y) { return y; }
+    static HWY_INLINE VU read(const TextureUnit& unit, VI row, VI x, VI y, VI reference) {
+        const VU raw = WordTexels::read(unit, row, x, y, reference);
+        return hn::Or(raw, hn::Set(DU(), 0xff000000u));
     }
 };
 
