@@ -23,7 +23,7 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Channel values.
-using D16 = hn::CappedTag<std::uint16_t, 16>;
+using D16 = hn::CappedTag<std::uint16_t, 32>;
 using V16 = hn::Vec<D16>;
 // Half as many wider lanes: depths, coordinates.
 using DHalf16 = hn::Half<D16>;
@@ -31,7 +31,7 @@ using D32 = hn::Rebind<std::uint32_t, DHalf16>;
 using V32 = hn::Vec<D32>;
 using M32 = hn::Mask<D32>;
 
-constexpr unsigned Lanes16 = HWY_LANES(std::uint16_t) < 16 ? HWY_LANES(std::uint16_t) : 16;
+constexpr unsigned Lanes16 = hn::MaxLanes(D16());
 constexpr unsigned Lanes32 = Lanes16 / 2;
 
 HWY_INLINE V16 set16(unsigned value) {

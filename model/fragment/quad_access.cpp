@@ -1,12 +1,11 @@
 #include "model/fragment/quad_access.h"
 
 #include "model/base/check.h"
+#include "model/fragment/quad_rows.h"
 #include "model/memory/pixel_format.h"
 
 namespace ffgpu {
 namespace {
-
-constexpr unsigned RowQuads = 4; // that are moved together
 
 // Two pixels side by side as one word, and as two words of an array.
 template <class Pixel>
@@ -67,6 +66,8 @@ public:
         , even_((width_ | height_) % 2 == 0)
         , batch_(batch) {}
 
+    PixelRows<Byte> rows() const { return {base_, stride_}; }
+
     Byte* lower_row(unsigned q) const {
         return base_ + batch_.y[q] * stride_ + batch_.x[q] * sizeof(Pixel);
     }
@@ -74,15 +75,6 @@ public:
     // Neither the right nor the upper half of the quad is outside.
     bool is_whole(unsigned q) const {
         return even_ || (batch_.x[q] + 1u < width_ && batch_.y[q] + 1u < height_);
-    }
-
-    // Four quads from q on stand side by side, so that a row of them is eight pixels.
-    bool is_row(unsigned q) const {
-        std::uint64_t x, y;
-        std::memcpy(&x, batch_.x.data() + q, sizeof x);
-        std::memcpy(&y, batch_.y.data() + q, sizeof y);
-        constexpr std::uint64_t Ones = 0x0001000100010001, Steps = 0x0006000400020000;
-        return x == batch_.x[q] * Ones + Steps && y == batch_.y[q] * Ones;
     }
 
     void load_row(unsigned q, std::uint32_t* pixels) const {
@@ -156,11 +148,11 @@ bool all_lanes(const FragmentMask& mask, const FragmentBatch& batch) {
 
 // Calls row(q) for four quads side by side, one(q) for others, of a batch whose lanes are all live.
 // In other batches to look for rows takes longer than they save.
-template <class Surface, class Row, class One>
-void for_rows(const Surface& surface, const FragmentBatch& batch, Row&& row, One&& one) {
+template <class Row, class One>
+void for_rows(const FragmentBatch& batch, Row&& row, One&& one) {
     const unsigned quads = batch.quad_count;
     for (unsigned q = 0; q < quads;) {
-        if (q + RowQuads <= quads && surface.is_row(q)) {
+        if (q + RowQuads <= quads && is_row(batch, q)) {
             row(q);
             q += RowQuads;
         } else {
@@ -176,8 +168,8 @@ void load_sized(const QuadSurface<Pixel, const std::byte>& surface,
                 std::uint32_t* pixels) {
     const unsigned quads = batch.quad_count;
     if (all_lanes(batch.live, batch)) { // so that each quad is whole
+        if constexpr (sizeof(Pixel) == 4) return load_rows(surface.rows(), batch, pixels);
         for_rows(
-            surface,
             batch,
             [&](unsigned q) { surface.load_row(q, pixels + 4 * q); },
             [&](unsigned q) { surface.load(q, pixels + 4 * q); });
@@ -202,8 +194,8 @@ void store_sized(const QuadSurface<Pixel, std::byte>& surface,
                  const std::uint32_t* pixels) {
     const unsigned quads = batch.quad_count;
     if (all_lanes(mask, batch)) {
+        if constexpr (sizeof(Pixel) == 4) return store_rows(surface.rows(), batch, pixels);
         for_rows(
-            surface,
             batch,
             [&](unsigned q) { surface.store_row(q, pixels + 4 * q); },
             [&](unsigned q) { surface.store(q, pixels + 4 * q); });

@@ -35,7 +35,7 @@ struct PlaneArgument {
     std::uint32_t offset = 0;     // of the plane, in bytes from the batch; unused for a constant
     std::uint32_t step = 0;       // 1 for a plane, 0 for a constant
     std::uint16_t complement = 0; // 255: one minus the argument
-    alignas(32) std::array<std::uint16_t, 16> constant{}; // a vector of it
+    alignas(64) std::array<std::uint16_t, 32> constant{}; // the widest vector of it
 };
 
 // One channel of one unit: result plane = op(arguments).
