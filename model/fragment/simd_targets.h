@@ -1,8 +1,8 @@
 // Which instruction sets the fragment stages are compiled for; included before Highway.
 //
-// Vectors are 32 lanes of 16 bits at most (lanes-inl.h). The floor of x86-64 is SSE4 (every processor
-// since 2009): Highway's own floor there has vectors of one lane, which cannot be halved and
-// combined.
+// Vectors are 32 lanes of 16 bits at most (lanes-inl.h). The floor of x86-64 is SSE4 (every
+// processor since 2009): Highway's own floor there has vectors of one lane, which cannot be halved
+// and combined.
 
 #pragma once
 

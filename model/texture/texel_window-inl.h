@@ -59,8 +59,7 @@ public:
                hn::Sub(texels.y0, constant(top)),
                hn::Sub(texels.y1, constant(top))};
         const VI right = hn::Max(at_.x0, at_.x1), bottom = hn::Max(at_.y0, at_.y1);
-        const MI fits =
-            hn::And(hn::Lt(right, constant(Width)), hn::Lt(bottom, constant(MostRows)));
+        const MI fits = hn::And(hn::Lt(right, constant(Width)), hn::Lt(bottom, constant(MostRows)));
         if (!hn::AllTrue(DI(), fits)) return false;
         two_rows_ = hn::AllTrue(DI(), hn::Lt(bottom, constant(2)));
         for (std::int32_t row = 0; row < (two_rows_ ? 2 : MostRows); ++row)

@@ -125,9 +125,11 @@ HWY_INLINE VU border_texel(const TextureUnit& unit, VI reference) {
 //   row_of(y)                  the row (of blocks) that holds y
 //   read(unit, row, x, y, ref) the texels x of the rows at byte offset `row`
 
-// Rgba8, the fast case.
+// Rgba8, the fast case. Kinds whose texels are words say how one is decoded: neighbours are then
+// read in pairs.
 struct WordTexels {
     static HWY_INLINE VI row_of(VI y) { return y; }
+    static HWY_INLINE VU decode(VU raw) { return raw; }
     static HWY_INLINE VU read(const TextureUnit& unit, VI row, VI x, VI, VI) {
         return gather_at(unit, hn::Add(row, hn::ShiftLeft<2>(x)));
     }
@@ -136,11 +138,30 @@ struct WordTexels {
 // Rgbx8.
 struct OpaqueWordTexels {
     static HWY_INLINE VI row_of(VI y) { return y; }
+    static HWY_INLINE VU decode(VU raw) { return hn::Or(raw, hn::Set(DU(), 0xff000000u)); }
     static HWY_INLINE VU read(const TextureUnit& unit, VI row, VI x, VI y, VI reference) {
-        const VU raw = WordTexels::read(unit, row, x, y, reference);
-        return hn::Or(raw, hn::Set(DU(), 0xff000000u));
+        return decode(WordTexels::read(unit, row, x, y, reference));
     }
 };
+
+// Words x and x + 1 of each lane, by one load of both.
+struct WordPair {
+    VU left, right;
+};
+HWY_INLINE WordPair read_pair(const TextureUnit& unit, VI row, VI x) {
+    const DU d;
+    const hn::Half<DI> half;
+    const hn::RepartitionToWide<DI> wide;
+    const hn::RepartitionToWide<DU> pairs;
+    const VI offset = hn::Add(row, hn::ShiftLeft<2>(x));
+    const auto* texels = reinterpret_cast<const std::uint64_t*>(unit.texels);
+    const auto lower =
+        hn::GatherOffset(pairs, texels, hn::PromoteTo(wide, hn::LowerHalf(half, offset)));
+    const auto upper =
+        hn::GatherOffset(pairs, texels, hn::PromoteTo(wide, hn::UpperHalf(half, offset)));
+    return {hn::ConcatEven(d, hn::BitCast(d, upper), hn::BitCast(d, lower)),
+            hn::ConcatOdd(d, hn::BitCast(d, upper), hn::BitCast(d, lower))};
+}
 
 // Colour formats of one and two bytes.
 struct SmallTexels {
