@@ -10,12 +10,13 @@
 namespace ffgpu::gl {
 namespace {
 
+constexpr const char* Variable = "FFGPU_MARK";
 constexpr off_t DrawsAt = 0, FrameAt = 1;
 
 int claimed = -1; // The file, open as long as the process lives: it has the lock.
 
 int open_mark() {
-    const char* const path = std::getenv("FFGPU_MARK");
+    const char* const path = std::getenv(Variable);
     return path ? ::open(path, O_RDWR | O_CLOEXEC) : -1;
 }
 
@@ -25,6 +26,10 @@ void write_at(int file, off_t at) {
 }
 
 } // namespace
+
+bool RunMark::is_there() {
+    return std::getenv(Variable) != nullptr;
+}
 
 void RunMark::leave() {
     const int file = open_mark();

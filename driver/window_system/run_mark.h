@@ -8,6 +8,9 @@ namespace ffgpu::gl {
 
 class RunMark {
 public:
+    // This process was started by `ffgpu run`.
+    static bool is_there();
+
     // This process draws.
     static void leave();
 

@@ -1,7 +1,10 @@
 #!/usr/bin/python3
 """Long and rough runs of live programs under `ffgpu run`: ./dev soak, docs/security.md.
 
+It also has to see leaks that are there on purpose.
+
     tests/soak/soak.py --build BUILD [--frames 10000] [--clients 50] [--kills 100] [--seed 1]
+                       [--part NAME ...]
 
 Wants Xvfb, xrestop and glxgears. Exit status 0: nothing grew, was lost, or hung.
 """
@@ -86,23 +89,47 @@ def alive(pids):
             "Z" != pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]]
 
 
+def sampled(soak, out, *program):
+    """Runs a program and ends it: its figures at a tenth of the frames and at the last of them, and
+    whether it ended."""
+    frames = soak.options.frames
+    with XServer() as server:
+        # More than are waited for, so that the program is still there when the last is looked at.
+        process = soak.run(server, 2 * frames, out, *program)
+        pid, samples = None, []
+        for frame in (frames // 10, frames):
+            wait_for(soak.folder / out / f"frame_{frame - 1:04}.png", process)
+            pid = pid or children_of(process)[0]
+            samples.append(figures_of(pid, server))
+        os.kill(process.pid, signal.SIGINT)
+        return *samples, ended(process) is not None
+
+
+def grown(first, last):
+    """The figures that grew by more than they may."""
+    return [key for key in first
+            if last[key] > first[key] + (MOST_GROWTH_KIB if key == "resident KiB" else 0)]
+
+
 def long_run(soak):
     frames = soak.options.frames
     print(f"{frames} frames of glxgears, every one recorded", flush=True)
-    with XServer() as server:
-        # More than are waited for, so that the program is still there when the last is looked at.
-        process = soak.run(server, 2 * frames, "long", "glxgears")
-        program, samples = None, []
-        for frame in (frames // 10, frames):
-            wait_for(soak.folder / f"long/frame_{frame - 1:04}.png", process)
-            program = program or children_of(process)[0]
-            samples.append(figures_of(program, server))
-        os.kill(process.pid, signal.SIGINT)
-        soak.check(ended(process) is not None, "ended when it was interrupted")
-        for key, first in samples[0].items():
-            slack = MOST_GROWTH_KIB if key == "resident KiB" else 0
-            soak.check(samples[1][key] <= first + slack,
-                       f"{key}: {first} at frame {frames // 10}, {samples[1][key]} at {frames}")
+    first, last, has_ended = sampled(soak, "long", "glxgears")
+    soak.check(has_ended, "ended when it was interrupted")
+    for key in first:
+        soak.check(key not in grown(first, last),
+                   f"{key}: {first[key]} at frame {frames // 10}, {last[key]} at {frames}")
+
+
+def leaks(soak):
+    """Whether long_run() sees what a program loses on purpose, and names it."""
+    print(f"leaks on purpose, {soak.options.frames} frames each", flush=True)
+    for what, key in (("memory", "resident KiB"), ("descriptor", "descriptors"),
+                      ("pixmap", "pixmaps")):
+        first, last, _ = sampled(soak, what, soak.build / "tests/frames", "leak", what)
+        names = grown(first, last)
+        figures = ", ".join(f"{name}: {first[name]} to {last[name]}" for name in names)
+        soak.check(key in names, f"{what}: {figures or 'not seen'}")
 
 
 def pictures_of(folder, count):
@@ -178,6 +205,9 @@ def server_gone(soak):
         soak.check((soak.folder / f"gone_{name}/stats.json").exists(), f"{name}: has statistics")
 
 
+PARTS = {part.__name__: part for part in (long_run, leaks, crowd, kills, server_gone)}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--build", default="build")
@@ -185,11 +215,12 @@ def main():
     parser.add_argument("--clients", type=int, default=50)
     parser.add_argument("--kills", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--part", action="append", choices=PARTS, help="this one only")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         soak = Soak(options, pathlib.Path(folder))
-        for part in (long_run, crowd, kills, server_gone):
-            part(soak)
+        for name in options.part or PARTS:
+            PARTS[name](soak)
     sys.exit(soak.failed)
 
 

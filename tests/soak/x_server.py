@@ -26,9 +26,13 @@ class XServer:
             key, _, value = line.partition(":")
             if not line.startswith("\t"):
                 clients.append({"name": line.split(" - ", 1)[-1].split(" ( PID")[0]})
-            elif not key.strip().startswith("res_"):
+            elif key.strip() == "res_base":
+                clients[-1]["is server"] = int(value, 16) == 0
+            elif key.strip() != "res_mask":
                 clients[-1][key.strip()] = int(value.strip().lstrip("~"))
-        return [client for client in clients[1:] if client["name"] != "xrestop"]
+        # Who holds most comes first; the server's own part is the one whose numbers begin at 0.
+        return [client for client in clients
+                if not client.pop("is server") and client["name"] != "xrestop"]
 
     def wait_for_clients(self, count, seconds=10):
         """Whether there are so many clients before long; the server notices an end in its own time."""

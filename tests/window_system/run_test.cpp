@@ -128,6 +128,17 @@ TEST_CASE("a program that never drew on ffgpu is told of") {
     CHECK(run.text.find("/bin/true made no OpenGL context on ffgpu") != std::string::npos);
 }
 
+TEST_CASE("a program that asks for an OpenGL of shaders is told of, once") {
+    Display* const display = tests::XServer::display();
+    if (!display) return;
+    ::setenv("DISPLAY", DisplayString(display), 1);
+    const Outcome run = ffgpu_run("-- " FFGPU_FRAMES " later");
+    INFO(run.text);
+    CHECK(run.status == 0);
+    CHECK(count_of(run.text, "frames asks for a context of OpenGL 3.3 and does not get it") == 1);
+    CHECK(count_of(run.text, "asks for a context") == 1);
+}
+
 TEST_CASE("a recorder of another build than the library that loads it is refused") {
     Display* const display = tests::XServer::display();
     if (!display) return;

@@ -1,6 +1,7 @@
 // Contexts and what is current (EGL 1.5, 3.7, 3.8).
 
 #include "driver/window_system/egl/thread_state.h"
+#include "driver/window_system/refused_version.h"
 
 namespace ffgpu::gl {
 namespace {
@@ -29,6 +30,7 @@ void check_context_wish(const EGLint* attributes) {
             throw EglError{EGL_BAD_ATTRIBUTE};
         }
     }
+    if (major > 1) tell_refused_version(major, minor);
     if (major != 1 || minor < 0 || minor > 5) throw EglError{EGL_BAD_MATCH};
 }
 

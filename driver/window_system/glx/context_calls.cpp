@@ -3,6 +3,7 @@
 #include "driver/window_system/glx/current.h"
 #include "driver/window_system/glx/display.h"
 #include "driver/window_system/glx/protocol.h"
+#include "driver/window_system/refused_version.h"
 #include "driver/window_system/turn.h"
 
 #include <new>
@@ -133,6 +134,7 @@ FFGPU_GLX GLXContext glXCreateContextAttribsARB(
     const GlxConfig* const config = display.config_of(handle);
     const Refusal refused = refusal(wish, config != nullptr);
     if (refused.error == 0) return create(display, dpy, *config, share, Minor);
+    if (config && refused.error == GlxBadFbConfig) tell_refused_version(wish.major, wish.minor);
     if (refused.of_glx) {
         display.report_glx(refused.error, Minor);
     } else {

@@ -1,6 +1,10 @@
 // A GLX program whose frames never end well. "noise": pictures that take long to write, and while
 // they are written children that call exit(). "killed": ten frames, another one later, then
-// SIGKILL. "endless": frames until somebody ends it.
+// SIGKILL. "endless": frames until somebody ends it. "later": asks for contexts of OpenGL 3.3 and
+// 2.1, and draws a frame on an older one. "leak WHAT": endless, and loses a little of WHAT.
+
+// glXCreateContextAttribsARB is declared only then.
+#define GLX_GLXEXT_PROTOTYPES
 
 #include "tests/window_system/programs/drawing.h"
 
@@ -10,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include <GL/glxext.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -56,6 +61,36 @@ void endless() {
     }
 }
 
+// Four KiB of memory each frame, or a descriptor or pixmap each hundredth.
+void leak(const std::string& what) {
+    const Drawing drawing;
+    for (int frame = 0;; ++frame) {
+        drawing.frame(frame % 10);
+        const bool is_hundredth = frame % 100 == 0;
+        if (what == "memory") static_cast<volatile char*>(std::calloc(1, 4096))[0] = 1;
+        if (what == "descriptor" && is_hundredth && ::dup(STDERR_FILENO) < 0) return;
+        if (what == "pixmap" && is_hundredth)
+            XCreatePixmap(drawing.display, DefaultRootWindow(drawing.display), 8, 8, 24);
+    }
+}
+
+void later() {
+    Display* const display = XOpenDisplay(nullptr);
+    int count = 0;
+    GLXFBConfig* const configs =
+        glXChooseFBConfig(display, DefaultScreen(display), nullptr, &count);
+    XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
+    for (const int major : {3, 2}) {
+        const int wish[] = {GLX_CONTEXT_MAJOR_VERSION_ARB,
+                            major,
+                            GLX_CONTEXT_MINOR_VERSION_ARB,
+                            major == 3 ? 3 : 1,
+                            None};
+        glXCreateContextAttribsARB(display, configs[0], nullptr, True, wish);
+    }
+    Drawing().frame(1);
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
@@ -63,5 +98,7 @@ int main(int count, char** arguments) {
     if (mode == "noise") noise();
     if (mode == "killed") killed();
     if (mode == "endless") endless();
+    if (mode == "later") later();
+    if (mode == "leak" && count > 2) leak(arguments[2]);
     return EXIT_SUCCESS;
 }
