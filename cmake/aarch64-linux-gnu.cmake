@@ -7,9 +7,6 @@ list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES FFGPU_ARM64_ROOT)
 
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
-# Highway's target NEON has the instructions of cryptography in it, and what the compiler makes
-# behind the end of a file (constructors) has to be of the same target to be inlined.
-set(CMAKE_CXX_FLAGS_INIT "-march=armv8-a+crypto")
 set(CMAKE_SYSROOT ${FFGPU_ARM64_ROOT})
 set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

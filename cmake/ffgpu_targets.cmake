@@ -8,6 +8,12 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # False alarms of GCC 12 inside its own and other libraries' inlined templates.
   target_compile_options(ffgpu_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow)
 endif()
+# Vectors of SVE have no size, and cannot be members, as those of Highway's forms here are. Its
+# target NEON has the instructions of cryptography in it, and so has all that is inlined into it.
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
+  target_compile_options(ffgpu_options INTERFACE -march=armv8-a+crypto)
+  target_compile_definitions(ffgpu_options INTERFACE HWY_COMPILE_ONLY_STATIC)
+endif()
 target_include_directories(ffgpu_options INTERFACE ${PROJECT_SOURCE_DIR})
 if(FFGPU_CHECK_RANGES)
   target_compile_definitions(ffgpu_options INTERFACE FFGPU_CHECK_RANGES)
