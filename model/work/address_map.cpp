@@ -41,16 +41,16 @@ PlacedLevel AddressMap::place_level(const TextureImage& image, std::uint32_t lev
     return placed;
 }
 
-const std::vector<PlacedLevel>& AddressMap::texture(const TextureImage& image) {
+const AddressMap::Texture& AddressMap::placed(const TextureImage& image) {
     Texture& texture = textures_[image.address];
     if (texture.levels.empty() || !(texture.image == image)) {
         texture.image = image;
         texture.bytes = texture_bytes(image.shape);
-        texture.levels.clear();
+        texture.clear();
         for (std::uint32_t level = 0; level < image.shape.levels; ++level)
-            texture.levels.push_back(place_level(image, level));
+            texture.add(place_level(image, level), texture_shape_.line_bytes);
     }
-    return texture.levels;
+    return texture;
 }
 
 const PlacedLevel& AddressMap::surface(const Surface& surface, const CacheShape& cache) {
@@ -84,7 +84,7 @@ void AddressMap::memory_written(std::uint64_t at, std::uint64_t bytes) {
             const LevelLayout device = level_layout(texture.image.shape, level);
             const std::uint64_t begin = address + device.offset;
             if (begin < at + bytes && begin + device.bytes > at) {
-                texture.levels[level] = place_level(texture.image, level);
+                texture.set(level, place_level(texture.image, level), texture_shape_.line_bytes);
             }
         }
     }

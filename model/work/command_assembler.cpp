@@ -1,6 +1,5 @@
 #include "model/work/command_assembler.h"
 
-#include "model/base/check.h"
 #include "model/packets/fragment_key.h"
 
 #include <algorithm>
@@ -67,15 +66,14 @@ void number_image_pieces(std::vector<Source>& sources) {
 }
 
 template <class Each>
-void for_each_quad(const std::vector<const WorkBatch*>& batches, Each&& each) {
+void for_each_quad(std::span<const WorkBatch* const> batches, Each&& each) {
     for (std::uint32_t batch = 0; batch < batches.size(); ++batch)
         for (std::uint32_t q = 0; q < batches[batch]->quads.size(); ++q)
             each(batches[batch]->quads[q], batch, q);
 }
 
 // By primitives at first, whose numbers are small: each has few quads then.
-std::vector<Source> in_canonical_order(const std::vector<const WorkBatch*>& batches,
-                                       bool is_image) {
+std::vector<Source> in_canonical_order(std::span<const WorkBatch* const> batches, bool is_image) {
     std::vector<std::uint32_t> begin; // of the primitive's quads; then the end
     for_each_quad(batches, [&](const WorkQuad& quad, std::uint32_t, std::uint32_t) {
         if (quad.primitive + std::size_t{2} > begin.size()) begin.resize(quad.primitive + 2u, 0);
@@ -126,7 +124,7 @@ void append_values(const WorkBatch& batch, std::uint32_t quad, WholeCommand& who
     whole.value_begin.push_back(static_cast<std::uint32_t>(whole.values.size()));
 }
 
-std::size_t count_accesses(const std::vector<const WorkBatch*>& batches) {
+std::size_t count_accesses(std::span<const WorkBatch* const> batches) {
     std::size_t accesses = 0;
     for (const WorkBatch* const batch : batches)
         for (const TexelFootprints& unit : batch->textures)
@@ -134,7 +132,7 @@ std::size_t count_accesses(const std::vector<const WorkBatch*>& batches) {
     return accesses;
 }
 
-std::vector<std::uint8_t> units_of(const std::vector<const WorkBatch*>& batches) {
+std::vector<std::uint8_t> units_of(std::span<const WorkBatch* const> batches) {
     std::array<bool, TextureUnits> used{};
     for (const WorkBatch* const batch : batches)
         for (const TexelFootprints& unit : batch->textures)
@@ -147,60 +145,28 @@ std::vector<std::uint8_t> units_of(const std::vector<const WorkBatch*>& batches)
 
 } // namespace
 
-std::shared_ptr<const WholeCommand> CommandAssembler::assemble(const WorkDraw& draw,
-                                                               const Parts& parts) {
+void CommandAssembler::draw(const WorkDraw& draw, std::span<const WorkBatch* const> batches) {
     auto whole = std::make_shared<WholeCommand>();
     whole->draw = draw;
-    whole->units = units_of(parts.batches);
+    whole->units = units_of(batches);
     std::vector<AccessIndex> indices;
-    indices.reserve(parts.batches.size());
-    for (const WorkBatch* const batch : parts.batches)
+    indices.reserve(batches.size());
+    for (const WorkBatch* const batch : batches)
         indices.emplace_back(*batch);
-    const std::vector<Source> sources =
-        in_canonical_order(parts.batches, draw.kind == WorkKind::Image);
+    const std::vector<Source> sources = in_canonical_order(batches, draw.kind == WorkKind::Image);
     whole->quads.reserve(sources.size());
     whole->access_begin.reserve(sources.size() * whole->units.size() + 1);
-    whole->accesses.reserve(count_accesses(parts.batches));
-    const bool has_values = !sources.empty() && !parts.batches[0]->value_begin.empty();
+    whole->accesses.reserve(count_accesses(batches));
+    const bool has_values = !sources.empty() && !batches[0]->value_begin.empty();
     if (has_values) whole->value_begin.push_back(0);
     for (const Source& source : sources) {
-        const WorkBatch& batch = *parts.batches[source.batch];
+        const WorkBatch& batch = *batches[source.batch];
         whole->quads.push_back(batch.quads[source.quad]);
         whole->quads.back().piece = source.piece();
         append_accesses(batch, indices[source.batch], source.quad, *whole);
         if (has_values) append_values(batch, source.quad, *whole);
     }
-    return whole;
-}
-
-void CommandAssembler::bin(std::shared_ptr<const WorkBin> bin) {
-    std::vector<Parts> parts(bin->draws.size());
-    if (!begun_.bins.empty()) {
-        check(!parts.empty(), "a bin that goes on with a draw holds the draw");
-        parts[0] = std::exchange(begun_, {});
-    }
-    for (const WorkTile& tile : bin->tiles)
-        for (const WorkBatch& batch : tile.batches)
-            parts[batch.draw].batches.push_back(&batch);
-    auto transfer = bin->transfers.begin();
-    const auto transfers_before = [&](std::size_t draw) {
-        for (; transfer != bin->transfers.end() && transfer->before_draw <= draw; ++transfer)
-            out_.host_transfer(*transfer);
-    };
-    auto content = bin->contents.begin();
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        transfers_before(i);
-        for (; content != bin->contents.end() && (*content)->before_draw <= i; ++content)
-            out_.content(*content);
-        if (bin->last_draw_goes_on && i + 1 == parts.size()) {
-            begun_ = std::move(parts[i]);
-            begun_.bins.push_back(bin);
-            return;
-        }
-        out_.command(assemble(bin->draws[i], parts[i]));
-        parts[i] = {};
-    }
-    transfers_before(parts.size());
+    out_.command(std::move(whole));
 }
 
 } // namespace ffgpu::work

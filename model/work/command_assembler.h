@@ -1,37 +1,34 @@
-// CommandAssembler: makes whole commands of the functional GPU's bins. Quads that the host drew
-// tile by tile are brought into the canonical order, draws that it split between bins are joined,
-// and uploads come in their place between draws.
-//
-// It holds one bin, and of a draw that is not complete the bins so far.
+// CommandAssembler: makes whole commands of the functional GPU's bins (draw_gatherer.h). Quads that
+// the host drew tile by tile are brought into the canonical order.
 
 #pragma once
 
+#include "model/work/draw_gatherer.h"
 #include "model/work/whole_command.h"
 
 #include <memory>
-#include <vector>
+#include <span>
 
 namespace ffgpu::work {
 
-class CommandAssembler final : public WorkSink {
+class CommandAssembler final : public WorkSink, private DrawSink {
 public:
     explicit CommandAssembler(CommandSink& out)
-        : out_(out) {}
+        : out_(out)
+        , gatherer_(*this) {}
 
-    void bin(std::shared_ptr<const WorkBin> bin) override;
+    void bin(std::shared_ptr<const WorkBin> bin) override { gatherer_.bin(std::move(bin)); }
     void end_frame(std::uint32_t frame) override { out_.end_frame(frame); }
 
 private:
-    // The batches of one draw, a bin's after the other; they keep their bins alive.
-    struct Parts {
-        std::vector<std::shared_ptr<const WorkBin>> bins;
-        std::vector<const WorkBatch*> batches;
-    };
-
-    static std::shared_ptr<const WholeCommand> assemble(const WorkDraw& draw, const Parts& parts);
+    void draw(const WorkDraw& draw, std::span<const WorkBatch* const> batches) override;
+    void content(const std::shared_ptr<const SurfaceContent>& content) override {
+        out_.content(content);
+    }
+    void host_transfer(const HostTransfer& transfer) override { out_.host_transfer(transfer); }
 
     CommandSink& out_;
-    Parts begun_; // of the draw that goes on
+    DrawGatherer gatherer_;
 };
 
 } // namespace ffgpu::work

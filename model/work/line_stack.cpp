@@ -11,10 +11,29 @@ std::uint32_t LineStack::use(std::uint32_t id, bool write) {
     else
         used.level = write_backs_.used(used.level, position, write);
     take_off(used.time);
-    used.time = tree_.add();
-    if (used.time >= owners_.size()) owners_.resize(std::size_t{used.time} * 2 + 64);
-    owners_[used.time] = id;
+    put_on(id);
     return position;
+}
+
+void LineStack::put_on(std::uint32_t id) {
+    const std::uint32_t time = tree_.add();
+    if (time >= owners_.size()) owners_.resize(std::size_t{time} * 2 + 64);
+    owners_[time] = id;
+    lines_[id].time = time;
+}
+
+std::uint32_t LineStack::take(std::uint32_t id) {
+    Line& taken = lines_[id];
+    const std::uint32_t position = tree_.after(taken.time);
+    tree_.clear(taken.time);
+    taken.time = NotThere;
+    return position;
+}
+
+void LineStack::put(std::uint32_t id) {
+    if (tree_.is_full()) make_room();
+    line(id);
+    put_on(id);
 }
 
 // The uppermost hole above the line, if there is one, is filled, and the line's place is one then.

@@ -18,6 +18,10 @@ public:
 
     // Lines are numbered (line_numbers.h). Returns the position at which it was.
     std::uint32_t use(std::uint32_t id, bool write);
+    // The same in two steps, of a line that is clean and of stacks without holes: between them it
+    // lies on top of them all, and is not counted.
+    std::uint32_t take(std::uint32_t id);
+    void put(std::uint32_t id);
 
     // The line was used, and not thrown out since.
     bool has(std::uint32_t id) const { return id < lines_.size() && lines_[id].time != NotThere; }
@@ -43,6 +47,7 @@ private:
     }
     void make_room();
     void take_off(std::uint32_t time);
+    void put_on(std::uint32_t id);
 
     PositionTree tree_;
     std::vector<std::uint32_t> owners_; // of the bits, by time: a line or Hole

@@ -9,12 +9,6 @@
 namespace ffgpu::work {
 namespace {
 
-// This one and all narrower scopes begin with the place's number.
-void begin(LookupPlace& place, Reuse scope) {
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(scope); ++i)
-        place.began[i] = place.number;
-}
-
 // Four bits: a digit of the constant for each mask, as a machine without such an instruction
 // counts.
 std::uint32_t lanes(std::uint8_t mask) {
@@ -59,9 +53,9 @@ bool LookupWalk::reuse(std::uint32_t vertex) {
 void LookupWalk::vertices(const PreparedDraw& draw) {
     const GeometryWork& work = draw.geometry;
     recent_.clear();
-    begin(vertex_place_, Reuse::Draw);
+    vertex_place_.begin(Reuse::Draw);
     for (const std::uint32_t vertex : work.vertices) {
-        begin(vertex_place_, Reuse::Primitive);
+        vertex_place_.begin(Reuse::Primitive);
         if (reuse(vertex)) continue;
         const std::uint64_t at = work.vertex_address + std::uint64_t{vertex} * work.vertex_bytes;
         const std::uint64_t last = at + std::max(work.vertex_bytes, 1u) - 1;
@@ -80,11 +74,10 @@ void LookupWalk::step_into(const PreparedQuad& quad) {
     quad_place_.x = quad.x;
     quad_place_.y = quad.y;
     const bool new_draw = quad.draw != draw_;
-    begin(quad_place_,
-          new_draw                       ? Reuse::Draw
-          : quad.primitive != primitive_ ? Reuse::Primitive
-          : quad.new_tile                ? Reuse::Tile
-                                         : Reuse::Quad);
+    quad_place_.begin(new_draw                       ? Reuse::Draw
+                      : quad.primitive != primitive_ ? Reuse::Primitive
+                      : quad.new_tile                ? Reuse::Tile
+                                                     : Reuse::Quad);
     draw_ = quad.draw;
     primitive_ = quad.primitive;
 }
@@ -169,8 +162,8 @@ void LookupWalk::host_transfer(const HostTransfer& transfer) {
 void LookupWalk::end_frame(std::uint32_t frame) {
     flush_targets();
     out_.end_frame(frame);
-    begin(quad_place_, Reuse::Frame);
-    begin(vertex_place_, Reuse::Frame);
+    quad_place_.begin(Reuse::Frame);
+    vertex_place_.begin(Reuse::Frame);
 }
 
 } // namespace ffgpu::work

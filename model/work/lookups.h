@@ -30,6 +30,11 @@ struct LookupPlace {
     std::array<std::uint64_t, ReuseScopes> began{}; // the first of each scope that holds it
     std::uint16_t x = 0, y = 0;                     // of a quad: window pixel of lane 0
 
+    // A scope begins here, and all narrower ones do.
+    void begin(Reuse scope) {
+        for (std::size_t i = 0; i <= static_cast<std::size_t>(scope); ++i)
+            began[i] = number;
+    }
     Reuse since(std::uint64_t last) const {
         std::size_t scope = 0;
         while (scope < ReuseScopes && last < began[scope])

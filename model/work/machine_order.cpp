@@ -208,7 +208,7 @@ void MachineOrder::clear(const WorkDraw& draw) {
                               .register_writes = draw.register_writes,
                               .register_words = draw.register_words};
     for (TargetClear& of : target_clears(draw)) {
-        if (of.depth ? !(draw.clear.depth || draw.clear.stencil) : !draw.clear.color) continue;
+        if (!is_asked_for(draw.clear, of.depth)) continue;
         of.fill.place = addresses_.surface(of.target, shape(of.depth));
         if (config_.target_lines) clear_lines(of.fill, of.depth, of.bytes, transfer);
         transfer.fills.push_back(of.fill);

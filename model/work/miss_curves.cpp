@@ -30,8 +30,9 @@ MissCurves::MissCurves(const CurvesShape& shape)
     : shape_(shape)
     , shift_(static_cast<unsigned>(std::countr_zero(shape.line_bytes / shape.lookup_bytes))) {
     check(shape.line_bytes >= shape.lookup_bytes, "look-ups of lines, or of parts of them");
+    reads_.emplace(shape.most_sets, shape.most_ways);
     for (std::uint32_t sets = 2; sets <= shape.most_sets; sets *= 2) {
-        Level& level = levels_.emplace_back(Level{SetStacks(sets, shape.most_ways), {}, {}});
+        Level& level = levels_.emplace_back();
         for (Histogram& histogram : level.positions)
             histogram.assign(std::size_t{shape.most_ways} + 1, 0);
         level.in_both.assign(std::size_t{shape.most_ways} + 1, 0);
@@ -69,11 +70,65 @@ void MissCurves::lookups(const LookupPlace& place, std::span<const LineLookup> l
         look_up(place, lookup);
 }
 
-void MissCurves::look_up(const LookupPlace& place, const LineLookup& lookup) {
-    LineUse use{.id = numbers_[lookup.line], .line = lookup.line, .write = lookup.write};
-    if (use.id >= last_use_.size()) last_use_.resize(std::size_t{use.id} * 2 + 64, Never);
-    std::uint64_t& last = last_use_[use.id];
+// --- As long as lines are only read --------------------------------------------------------------
+
+void MissCurves::read(const LookupPlace& place, std::uint64_t line) {
+    if (const auto last = reads_->look_up_last(line, place.number)) {
+        ++reuses_[static_cast<std::size_t>(place.since(*last))];
+        if (*last < place.began[static_cast<std::size_t>(Reuse::Frame)]) ++lines_now_;
+        return;
+    }
+    const ReadStacks::Found found = reads_->look_up(line, place.number);
+    count_frame_line(place, found.last);
+    if (!found.known) {
+        ++compulsory_;
+        return;
+    }
+    const auto reuse = static_cast<std::size_t>(place.since(found.last));
+    ++reuses_[reuse];
+    if (found.depth == 0) return;
+    count(positions_[reuse], found.depth);
+    std::uint32_t share = found.depth;
+    for (std::size_t i = 0; i < found.positions.size(); ++i) {
+        share /= 2;
+        ++levels_[i].positions[reuse][found.positions[i]];
+        ++levels_[i].in_both[std::min(found.positions[i], share)];
+    }
+}
+
+void MissCurves::count_frame_line(const LookupPlace& place, std::uint64_t last) {
     if (last == Never || last < place.began[static_cast<std::size_t>(Reuse::Frame)]) ++lines_now_;
+}
+
+// What was read goes to the stacks that know of dirty lines and of holes.
+void MissCurves::end_reads() {
+    if (!reads_) return;
+    for (std::uint32_t sets = 2; sets <= shape_.most_sets; sets *= 2)
+        stacks_.emplace_back(sets, shape_.most_ways);
+    for (const std::uint64_t line : reads_->oldest_first()) {
+        newest_ = numbers_[line];
+        all_.use(newest_, false);
+        for (SetStacks& stacks : stacks_)
+            if (stacks.use({newest_, line, false}, true) == 0) break;
+    }
+    reads_->for_each_line(
+        [this](std::uint64_t line, std::uint64_t last) { last_use(numbers_[line]) = last; });
+    reads_.reset();
+}
+
+// --- With lines that are written or thrown out ---------------------------------------------------
+
+std::uint64_t& MissCurves::last_use(std::uint32_t id) {
+    if (id >= last_use_.size()) last_use_.resize(std::size_t{id} * 2 + 64, Never);
+    return last_use_[id];
+}
+
+void MissCurves::look_up(const LookupPlace& place, const LineLookup& lookup) {
+    if (reads_ && !lookup.write) return read(place, lookup.line);
+    end_reads();
+    LineUse use{.id = numbers_[lookup.line], .line = lookup.line, .write = lookup.write};
+    std::uint64_t& last = last_use(use.id);
+    count_frame_line(place, last);
     use.known = all_.has(use.id);
     if (use.known) {
         use.reuse = place.since(last);
@@ -96,29 +151,30 @@ void MissCurves::use_again(const LineUse& use) {
     const auto reuse = static_cast<std::size_t>(use.reuse);
     if (use.known) count(positions_[reuse], depth);
     std::uint32_t share = depth;
-    for (Level& level : levels_) {
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
         share /= 2;
-        const std::uint32_t position = level.stacks.use({use.id, use.line, use.write}, use.known);
+        const std::uint32_t position = stacks_[i].use({use.id, use.line, use.write}, use.known);
         if (!use.known) continue;
         if (position == 0 && !changes) return;
         if (position == 0) continue;
         const std::uint32_t at = std::min(position, shape_.most_ways);
-        ++level.positions[reuse][at];
-        ++level.in_both[std::min(at, share)];
+        ++levels_[i].positions[reuse][at];
+        ++levels_[i].in_both[std::min(at, share)];
     }
 }
 
 // It is on top everywhere and becomes dirty in caches of any number of ways.
 void MissCurves::write_again(const LineUse& use) {
     all_.use(use.id, true);
-    for (Level& level : levels_)
-        level.stacks.use({use.id, use.line, true}, true);
+    for (SetStacks& stacks : stacks_)
+        stacks.use({use.id, use.line, true}, true);
 }
 
 void MissCurves::flush() {
+    if (reads_) return reads_->flush();
     all_.flush();
-    for (Level& level : levels_)
-        level.stacks.flush();
+    for (SetStacks& stacks : stacks_)
+        stacks.flush();
     newest_ = Nothing;
 }
 
@@ -129,12 +185,14 @@ void MissCurves::overwritten(std::span<const OverwrittenLine> lines) {
         std::size_t whole = 0;
         for (; i < lines.size() && own_line(lines[i].line) == line; ++i)
             whole += lines[i].whole;
+        if (reads_ && !reads_->has(line)) continue;
+        end_reads();
         const std::uint32_t id = numbers_[line];
         if (!all_.has(id)) continue;
         if (id == newest_) newest_ = Nothing;
         all_.drop(id, whole == parts);
-        for (Level& level : levels_)
-            level.stacks.drop({id, line, false}, whole == parts);
+        for (SetStacks& stacks : stacks_)
+            stacks.drop({id, line, false}, whole == parts);
     }
 }
 
@@ -149,8 +207,10 @@ CurveSums MissCurves::sums() const {
     sums.compulsory_ = compulsory_;
     sums.accesses_ = std::accumulate(reuses_.begin(), reuses_.end(), compulsory_);
     sums.stacks_.push_back({positions_, {}, all_.write_backs()});
-    for (const Level& level : levels_)
-        sums.stacks_.push_back({level.positions, level.in_both, level.stacks.write_backs()});
+    for (std::size_t i = 0; i < levels_.size(); ++i)
+        sums.stacks_.push_back({levels_[i].positions,
+                                levels_[i].in_both,
+                                reads_ ? WriteBacks() : stacks_[i].write_backs()});
     for (CurveSums::Stacks& stacks : sums.stacks_) {
         for (CurveSums::Sums& positions : stacks.positions)
             sum_up(positions);

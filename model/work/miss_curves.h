@@ -1,7 +1,8 @@
 // MissCurves: the hits, misses and write-backs of LRU caches of one line size, of any number of
 // sets and ways, from one pass over the look-ups (M. D. Hill, A. J. Smith, Evaluating Associativity
 // in CPU Caches, IEEE Trans. Computers 38 (12), 1989). A line that was its set's last used is that
-// of every smaller set, too: most look-ups touch few of the stacks.
+// of every smaller set, too: most look-ups touch few of the stacks. As long as lines are only read
+// (as texels are) they are in stacks that do no more (read_stacks.h).
 //
 // Misses are told by kind as miss_classifier.h has them, and by where the line was used last: the
 // compulsory ones and the six of Reuse add up to all.
@@ -11,10 +12,12 @@
 #include "model/work/line_numbers.h"
 #include "model/work/line_stack.h"
 #include "model/work/lookups.h"
+#include "model/work/read_stacks.h"
 #include "model/work/set_stacks.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -75,7 +78,7 @@ public:
     const CurvesShape& shape() const { return shape_; }
 
 private:
-    static constexpr std::uint64_t Never = ~std::uint64_t{0};
+    static constexpr std::uint64_t Never = ReadStacks::Never;
     static constexpr std::uint32_t Nothing = ~std::uint32_t{0};
 
     // Counts by position; the last of a set's stack are all deeper ones.
@@ -83,7 +86,6 @@ private:
     using ReuseHistograms = std::array<Histogram, ReuseScopes + 1>;
     // Of 2, 4 ... sets.
     struct Level {
-        SetStacks stacks;
         ReuseHistograms positions;
         Histogram in_both; // the lesser of position and what is over of the sets' share
     };
@@ -98,17 +100,25 @@ private:
     std::uint64_t own_line(std::uint64_t line) const;
     void merge(std::span<const LineLookup> lines);
     void look_up(const LookupPlace& place, const LineLookup& lookup);
+    void read(const LookupPlace& place, std::uint64_t line);
+    void end_reads();
+    void count_frame_line(const LookupPlace& place, std::uint64_t last);
+    std::uint64_t& last_use(std::uint32_t id);
     void use_again(const LineUse& use);
     void write_again(const LineUse& use);
 
     const CurvesShape shape_;
     const unsigned shift_;
+    std::optional<ReadStacks> reads_; // as long as nothing was written, nor single lines thrown out
+    // After that:
     LineNumbers numbers_;
     std::vector<std::uint64_t> last_use_; // by line: the number of its place
     LineStack all_;
-    ReuseHistograms positions_; // in all_
-    std::vector<Level> levels_;
+    std::vector<SetStacks> stacks_;  // of 2, 4 ... sets
     std::uint32_t newest_ = Nothing; // the line looked up last
+
+    ReuseHistograms positions_; // among all lines
+    std::vector<Level> levels_;
     std::array<std::uint64_t, ReuseScopes + 1> reuses_{};
     std::uint64_t compulsory_ = 0;
     std::uint64_t lines_now_ = 0; // of this frame

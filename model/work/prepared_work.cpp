@@ -3,6 +3,7 @@
 #include "model/base/check.h"
 #include "model/device/extents.h"
 #include "model/work/depth_test_masks.h"
+#include "model/work/draw_places.h"
 #include "model/work/surface_lines.h"
 #include "model/work/texel_lookups.h"
 #include "model/work/tile_lines.h"
@@ -111,30 +112,38 @@ public:
     }
 
 private:
+    // Where place_draw() tells the places.
+    struct Places {
+        Appender& to;
+        const Registers& state;
+
+        void texture(unsigned unit, const TextureLines& texture) const {
+            to.texels_.place(unit, texture);
+        }
+        void depth(const PlacedLevel& place) const {
+            to.draw_.uses_depth = state.depth.test_enable || state.stencil.enable;
+            to.draw_.writes_depth = state.depth.write_enable || state.stencil.enable;
+            to.places_.depth = &place;
+            to.draw_.depth_place = place;
+        }
+        void color(std::uint8_t target, const PlacedLevel& place) const {
+            const Blend& blend = state.blend;
+            to.draw_.color_targets.push_back(target);
+            to.draw_.writes_color = blend.write_mask != 0;
+            to.draw_.reads_color =
+                to.draw_.writes_color &&
+                (blend.enable || blend.logic_op_enable || blend.write_mask != 0xf);
+            to.places_.colors.push_back(&place);
+            to.draw_.color_places.push_back(place);
+        }
+    };
+
     void place(const Registers& state, AddressMap& addresses) {
-        for (unsigned unit = 0; unit < TextureUnits; ++unit) {
+        for (unsigned unit = 0; unit < TextureUnits; ++unit)
             draw_.combiners =
                 static_cast<std::uint8_t>(draw_.combiners + state.combiners[unit].enable);
-            if (state.images[unit].shape.kind == TextureKind::None) continue;
-            texels_.place(unit, addresses.texture(state.images[unit]));
-        }
-        if (state.targets.depth.format != Format::None) {
-            draw_.uses_depth = state.depth.test_enable || state.stencil.enable;
-            draw_.writes_depth = state.depth.write_enable || state.stencil.enable;
-            places_.depth = &addresses.surface(state.targets.depth, config_.depth_cache);
-            draw_.depth_place = *places_.depth;
-        }
-        for (std::uint8_t i = 0; i < ColorTargets; ++i) {
-            const Surface& target = state.targets.color[i];
-            if (target.format == Format::None) continue;
-            draw_.color_targets.push_back(i);
-            const Blend& blend = state.blend;
-            draw_.writes_color = blend.write_mask != 0;
-            draw_.reads_color = draw_.writes_color &&
-                                (blend.enable || blend.logic_op_enable || blend.write_mask != 0xf);
-            places_.colors.push_back(&addresses.surface(target, config_.color_cache));
-            draw_.color_places.push_back(*places_.colors.back());
-        }
+        const Places places{*this, state};
+        place_draw(state, config_, addresses, places);
     }
 
     void add_primitives() {

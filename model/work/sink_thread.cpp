@@ -5,7 +5,7 @@
 namespace ffgpu::work {
 namespace {
 
-constexpr std::size_t MostWeight = 1 << 18; // quads that wait: some tens of megabytes
+constexpr std::size_t MostWeight = 1 << 16; // quads that wait: some megabytes
 
 std::size_t weight_of(const WorkBin& bin) {
     std::size_t quads = 1 + bin.draws.size() + bin.transfers.size();

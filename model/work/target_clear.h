@@ -23,4 +23,9 @@ Rectangle cleared_rectangle(const Registers& state);
 // Of each target that there is, depth at the end.
 std::vector<TargetClear> target_clears(const WorkDraw& draw);
 
+// Whether the command asks for anything of it.
+inline bool is_asked_for(const ClearCommand& clear, bool depth) {
+    return depth ? clear.depth || clear.stencil : clear.color;
+}
+
 } // namespace ffgpu::work

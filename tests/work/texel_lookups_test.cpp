@@ -65,7 +65,7 @@ TEST_CASE("a quad looks up the lines of its texels, each once, in the order of t
     std::mt19937 random(5);
     std::size_t several = 0;
     for (int run = 0; run < 4000; ++run) {
-        const std::vector<PlacedLevel> levels{random_level(random)};
+        const PlacedLevel level = random_level(random);
         WorkConfig config;
         config.texel_cache.line_bytes = 16u << random() % 4;
         WholeCommand command;
@@ -73,14 +73,16 @@ TEST_CASE("a quad looks up the lines of its texels, each once, in the order of t
         Read expected;
         for (int lane = 0; lane < 1 + run % 4; ++lane) {
             command.accesses.push_back(random_access(random, static_cast<std::uint16_t>(lane)));
-            read(levels[0], command.accesses.back(), config.texel_cache.line_bytes, expected);
+            read(level, command.accesses.back(), config.texel_cache.line_bytes, expected);
         }
         command.access_begin.push_back(static_cast<std::uint32_t>(command.accesses.size()));
 
         PreparedScene scene;
         PreparedQuad quad;
         TexelLookups lookups(command, config, scene);
-        lookups.place(0, levels);
+        TextureLines texture;
+        texture.add(level, config.texel_cache.line_bytes);
+        lookups.place(0, texture);
         lookups.add(0, 0xf, quad);
         REQUIRE(scene.texel_lines == expected.lines);
         REQUIRE(quad.texel_line_count == expected.lines.size());

@@ -4,6 +4,7 @@
 #include "model/work/first_level.h"
 #include "model/work/job_thread.h"
 #include "model/work/lookup_walk.h"
+#include "model/work/texel_scan.h"
 #include "tools/cache/lookup_chunks.h"
 #include "tools/cache/miss_map.h"
 #include "tools/record/work_fan_out.h"
@@ -43,6 +44,8 @@ public:
     }
     void end_frame(std::uint32_t) override { curves_.end_frame(); }
 
+    void play(const LookupChunk& chunk) { chunk.play(*this, places_); }
+
     LookupClient client() const { return client_; }
     const work::MissCurves& curves() const { return curves_; }
     std::uint64_t reads() const { return reads_; }
@@ -51,6 +54,7 @@ private:
     LookupClient client_;
     work::MissCurves curves_;
     std::uint64_t reads_ = 0;
+    LookupPlaces places_;
 };
 
 // Threads, each with a part of the curves. No result depends on their number.
@@ -68,7 +72,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t MostWeight = std::size_t{1} << 18;
+    static constexpr std::size_t MostWeight = std::size_t{1} << 17;
 
     std::deque<work::JobThread> threads_;
     std::size_t taken_ = 0;
@@ -128,6 +132,12 @@ work::WorkConfig work_config(const CacheStudyOptions& options, const CacheVarian
     return config;
 }
 
+// The work need not be brought into a whole machine's order then.
+bool reads_texels_alone(const CacheStudyOptions& options) {
+    return options.clients == std::vector{LookupClient::Texel} && !options.miss_map &&
+           work::TexelScan::reads(options.configuration.timing.work());
+}
+
 work::VertexFetchShape vertex_shape(const CacheStudyOptions& options) {
     const timing::VertexConfig& vertex = options.configuration.timing.vertex;
     return {.line_bytes = *std::min_element(options.line_bytes.begin(), options.line_bytes.end()),
@@ -143,15 +153,21 @@ public:
         , variant_(variant)
         , config_(work_config(options, variant))
         , chunker_([this](std::shared_ptr<const LookupChunk> chunk) { hand_over(chunk); })
-        , filter_(options.clients, chunker_)
-        , walk_(config_, vertex_shape(options), first_sink())
-        , order_(config_, walk_) {
+        , filter_(options.clients, chunker_) {
+        if (reads_texels_alone(options)) {
+            scan_.emplace(config_, first_sink());
+        } else {
+            walk_.emplace(config_, vertex_shape(options), first_sink());
+            order_.emplace(config_, *walk_);
+        }
         for (const LookupClient client : options.clients)
             for (const std::uint32_t line_bytes : options.line_bytes)
                 add(client, line_bytes, threads);
     }
 
-    work::CommandSink& sink() { return order_; }
+    // One of them is there, as reads_texels_alone() says.
+    work::TexelScan& scan() { return *scan_; }
+    work::CommandSink& sink() { return *order_; }
     const work::WorkConfig& config() const { return config_; }
     void finish() { chunker_.finish(); }
 
@@ -199,7 +215,7 @@ private:
     void hand_over(const std::shared_ptr<const LookupChunk>& chunk) {
         for (const Follower& follower : followers_)
             follower.thread->push(
-                chunk->weight(), [curves = follower.curves.get(), chunk] { chunk->play(*curves); });
+                chunk->weight(), [curves = follower.curves.get(), chunk] { curves->play(*chunk); });
     }
 
     const CacheStudyOptions& options_;
@@ -209,8 +225,38 @@ private:
     LookupChunker chunker_;
     ClientFilter filter_;
     std::optional<work::FirstLevel> first_level_;
-    work::LookupWalk walk_;
-    work::MachineOrder order_;
+    std::optional<work::TexelScan> scan_;
+    std::optional<work::LookupWalk> walk_;
+    std::optional<work::MachineOrder> order_;
+};
+
+class ScanFanOut final : public DrawReader {
+public:
+    void add(work::TexelScan& scan) { scans_.push_back(&scan); }
+
+    void draw(const WorkDraw& draw, std::span<const WorkBatch* const> batches) override {
+        for (work::TexelScan* const scan : scans_)
+            scan->draw(draw, batches);
+    }
+    void command(std::shared_ptr<const work::WholeCommand> command) override {
+        for (work::TexelScan* const scan : scans_)
+            scan->command(command);
+    }
+    void content(const std::shared_ptr<const SurfaceContent>& content) override {
+        for (work::TexelScan* const scan : scans_)
+            scan->content(content);
+    }
+    void host_transfer(const HostTransfer& transfer) override {
+        for (work::TexelScan* const scan : scans_)
+            scan->host_transfer(transfer);
+    }
+    void end_frame(std::uint32_t frame) override {
+        for (work::TexelScan* const scan : scans_)
+            scan->end_frame(frame);
+    }
+
+private:
+    std::vector<work::TexelScan*> scans_;
 };
 
 void check_options(const CacheStudyOptions& options) {
@@ -263,8 +309,12 @@ void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
     std::deque<Variant> variants;
     CurveThreads threads(std::max(1u, std::thread::hardware_concurrency())); // use the variants
     CommandFanOut readers;
-    for (const CacheVariant& variant : variants_of(options))
-        readers.add(variants.emplace_back(options, variant, threads).sink());
+    ScanFanOut scans;
+    const bool texels_alone = reads_texels_alone(options);
+    for (const CacheVariant& variant : variants_of(options)) {
+        Variant& added = variants.emplace_back(options, variant, threads);
+        texels_alone ? scans.add(added.scan()) : readers.add(added.sink());
+    }
     std::optional<MissMap> map;
     if (options.miss_map)
         readers.add(map.emplace(variants.front().config(), *options.miss_map).sink());
@@ -280,12 +330,11 @@ void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
             variant.tell(result);
     };
     try {
-        play_work({.input = options.input,
-                   .frames = options.frames,
-                   .gpu = options.configuration.gpu,
-                   .warn = options.warn},
-                  readers,
-                  on_frame);
+        const WorkPlayOptions play{.input = options.input,
+                                   .frames = options.frames,
+                                   .gpu = options.configuration.gpu,
+                                   .warn = options.warn};
+        texels_alone ? play_work(play, scans, on_frame) : play_work(play, readers, on_frame);
     } catch (const InputError&) {
         finish();
         throw;

@@ -4,35 +4,23 @@
 
 namespace ffgpu::tools {
 
-LookupChunk::Step LookupChunk::step(Kind kind, work::LookupClient client, std::size_t end) const {
-    return {.end = static_cast<std::uint32_t>(end), .kind = kind, .client = client};
-}
-
-// Relative to the place: a quad that begins all that is its own has 0 there.
-std::uint32_t LookupChunk::add_scopes(const work::LookupPlace& place) {
-    Scopes scopes = place.began;
-    scopes[0] = place.number - place.began[0];
-    if (scopes_.empty() || scopes_.back() != scopes) scopes_.push_back(scopes);
-    return static_cast<std::uint32_t>(scopes_.size() - 1);
-}
-
-work::LookupPlace LookupChunk::place_of(const Step& step) const {
-    work::LookupPlace place{step.place, scopes_[step.scopes], step.x, step.y};
-    place.began[0] = step.place - place.began[0];
-    return place;
-}
-
-void LookupChunk::play(work::LookupSink& sink) const {
+void LookupChunk::play(work::LookupSink& sink, LookupPlaces& places) const {
     std::size_t lookup = 0, line = 0;
     for (const Step& step : steps_) {
         switch (step.kind) {
-        case Kind::Lookups:
+        case Kind::Lookups: {
+            work::LookupPlace& place = places.of(step.client);
+            if (step.since != work::Reuse::Quad) {
+                ++place.number;
+                place.begin(static_cast<work::Reuse>(static_cast<unsigned>(step.since) - 1));
+            }
             sink.lookups(step.client,
-                         place_of(step),
+                         place,
                          std::span(lookups_).subspan(lookup, step.end - lookup),
                          step.number);
             lookup = step.end;
             break;
+        }
         case Kind::Flush:
             sink.flush(step.client);
             break;
@@ -46,7 +34,8 @@ void LookupChunk::play(work::LookupSink& sink) const {
     }
 }
 
-void LookupChunker::hand_over_full() {
+void LookupChunker::add(const LookupChunk::Step& step) {
+    chunk_->steps_.push_back(step);
     if (chunk_->weight() >= Weight) finish();
 }
 
@@ -60,34 +49,31 @@ void LookupChunker::lookups(work::LookupClient client,
                             std::uint32_t reads) {
     auto& all = chunk_->lookups_;
     all.insert(all.end(), lines.begin(), lines.end());
-    LookupChunk::Step step = chunk_->step(LookupChunk::Kind::Lookups, client, all.size());
-    step.place = place.number;
-    step.number = reads;
-    step.scopes = chunk_->add_scopes(place);
-    step.x = place.x;
-    step.y = place.y;
-    chunk_->steps_.push_back(step);
-    hand_over_full();
+    auto& last = client == work::LookupClient::Vertex ? last_vertex_ : last_quad_;
+    const work::Reuse since = last ? place.since(*last) : work::Reuse::EarlierFrame;
+    last = place.number;
+    add({.number = reads,
+         .end = static_cast<std::uint32_t>(all.size()),
+         .kind = LookupChunk::Kind::Lookups,
+         .client = client,
+         .since = since});
 }
 
 void LookupChunker::flush(work::LookupClient client) {
-    chunk_->steps_.push_back(chunk_->step(LookupChunk::Kind::Flush, client, 0));
-    hand_over_full();
+    add({.kind = LookupChunk::Kind::Flush, .client = client});
 }
 
 void LookupChunker::overwritten(work::LookupClient client,
                                 std::span<const work::OverwrittenLine> lines) {
     auto& all = chunk_->overwritten_;
     all.insert(all.end(), lines.begin(), lines.end());
-    chunk_->steps_.push_back(chunk_->step(LookupChunk::Kind::Overwritten, client, all.size()));
-    hand_over_full();
+    add({.end = static_cast<std::uint32_t>(all.size()),
+         .kind = LookupChunk::Kind::Overwritten,
+         .client = client});
 }
 
 void LookupChunker::end_frame(std::uint32_t frame) {
-    LookupChunk::Step step = chunk_->step(LookupChunk::Kind::EndFrame, {}, 0);
-    step.number = frame;
-    chunk_->steps_.push_back(step);
-    hand_over_full();
+    add({.number = frame, .kind = LookupChunk::Kind::EndFrame});
 }
 
 } // namespace ffgpu::tools

@@ -6,35 +6,40 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace ffgpu::tools {
 
+// The places of quads and of vertices, which are numbered apart, as a chunk's reader has come to
+// them: numbers and window pixels are not those of the writer's, what was looked up in the same
+// quad, tile, primitive ... is.
+struct LookupPlaces {
+    work::LookupPlace quad, vertex;
+
+    work::LookupPlace& of(work::LookupClient client) {
+        return client == work::LookupClient::Vertex ? vertex : quad;
+    }
+};
+
 class LookupChunk {
 public:
-    void play(work::LookupSink& sink) const;
+    // `places`: those at the end of the chunk before; at first any.
+    void play(work::LookupSink& sink, LookupPlaces& places) const;
     std::size_t weight() const { return lookups_.size() + overwritten_.size() + steps_.size(); }
 
 private:
     friend class LookupChunker;
     enum class Kind : std::uint8_t { Lookups, Flush, Overwritten, EndFrame };
-    using Scopes = decltype(work::LookupPlace::began);
     struct Step {
-        std::uint64_t place = 0;  // LookupPlace::number
         std::uint32_t number = 0; // reads, or the frame
         std::uint32_t end = 0;    // of its look-ups or lines, which begin where those before end
-        std::uint32_t scopes = 0; // in scopes_
-        std::uint16_t x = 0, y = 0;
         Kind kind = Kind::Lookups;
         work::LookupClient client = work::LookupClient::Texel;
+        work::Reuse since = work::Reuse::Quad; // the place told before, as seen from this one
     };
 
-    Step step(Kind kind, work::LookupClient client, std::size_t end) const;
-    std::uint32_t add_scopes(const work::LookupPlace& place);
-    work::LookupPlace place_of(const Step& step) const;
-
     std::vector<Step> steps_;
-    std::vector<Scopes> scopes_; // few: most places share all but the first, which is their own
     std::vector<work::LineLookup> lookups_;
     std::vector<work::OverwrittenLine> overwritten_;
 };
@@ -58,11 +63,13 @@ public:
     void finish();
 
 private:
-    static constexpr std::size_t Weight = std::size_t{1} << 15;
+    static constexpr std::size_t Weight = std::size_t{1} << 14;
 
-    void hand_over_full();
+    void add(const LookupChunk::Step& step);
 
     HandOver hand_over_;
+    // Of the place told before, of quads and of vertices.
+    std::optional<std::uint64_t> last_quad_, last_vertex_;
     std::shared_ptr<LookupChunk> chunk_ = std::make_shared<LookupChunk>();
 };
 

@@ -30,12 +30,11 @@ FunctionalGpu::Config gpu_config(const GpuParameters& parameters) {
 // Draws, and hands the work over on a thread of its own.
 class Drawing {
 public:
-    Drawing(const WorkPlayOptions& options, work::CommandSink& sink, const OnFrame& on_frame)
+    Drawing(const WorkPlayOptions& options, WorkSink& sink, const OnFrame& on_frame)
         : options_(options)
         , on_frame_(on_frame)
-        , assembler_(sink)
         , gpu_(gpu_config(options.gpu))
-        , thread_(assembler_)
+        , thread_(sink)
         , source_(open_frame_source(
               options.input, gpu_, {.warn = options.warn, .panel = options.gpu.panel()})) {}
 
@@ -90,7 +89,6 @@ private:
 
     const WorkPlayOptions& options_;
     const OnFrame& on_frame_;
-    work::CommandAssembler assembler_;
     FunctionalGpu gpu_;
     work::SinkThread thread_;
     std::unique_ptr<FrameSource> source_; // Plays on the GPU.
@@ -125,7 +123,14 @@ bool is_work_file(const std::string& path) {
 
 void play_work(const WorkPlayOptions& options, work::CommandSink& sink, const OnFrame& frame) {
     if (is_work_file(options.input)) return play_file(options, sink, frame);
-    Drawing(options, sink, frame).run();
+    work::CommandAssembler assembler(sink);
+    Drawing(options, assembler, frame).run();
+}
+
+void play_work(const WorkPlayOptions& options, DrawReader& reader, const OnFrame& frame) {
+    if (is_work_file(options.input)) return play_file(options, reader, frame);
+    work::DrawGatherer gatherer(reader);
+    Drawing(options, gatherer, frame).run();
 }
 
 } // namespace ffgpu::tools

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/packets/work_stream.h"
+#include "model/work/draw_gatherer.h"
 #include "model/work/frame_figures.h"
 #include "model/work/whole_command.h"
 #include "tools/config/configuration.h"
@@ -31,6 +32,13 @@ struct WorkPlayOptions {
 // fault has been handed over then.
 void play_work(const WorkPlayOptions& options,
                work::CommandSink& sink,
+               const std::function<void(const work::FrameFigures&)>& frame);
+
+// Reads draws as they were drawn, where the input is drawn; a work file has commands.
+class DrawReader : public work::DrawSink, public work::CommandSink {};
+
+void play_work(const WorkPlayOptions& options,
+               DrawReader& reader,
                const std::function<void(const work::FrameFigures&)>& frame);
 
 } // namespace ffgpu::tools

@@ -1,0 +1,110 @@
+#include "model/work/quad_lines.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ffgpu::work {
+namespace {
+
+constexpr std::uint16_t Border = TexelAccess::BorderTexel;
+
+// 2x2 texels of one layer, none of them the border colour's, as they lie in memory.
+bool is_plain_square(const LevelLines& level, const TexelAccess& access) {
+    return access.linear == 3 && level.has_tables() && access.x0 != Border && access.x1 != Border &&
+           access.y0 != Border && access.y1 != Border && access.layer0 != Border;
+}
+
+} // namespace
+
+void QuadLines::add(const TextureLines& texture, const TexelAccess& access) {
+    if (access.level >= texture.lines.size()) return;
+    make_room(MostOfAccess);
+    const PlacedLevel& level = texture.levels[access.level];
+    const LevelLines& lines = texture.lines[access.level];
+    expands_blocks_ |= level.compressed && level.expansion_log2 == 0;
+    if (is_plain_square(lines, access)) // Most are.
+        add_square(lines, access);
+    else
+        add_corners(level, access);
+}
+
+void QuadLines::add_four(const TextureLines& texture, const TexelAccess* accesses) {
+    const TexelAccess& first = accesses[0];
+    bool alike = first.level < texture.lines.size();
+    for (unsigned lane = 0; lane < 4 && alike; ++lane)
+        alike = accesses[lane].level == first.level && accesses[lane].layer0 == first.layer0 &&
+                is_plain_square(texture.lines[first.level], accesses[lane]);
+    if (!alike) {
+        for (unsigned lane = 0; lane < 4; ++lane)
+            add(texture, accesses[lane]);
+        return;
+    }
+    const LevelLines& level = texture.lines[first.level];
+    const std::uint64_t layer = level.layer(first.layer0);
+    std::array<std::uint64_t, 16> lines;
+    std::uint64_t differences = 0;
+    for (unsigned lane = 0; lane < 4; ++lane) {
+        const TexelAccess& access = accesses[lane];
+        const std::uint64_t lower = layer + level.row(access.y0);
+        const std::uint64_t upper = layer + level.row(access.y1);
+        const std::uint64_t left = level.column(access.x0), right = level.column(access.x1);
+        std::uint64_t* const of_lane = &lines[std::size_t{4} * lane];
+        of_lane[0] = level.line(lower + left);
+        of_lane[1] = level.line(lower + right);
+        of_lane[2] = level.line(upper + left);
+        of_lane[3] = level.line(upper + right);
+        for (unsigned i = 0; i < 4; ++i)
+            differences |= of_lane[i] ^ lines[0];
+    }
+    make_room(lines.size());
+    reads_ += 16;
+    expands_blocks_ |= texture.levels[first.level].compressed;
+    add_line(lines[0]);
+    if (differences == 0) return;
+    for (std::size_t i = 1; i < lines.size(); ++i)
+        if (lines[i] != lines[i - 1]) add_line(lines[i]);
+}
+
+void QuadLines::add_line(std::uint64_t line) {
+    std::uint64_t* const end = lines_.data() + count_;
+    std::uint64_t* begin = lines_.data();
+    if (!merges_ && count_ > 0) begin = end - 1;
+    if (std::find(begin, end, line) != end) return;
+    *end = line;
+    ++count_;
+}
+
+// Most accesses fall on the line of the texel before.
+void QuadLines::add_square(const LevelLines& level, const TexelAccess& access) {
+    const std::uint64_t layer = level.layer(access.layer0);
+    const std::uint64_t rows[]{layer + level.row(access.y0), layer + level.row(access.y1)};
+    const std::uint64_t columns[]{level.column(access.x0), level.column(access.x1)};
+    reads_ += 4;
+    std::uint64_t last = count_ > 0 ? lines_[count_ - 1] : ~std::uint64_t{0};
+    for (const std::uint64_t row : rows)
+        for (const std::uint64_t column : columns) {
+            const std::uint64_t line = level.line(row + column);
+            if (line == last) continue;
+            add_line(line);
+            last = line;
+        }
+}
+
+void QuadLines::add_corners(const PlacedLevel& level, const TexelAccess& access) {
+    const std::array columns{level.column_offset(access.x0), level.column_offset(access.x1)};
+    const std::array rows{level.row_offset(access.y0), level.row_offset(access.y1)};
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        if (corner & ~unsigned{access.linear}) continue; // Texels that this filter does not read.
+        const std::uint16_t x = corner & 1 ? access.x1 : access.x0;
+        const std::uint16_t y = corner & 2 ? access.y1 : access.y0;
+        const std::uint16_t layer = corner & 4 ? access.layer1 : access.layer0;
+        if (x == Border || y == Border || layer == Border) continue;
+        ++reads_;
+        const std::uint64_t at =
+            level.layer_address(layer) + columns[corner & 1] + rows[corner >> 1 & 1];
+        add_line(level.expansion_log2 == 0 ? quotient(at, line_bytes_)
+                                           : level.line(x, y, layer, line_bytes_));
+    }
+}
+
+} // namespace ffgpu::work

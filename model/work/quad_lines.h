@@ -1,0 +1,53 @@
+// QuadLines: the lines that hold the texels which the filters of one quad read, in the order of the
+// reads.
+//
+// A quad's reads of one line are one look-up, as a chip that works in quads merges them. Without
+// merging each read is a look-up, as the literature counts, save that reads of one line that follow
+// each other are told once, which no cache can tell apart.
+
+#pragma once
+
+#include "model/packets/texel_footprint.h"
+#include "model/work/level_lines.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ffgpu::work {
+
+class QuadLines {
+public:
+    QuadLines(std::uint32_t line_bytes, bool merges)
+        : line_bytes_(line_bytes)
+        , merges_(merges)
+        , lines_(64) {}
+
+    void begin_quad() { count_ = reads_ = 0, expands_blocks_ = false; }
+    // What one fragment reads of one level.
+    void add(const TextureLines& texture, const TexelAccess& access);
+    // The same of four accesses: what most quads read.
+    void add_four(const TextureLines& texture, const TexelAccess* accesses);
+
+    std::span<const std::uint64_t> lines() const { return {lines_.data(), count_}; }
+    std::uint32_t reads() const { return reads_; }          // texels
+    bool expands_blocks() const { return expands_blocks_; } // read from lines of blocks
+
+private:
+    static constexpr std::size_t MostOfAccess = 8;
+
+    void make_room(std::size_t more) {
+        if (count_ + more > lines_.size()) lines_.resize(2 * (count_ + more));
+    }
+    void add_square(const LevelLines& level, const TexelAccess& access);
+    void add_corners(const PlacedLevel& level, const TexelAccess& access);
+    void add_line(std::uint64_t line);
+
+    std::uint32_t line_bytes_;
+    bool merges_, expands_blocks_ = false;
+    std::vector<std::uint64_t> lines_; // with room for what an access adds
+    std::size_t count_ = 0;
+    std::uint32_t reads_ = 0;
+};
+
+} // namespace ffgpu::work

@@ -1,0 +1,157 @@
+#include "model/work/read_stacks.h"
+
+#include <algorithm>
+
+namespace ffgpu::work {
+namespace {
+
+// Of some newer lines: how many share a line's set, for 2, 4, 8 ... sets in turn.
+class Sharers {
+public:
+    void add(unsigned shared) {
+        ++with_[std::min<std::size_t>(shared, with_.size() - 1)];
+        ++left_;
+    }
+    std::uint32_t next() { return left_ -= with_[level_++]; }
+
+private:
+    std::array<std::uint8_t, ReadStacks::MostLevels + 1> with_{}; // so many bits alike
+    std::uint32_t left_ = 0;
+    std::size_t level_ = 0;
+};
+
+} // namespace
+
+ReadStacks::ReadStacks(std::uint32_t most_sets, std::uint32_t most_ways, AgeStacks::Time most_times)
+    : most_ways_(most_ways)
+    , most_times_(most_times) {
+    for (std::uint32_t sets = 2; sets <= most_sets; sets *= 2)
+        stacks_.emplace_back(sets, most_ways);
+}
+
+ReadStacks::Line& ReadStacks::record(std::uint32_t id) {
+    if (id >= lines_.size()) lines_.resize(std::size_t{id} * 2 + 64);
+    return lines_[id];
+}
+
+ReadStacks::Found ReadStacks::look_up(std::uint64_t line, std::uint64_t number) {
+    Found found;
+    const unsigned at = recent_.find(line);
+    if (at < recent_.size()) {
+        recent_.to_front(at);
+        found.known = true;
+        found.last = recent_.use(0).place;
+        recent_.use(0).place = number;
+        if (at > 0) find_recent(at, found);
+        return found;
+    }
+    const std::uint32_t id = numbers_[line];
+    Line& known = record(id);
+    known.line = line;
+    found.last = known.last;
+    known.last = number;
+    found.known = all_.has(id);
+    if (!found.known) known.left = 0; // It may stand there from before a flush.
+    if (found.known) find_older(id, found);
+    if (recent_.full()) oldest_leaves();
+    recent_.add(line, {number, known.left, id});
+    return found;
+}
+
+// It was at `at`, and is on top now: those before it are behind it.
+void ReadStacks::find_recent(unsigned at, Found& found) {
+    found.depth = at;
+    const std::uint64_t line = recent_.line(0);
+    Sharers sharers;
+    for (unsigned i = 1; i <= at; ++i)
+        sharers.add(recent_.shared(i, line));
+    std::size_t level = 0;
+    for (; level < stacks_.size(); ++level) {
+        positions_[level] = std::min(sharers.next(), most_ways_);
+        if (positions_[level] == 0) break;
+    }
+    found.positions = std::span(positions_).first(level);
+}
+
+// Below the top a line lies under those that left it later, and so do of the newest lines those
+// that still stand there, above it: they are counted once.
+void ReadStacks::find_older(std::uint32_t id, Found& found) {
+    const Line& line = lines_[id];
+    Sharers sharers;
+    for (unsigned i = 0; i < recent_.size(); ++i)
+        if (recent_.use(i).left <= line.left) sharers.add(recent_.shared(i, line.line));
+    found.depth = recent_.size() + all_.take(id);
+    std::uint32_t below = most_ways_; // never deeper than in half as many sets
+    std::size_t level = 0;
+    for (; level < stacks_.size(); ++level) {
+        if (below > 0) below = stacks_[level].position(line.line, line.left);
+        positions_[level] = std::min(below + sharers.next(), most_ways_);
+        if (positions_[level] == 0) break;
+    }
+    found.positions = std::span(positions_).first(level);
+}
+
+// To the stacks below, where it moves to the front.
+void ReadStacks::oldest_leaves() {
+    if (leaves_ == most_times_) count_anew();
+    const unsigned at = recent_.size() - 1;
+    const RecentLines::Use& use = recent_.use(at);
+    Line& line = lines_[use.id];
+    line.last = use.place;
+    line.left = ++leaves_;
+    all_.put(use.id);
+    for (AgeStacks& stack : stacks_)
+        if (stack.use(line.line, use.left, line.left) == 0 && use.left > 0) break;
+    recent_.drop_oldest();
+}
+
+std::vector<std::uint32_t> ReadStacks::older_first() const {
+    std::vector<std::uint32_t> ids;
+    for (std::uint32_t id = 0; id < lines_.size(); ++id)
+        if (all_.has(id)) ids.push_back(id);
+    std::sort(ids.begin(), ids.end(), [this](std::uint32_t a, std::uint32_t b) {
+        return lines_[a].left < lines_[b].left;
+    });
+    return ids;
+}
+
+// The lines that are on top are forgotten below.
+void ReadStacks::count_anew() {
+    for (AgeStacks& stack : stacks_)
+        stack.flush();
+    leaves_ = 0;
+    const std::vector<std::uint32_t> ids = older_first();
+    for (Line& line : lines_)
+        line.left = 0;
+    for (const std::uint32_t id : ids) {
+        lines_[id].left = ++leaves_;
+        for (AgeStacks& stack : stacks_)
+            stack.use(lines_[id].line, 0, leaves_);
+    }
+    for (unsigned at = 0; at < recent_.size(); ++at)
+        recent_.use(at).left = 0;
+}
+
+bool ReadStacks::has(std::uint64_t line) {
+    return recent_.find(line) < recent_.size() || all_.has(numbers_[line]);
+}
+
+void ReadStacks::flush() {
+    for (unsigned at = 0; at < recent_.size(); ++at)
+        lines_[recent_.use(at).id].last = recent_.use(at).place;
+    recent_.clear();
+    all_.flush();
+    for (AgeStacks& stack : stacks_)
+        stack.flush();
+}
+
+std::vector<std::uint64_t> ReadStacks::oldest_first() {
+    while (recent_.size() > 0)
+        oldest_leaves();
+    std::vector<std::uint64_t> lines;
+    for (const std::uint32_t id : older_first())
+        lines.push_back(lines_[id].line);
+    return lines;
+}
+
+} // namespace ffgpu::work

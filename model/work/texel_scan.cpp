@@ -1,0 +1,223 @@
+#include "model/work/texel_scan.h"
+
+#include "model/work/draw_places.h"
+#include "model/work/target_clear.h"
+#include "model/work/traversal.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace ffgpu::work {
+namespace {
+
+// Keys of a run lie so close that runs of one piece seldom reach into each other.
+constexpr unsigned RunKeyBits = 4;
+
+} // namespace
+
+struct TexelScan::Places {
+    TexelScan& to;
+
+    void texture(unsigned unit, const TextureLines& texture) const {
+        to.textures_[unit] = &texture;
+    }
+    void depth(const PlacedLevel&) const {}
+    void color(std::uint8_t, const PlacedLevel&) const {}
+};
+
+TexelScan::TexelScan(const WorkConfig& config, LookupSink& out)
+    : config_(config)
+    , out_(out)
+    , addresses_(config.texel_cache)
+    , lines_of_quad_(config.texel_cache.line_bytes, config.merges_texel_reads) {}
+
+// --- The commands --------------------------------------------------------------------------------
+
+void TexelScan::draw(const WorkDraw& draw, std::span<const WorkBatch* const> batches) {
+    if (!begin(draw)) return;
+    for (const WorkBatch* const batch : batches)
+        add(*batch);
+    if (draw.kind == WorkKind::Image) number_image_pieces();
+    tell();
+}
+
+void TexelScan::command(std::shared_ptr<const WholeCommand> command) {
+    if (!begin(command->draw)) return;
+    for (std::size_t number = 0; number < command->quads.size(); ++number) {
+        const unsigned lanes = test_.after_early_test(command->quads[number]);
+        lines_of_quad_.begin_quad();
+        for (std::size_t i = 0; i < command->units.size(); ++i)
+            add(command->accesses_of(number, i), lanes, *textures_[command->units[i]]);
+        end_quad(command->quads[number]);
+    }
+    tell();
+}
+
+// Returns whether it has quads.
+bool TexelScan::begin(const WorkDraw& draw) {
+    if (draw.kind == WorkKind::Clear || draw.kind == WorkKind::Copy) {
+        place_others(draw);
+        return false;
+    }
+    static const TextureLines nothing;
+    textures_.fill(&nothing);
+    const Places places{*this};
+    if (draw.state) place_draw(*draw.state, config_, addresses_, places);
+    test_ = depth_test_place(draw, config_.depth_test);
+    quads_.clear();
+    lines_.clear();
+    runs_.clear();
+    first_ = true;
+    return true;
+}
+
+// Textures lie behind the surfaces that were used before.
+void TexelScan::place_others(const WorkDraw& draw) {
+    const auto shape = [&](bool depth) -> const CacheShape& {
+        return depth ? config_.depth_cache : config_.color_cache;
+    };
+    if (draw.kind == WorkKind::Clear) {
+        for (const TargetClear& of : target_clears(draw))
+            if (is_asked_for(draw.clear, of.depth)) addresses_.surface(of.target, shape(of.depth));
+        return;
+    }
+    const CopyRectangleCommand& copy = draw.copy;
+    const CacheShape& cache = shape(format_info(copy.source.format).is_depth);
+    addresses_.surface(copy.source, cache);
+    for (unsigned i = 1; i < copy.pictures; ++i)
+        addresses_.surface(copy.source.plane(i), cache);
+    addresses_.surface(copy.destination, cache);
+    addresses_.memory_written(copy.destination.address, copy.destination.bytes());
+}
+
+void TexelScan::content(const std::shared_ptr<const SurfaceContent>& content) {
+    const Surface& surface = content->surface;
+    const bool depth = format_info(surface.format).is_depth;
+    addresses_.surface(surface, depth ? config_.depth_cache : config_.color_cache);
+}
+
+void TexelScan::host_transfer(const HostTransfer& transfer) {
+    if (transfer.is_write) addresses_.memory_written(transfer.at, transfer.bytes);
+}
+
+void TexelScan::end_frame(std::uint32_t frame) {
+    out_.end_frame(frame);
+    place_.begin(Reuse::Frame);
+}
+
+// --- The quads of a draw -------------------------------------------------------------------------
+
+void TexelScan::add(const WorkBatch& batch) {
+    std::array<const TexelAccess*, TextureUnits> next{};
+    for (std::size_t i = 0; i < batch.textures.size(); ++i)
+        next[i] = batch.textures[i].accesses.data();
+    for (std::size_t number = 0; number < batch.quads.size(); ++number) {
+        const unsigned lanes = test_.after_early_test(batch.quads[number]);
+        lines_of_quad_.begin_quad();
+        for (std::size_t i = 0; i < batch.textures.size(); ++i) {
+            const TexelFootprints& unit = batch.textures[i];
+            const TexelAccess* const end = unit.accesses.data() + unit.accesses.size();
+            const TexelAccess* const first = next[i];
+            while (next[i] != end && next[i]->lane / 4u == number)
+                ++next[i];
+            add({first, next[i]}, lanes, *textures_[unit.unit]);
+        }
+        end_quad(batch.quads[number]);
+    }
+}
+
+void TexelScan::add(std::span<const TexelAccess> accesses,
+                    unsigned lanes,
+                    const TextureLines& texture) {
+    if (accesses.size() == 4 && lanes == 0xf)
+        return lines_of_quad_.add_four(texture, accesses.data());
+    for (const TexelAccess& access : accesses)
+        if (lanes >> access.lane % 4u & 1) lines_of_quad_.add(texture, access);
+}
+
+void TexelScan::end_quad(const WorkQuad& quad) {
+    if (lines_of_quad_.lines().empty()) return;
+    for (const std::uint64_t line : lines_of_quad_.lines())
+        lines_.push_back({line, false});
+    quads_.push_back({.piece = std::uint64_t{quad.primitive} << 32 | quad.piece,
+                      .key = traversal_key(config_.raster, quad.x, quad.y),
+                      .end = static_cast<std::uint32_t>(lines_.size()),
+                      .reads = lines_of_quad_.reads()});
+    add_to_runs(static_cast<std::uint32_t>(quads_.size() - 1));
+}
+
+void TexelScan::add_to_runs(std::uint32_t quad) {
+    const Quad& own = quads_[quad];
+    if (!runs_.empty()) {
+        Run& run = runs_.back();
+        if (own.piece == run.piece && own.key > quads_[quad - 1].key &&
+            own.key >> RunKeyBits == run.key >> RunKeyBits) {
+            run.end = quad + 1;
+            return;
+        }
+    }
+    runs_.push_back({own.piece, own.key, quad, quad + 1});
+}
+
+// --- In the raster order -------------------------------------------------------------------------
+
+bool TexelScan::runs_overlap() const {
+    for (std::size_t i = 1; i < runs_.size(); ++i)
+        if (runs_[i - 1].piece == runs_[i].piece &&
+            quads_[runs_[i - 1].end - 1].key >= runs_[i].key)
+            return true;
+    return false;
+}
+
+// Quads of one place stay in the order in which they came.
+void TexelScan::sort_runs() {
+    const auto before = [](const Run& a, const Run& b) {
+        return std::tie(a.piece, a.key, a.begin) < std::tie(b.piece, b.key, b.begin);
+    };
+    std::sort(runs_.begin(), runs_.end(), before);
+    if (!runs_overlap()) return;
+    runs_.clear();
+    for (std::uint32_t quad = 0; quad < quads_.size(); ++quad)
+        runs_.push_back({quads_[quad].piece, quads_[quad].key, quad, quad + 1});
+    std::sort(runs_.begin(), runs_.end(), before);
+}
+
+// The quads of one place of an image, each drawn by another of its pixels, become pieces.
+void TexelScan::number_image_pieces() {
+    sort_runs();
+    const Quad* last = nullptr;
+    for (const Run& run : runs_)
+        for (std::uint32_t i = run.begin; i < run.end; ++i) {
+            Quad& quad = quads_[i];
+            if (last && last->key == quad.key) quad.piece = last->piece + 1;
+            last = &quad;
+        }
+    runs_.clear();
+    for (std::uint32_t quad = 0; quad < quads_.size(); ++quad)
+        add_to_runs(quad);
+}
+
+void TexelScan::tell() {
+    sort_runs();
+    for (const Run& run : runs_)
+        for (std::uint32_t i = run.begin; i < run.end; ++i)
+            tell(quads_[i], i == 0 ? 0 : quads_[i - 1].end);
+}
+
+void TexelScan::tell(const Quad& quad, std::uint32_t first_line) {
+    const std::uint32_t block = quad.key >> block_key_bits(config_.raster);
+    place_.begin(first_                                    ? Reuse::Draw
+                 : quad.piece >> 32 != piece_ >> 32        ? Reuse::Primitive
+                 : quad.piece != piece_ || block != block_ ? Reuse::Tile
+                                                           : Reuse::Quad);
+    first_ = false;
+    piece_ = quad.piece;
+    block_ = block;
+    out_.lookups(LookupClient::Texel,
+                 place_,
+                 std::span(lines_).subspan(first_line, quad.end - first_line),
+                 quad.reads);
+    ++place_.number;
+}
+
+} // namespace ffgpu::work

@@ -1,0 +1,82 @@
+// TexelScan: the texel look-ups of an immediate machine that rasterizes quads, straight from what
+// was recorded: those that LookupWalk tells, but for the numbers of places, without whole commands
+// and scenes. Quads keep no more than their lines and their place in the raster order.
+//
+// It reads the functional GPU's work, or whole commands.
+
+#pragma once
+
+#include "model/work/address_map.h"
+#include "model/work/depth_test_masks.h"
+#include "model/work/draw_gatherer.h"
+#include "model/work/lookups.h"
+#include "model/work/quad_lines.h"
+#include "model/work/whole_command.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ffgpu::work {
+
+class TexelScan final : public DrawSink, public CommandSink {
+public:
+    // What it does not read: tiles, fragment by fragment.
+    static bool reads(const WorkConfig& config) {
+        return config.raster.architecture == Architecture::Immediate &&
+               config.raster.granularity == Granularity::Quad;
+    }
+
+    TexelScan(const WorkConfig& config, LookupSink& out);
+
+    void draw(const WorkDraw& draw, std::span<const WorkBatch* const> batches) override;
+    void command(std::shared_ptr<const WholeCommand> command) override;
+    void content(const std::shared_ptr<const SurfaceContent>& content) override;
+    void host_transfer(const HostTransfer& transfer) override;
+    void end_frame(std::uint32_t frame) override;
+
+private:
+    struct Quad {
+        std::uint64_t piece = 0; // and above it the primitive
+        std::uint32_t key = 0;   // of the traversal
+        std::uint32_t end = 0;   // of its lines, which begin where those of the quad before end
+        std::uint32_t reads = 0;
+    };
+    // Quads behind each other, of one piece and by rising keys.
+    struct Run {
+        std::uint64_t piece = 0;
+        std::uint32_t key = 0;            // of the first
+        std::uint32_t begin = 0, end = 0; // of quads_
+    };
+    struct Places; // draw_places.h
+
+    bool begin(const WorkDraw& draw);
+    void place_others(const WorkDraw& draw);
+    void add(const WorkBatch& batch);
+    void add(std::span<const TexelAccess> accesses, unsigned lanes, const TextureLines& texture);
+    void end_quad(const WorkQuad& quad);
+    void add_to_runs(std::uint32_t quad);
+    void number_image_pieces();
+    void sort_runs();
+    bool runs_overlap() const;
+    void tell();
+    void tell(const Quad& quad, std::uint32_t first_line);
+
+    const WorkConfig config_;
+    LookupSink& out_;
+    AddressMap addresses_;
+    std::array<const TextureLines*, TextureUnits> textures_{};
+    QuadLines lines_of_quad_;
+    DepthTestPlace test_;
+    LookupPlace place_; // of the next
+    // Of the draw.
+    std::vector<Quad> quads_;
+    std::vector<LineLookup> lines_;
+    std::vector<Run> runs_;
+    bool first_ = true;       // no quad of it was told
+    std::uint64_t piece_ = 0; // of the quad that was told last
+    std::uint32_t block_ = 0;
+};
+
+} // namespace ffgpu::work
