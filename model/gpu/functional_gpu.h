@@ -90,7 +90,12 @@ private:
     void prepare_context();
     void begin_command(BinCommand command);
     void primitives(std::span<const Primitive> batch) override;
+    void bin_triangles(std::span<const Primitive> triangles);
+    void bin_triangle(const Primitive& triangle, unsigned place);
     void bin_primitive(const Primitive& primitive);
+    SetupRecord& begin_record(const Primitive& primitive);
+    void count_empty();
+    void count_area(const Rectangle& box, double double_area);
     void draw_in_geometry(const DrawCommand& command);
     bool reads_own_target(const DrawContext& context) const;
 
@@ -115,6 +120,7 @@ private:
     bool hidden_ = false;
     StageProbe* probe_ = nullptr;
 
+    std::unique_ptr<TriangleGroup> group_ = std::make_unique<TriangleGroup>();
     Bin bin_;
     Targets bin_targets_; // what the bin draws into
     RangeSet bin_reads_, bin_writes_;

@@ -41,13 +41,22 @@ SurfaceContent content_of(const Surface& surface, std::span<const std::byte> mem
     return content;
 }
 
-// Pixels that a primitive would cover, about: exact for triangles inside the clip rectangle.
-double primitive_area(const SetupRecord& record) {
-    if (record.edge_count != 3) return double{1} * record.box.width() * record.box.height();
+// Twice what a primitive would cover, about: exact for triangles inside the clip rectangle.
+double double_area_of(const SetupRecord& record) {
+    constexpr double Pixel = 2 << 2 * SubPixelBits;
+    if (record.edge_count != 3) return Pixel * record.box.width() * record.box.height();
     const Edge& first = record.edges[0];
     const Edge& last = record.edges[2];
-    const std::int64_t twice = std::int64_t{first.b} * last.a - std::int64_t{last.b} * first.a;
-    return static_cast<double>(twice) / (2.0 * (1 << 2 * SubPixelBits));
+    return static_cast<double>(std::int64_t{first.b} * last.a - std::int64_t{last.b} * first.a);
+}
+
+// Triangles at the beginning, as many as a group takes.
+std::size_t leading_triangles(std::span<const Primitive> batch) {
+    std::size_t count = 0;
+    while (count < std::min<std::size_t>(batch.size(), TriangleGroup::Size) &&
+           batch[count].shape == PrimitiveShape::Triangle)
+        ++count;
+    return count;
 }
 
 PieceBox piece_box(const Rectangle& box) {
@@ -173,11 +182,41 @@ void FunctionalGpu::tell_contents(const Targets& targets) {
 }
 
 void FunctionalGpu::primitives(std::span<const Primitive> batch) {
-    for (const Primitive& primitive : batch)
-        bin_primitive(primitive);
+    constexpr std::size_t Few = 2; // A group takes its time, however many there are.
+    const bool in_groups = !probe_ && goes_in_groups(context_->setup);
+    while (!batch.empty()) {
+        const std::size_t triangles = in_groups ? leading_triangles(batch) : 0;
+        if (triangles > Few) {
+            bin_triangles(batch.first(triangles));
+            batch = batch.subspan(triangles);
+        } else {
+            bin_primitive(batch.front());
+            batch = batch.subspan(1);
+        }
+    }
 }
 
-void FunctionalGpu::bin_primitive(const Primitive& primitive) {
+void FunctionalGpu::bin_triangles(std::span<const Primitive> triangles) {
+    config_.stages->set_up_triangles(context_->setup, triangles, *group_);
+    for (unsigned i = 0; i < triangles.size(); ++i)
+        bin_triangle(triangles[i], i);
+}
+
+// That at `place` of the group.
+void FunctionalGpu::bin_triangle(const Primitive& triangle, unsigned place) {
+    const TriangleGroup& group = *group_;
+    const auto is = [place](TriangleGroup::Bits bits) { return (bits >> place & 1) != 0; };
+    if (is(group.alone)) return bin_primitive(triangle);
+    SetupRecord& record = begin_record(triangle);
+    if (is(group.empty)) return count_empty();
+    count_area(group.box[place], group.double_area[place]);
+    if (is(group.nothing)) return;
+    write_record(context_->setup, group, place, triangle, record);
+    bin_.insert();
+}
+
+// Room for the record of the primitive that is next, with its piece's number.
+SetupRecord& FunctionalGpu::begin_record(const Primitive& primitive) {
     if (bin_.full()) {
         // The draw goes on in the next bin, under the same number.
         const std::uint32_t number = bin_.commands().back().number;
@@ -193,6 +232,11 @@ void FunctionalGpu::bin_primitive(const Primitive& primitive) {
     last_key_ = primitive.key;
     SetupRecord& record = bin_.next_record();
     record.piece = next_piece_++;
+    return record;
+}
+
+void FunctionalGpu::bin_primitive(const Primitive& primitive) {
+    SetupRecord& record = begin_record(primitive);
     const bool covers = set_up(context_->setup, primitive, record, probe_ != nullptr);
     if (probe_)
         probe_->set_up({.draw = bin_.commands().back().number,
@@ -200,13 +244,21 @@ void FunctionalGpu::bin_primitive(const Primitive& primitive) {
                         .registers = &context_->regs(),
                         .primitive = &primitive,
                         .record = covers ? &record : nullptr});
-    if (sink_) geometry_work_.pieces.push_back(covers ? piece_box(record.box) : PieceBox{});
-    if (!covers) {
-        ++primitive_statistics_.empty;
-        return;
-    }
-    primitive_statistics_.add_area(primitive_area(record));
+    if (!covers) return count_empty();
+    count_area(record.box, double_area_of(record));
     if (!record.covers_nothing) bin_.insert();
+}
+
+void FunctionalGpu::count_empty() {
+    ++primitive_statistics_.empty;
+    if (sink_) geometry_work_.pieces.push_back({});
+}
+
+// double_area: in square sub-pixels, twice.
+void FunctionalGpu::count_area(const Rectangle& box, double double_area) {
+    constexpr double PerPixel = 1.0 / (2 << 2 * SubPixelBits);
+    primitive_statistics_.add_area(double_area * PerPixel);
+    if (sink_) geometry_work_.pieces.push_back(piece_box(box));
 }
 
 void FunctionalGpu::before_read(std::uint64_t at, std::uint64_t bytes) {

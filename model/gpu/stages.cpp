@@ -15,6 +15,7 @@ void sample_without_observer(const TextureUnit& unit,
 
 constinit const Stages FastStages{
     .shade_vertices = shade_vertices_simd,
+    .set_up_triangles = set_up_triangles,
     .cover_tile = cover_tile,
     .cover_tile_samples = cover_tile_samples,
     .pack_quads = pack_quads,
@@ -31,6 +32,7 @@ constinit const Stages FastStages{
 
 constinit const Stages ReferenceStages{
     .shade_vertices = shade_vertices_scalar,
+    .set_up_triangles = set_up_triangles_scalar,
     .cover_tile = cover_tile_scalar,
     .cover_tile_samples = cover_tile_samples_scalar,
     .pack_quads = pack_quads_scalar,

@@ -2,8 +2,8 @@
 // There are two tables of them, wired in stages.cpp: the fast forms, and the scalar specifications,
 // which draw the same frames bit for bit. What a stage does is in the header of its unit.
 //
-// What has one form is not here, and runs in both: fetch, assembly, clipping and set-up; stipple,
-// batches of quads, images' fragments; the sample mask; clears and copies.
+// What has one form is not here, and runs in both: fetch, assembly, clipping and the set-up of
+// single primitives; stipple, batches of quads, images' fragments; the sample mask; clears and copies.
 
 #pragma once
 
@@ -12,6 +12,7 @@
 #include "model/raster/interpolator.h"
 #include "model/raster/sample_coverage.h"
 #include "model/raster/smooth_coverage.h"
+#include "model/raster/triangle_group.h"
 #include "model/texture/texture_unit.h"
 
 #include <span>
@@ -22,6 +23,8 @@ using BatchRuns = std::span<const BatchRun>;
 
 struct Stages {
     ShadeVertices shade_vertices;
+
+    SetUpTriangles set_up_triangles; // Of plain ones, several at once.
 
     // Coverage of a tile: by centres, by samples; of a block: by areas.
     void (*cover_tile)(const EdgeSet&, const Rectangle& tile, TileCoverage&);

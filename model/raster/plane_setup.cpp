@@ -123,21 +123,6 @@ bool set_up_constant(const PlaneVertices& v, int first, std::array<std::uint8_t,
     return true;
 }
 
-std::uint8_t divided_units(const PlaneVertices& v, const InterpolantLayout& layout) {
-    // No byte of it has more bits than 4 = with q.
-    const auto components = std::bit_cast<std::uint64_t>(layout.tex_components);
-    if ((components & 0x0404040404040404) == 0) return 0;
-    unsigned units = 0;
-    for (unsigned unit = 0; unit < TextureUnits; ++unit) {
-        if (layout.tex_coord[unit] < 0 || layout.tex_components[unit] < 4) continue;
-        const auto q = static_cast<unsigned>(layout.tex_coord[unit] + 3);
-        const bool divides =
-            v[0]->attributes[q] != 1 || v[1]->attributes[q] != 1 || v[2]->attributes[q] != 1;
-        units |= static_cast<unsigned>(divides) << unit;
-    }
-    return static_cast<std::uint8_t>(units);
-}
-
 std::int32_t longest_axis(const WindowVertex& a, const WindowVertex& b) {
     return std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
 }
@@ -178,6 +163,21 @@ struct TriangleSides {
 };
 
 } // namespace
+
+std::uint8_t divided_units(const PlaneVertices& v, const InterpolantLayout& layout) {
+    // No byte of it has more bits than 4 = with q.
+    const auto components = std::bit_cast<std::uint64_t>(layout.tex_components);
+    if ((components & 0x0404040404040404) == 0) return 0;
+    unsigned units = 0;
+    for (unsigned unit = 0; unit < TextureUnits; ++unit) {
+        if (layout.tex_coord[unit] < 0 || layout.tex_components[unit] < 4) continue;
+        const auto q = static_cast<unsigned>(layout.tex_coord[unit] + 3);
+        const bool divides =
+            v[0]->attributes[q] != 1 || v[1]->attributes[q] != 1 || v[2]->attributes[q] != 1;
+        units |= static_cast<unsigned>(divides) << unit;
+    }
+    return static_cast<std::uint8_t>(units);
+}
 
 std::uint8_t color_byte(float color) {
     const float positive = color > 0 ? color : 0; // NaN is 0.

@@ -41,6 +41,9 @@ void set_up_planes(const SetupContext& context, const PlaneGeometry& geometry, S
 // A colour, clamped to [0, 1], to 0 .. 255; halves up.
 std::uint8_t color_byte(float color);
 
+// SetupRecord::divided_units.
+std::uint8_t divided_units(const PlaneVertices& vertices, const InterpolantLayout& layout);
+
 // Adds GL 1.5's (3.5.5) m * factor + r * units, m being the steeper of the basis' depth steps.
 void add_depth_offset(const SetupContext& context,
                       const PlaneVertices& slope_vertices,
