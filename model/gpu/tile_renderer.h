@@ -39,6 +39,7 @@ public:
 private:
     void begin_command(const BinCommand& command);
     void draw_record(const SetupRecord& record);
+    void draw_small(const SetupRecord& record);
     void draw_samples(const SetupRecord& record);
     void draw_smooth(const SetupRecord& record);
     void whole_command(const BinCommand& command);

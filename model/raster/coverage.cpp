@@ -10,22 +10,6 @@ bool inside(std::span<const Edge> edges, int x, int y) {
         edges.begin(), edges.end(), [x, y](const Edge& edge) { return edge.at(x, y) >= 0; });
 }
 
-// Pixels of a block at x >= i, and at y >= i.
-struct BlockBounds {
-    std::array<BlockMask, BlockSize + 1> from_x{}, from_y{};
-
-    constexpr BlockBounds() {
-        for (int i = 0; i <= BlockSize; ++i)
-            for (int y = 0; y < BlockSize; ++y)
-                for (int x = 0; x < BlockSize; ++x) {
-                    const BlockMask bit = BlockMask{1} << block_bit(x, y);
-                    if (x >= i) from_x[static_cast<unsigned>(i)] |= bit;
-                    if (y >= i) from_y[static_cast<unsigned>(i)] |= bit;
-                }
-    }
-};
-constexpr BlockBounds Bounds;
-
 } // namespace
 
 void cover_tile_scalar(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
@@ -45,10 +29,15 @@ void cover_tile_scalar(const EdgeSet& edges, const Rectangle& tile, TileCoverage
         }
 }
 
-BlockMask rectangle_mask(const Rectangle& rectangle, int x, int y) {
-    const auto bound = [](int at) { return static_cast<unsigned>(std::clamp(at, 0, BlockSize)); };
-    return Bounds.from_x[bound(rectangle.x0 - x)] & ~Bounds.from_x[bound(rectangle.x1 - x)] &
-           Bounds.from_y[bound(rectangle.y0 - y)] & ~Bounds.from_y[bound(rectangle.y1 - y)];
+// Pixel by pixel.
+BlockCoverage cover_window_scalar(const EdgeSet& edges, const Rectangle& tile) {
+    const Rectangle area = intersect(edges.box, tile);
+    BlockCoverage window = empty_window(area);
+    for (int y = area.y0; y < area.y1; ++y)
+        for (int x = area.x0; x < area.x1; ++x)
+            if (inside(edges.edges, x, y))
+                window.mask |= BlockMask{1} << block_bit(x - window.x, y - window.y);
+    return window;
 }
 
 bool may_touch(const SetupRecord& record, const Rectangle& tile) {

@@ -8,6 +8,7 @@
 
 #include "model/raster/setup_record.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -30,7 +31,7 @@ constexpr unsigned block_bit(int x, int y) {
 
 struct BlockCoverage {
     std::uint16_t x, y; // window pixel of the block's lower left
-    BlockMask mask;     // never 0
+    BlockMask mask;     // never 0 in a TileCoverage
 };
 
 // Covered blocks of one tile, row by row from its lower left.
@@ -60,8 +61,50 @@ void cover_tile_scalar(const EdgeSet& edges, const Rectangle& tile, TileCoverage
 using CoverTileForm = void (*)(const EdgeSet&, const Rectangle& tile, TileCoverage&);
 CoverTileForm choose_cover_tile();
 
+// Primitives of few pixels need not be taken block by block: all that they cover in a tile lies in
+// a window of 8x8 pixels that begins at even pixels, and comes as if it were a block.
+inline bool fits_window(const SetupRecord& record) {
+    const Rectangle& box = record.box;
+    return record.edge_count == 3 && box.x1 - (box.x0 & ~1) <= BlockSize &&
+           box.y1 - (box.y0 & ~1) <= BlockSize;
+}
+
+// The window of an area, with nothing covered.
+inline BlockCoverage empty_window(const Rectangle& area) {
+    return {
+        static_cast<std::uint16_t>(area.x0 & ~1), static_cast<std::uint16_t>(area.y0 & ~1), 0};
+}
+
+// What a primitive that fits covers in a tile that its box touches; the mask may be 0.
+BlockCoverage cover_window(const EdgeSet& edges, const Rectangle& tile);
+BlockCoverage cover_window_scalar(const EdgeSet& edges, const Rectangle& tile);
+
+using CoverWindow = BlockCoverage (*)(const EdgeSet&, const Rectangle& tile);
+// The form for the instruction set that Highway chooses now.
+CoverWindow choose_cover_window();
+
+// Pixels of a block at x >= i, and at y >= i.
+struct BlockBounds {
+    std::array<BlockMask, BlockSize + 1> from_x{}, from_y{};
+
+    constexpr BlockBounds() {
+        for (int i = 0; i <= BlockSize; ++i)
+            for (int y = 0; y < BlockSize; ++y)
+                for (int x = 0; x < BlockSize; ++x) {
+                    const BlockMask bit = BlockMask{1} << block_bit(x, y);
+                    if (x >= i) from_x[static_cast<unsigned>(i)] |= bit;
+                    if (y >= i) from_y[static_cast<unsigned>(i)] |= bit;
+                }
+    }
+};
+inline constexpr BlockBounds Bounds;
+
 // The pixels of the block at (x, y) that lie inside `rectangle`.
-BlockMask rectangle_mask(const Rectangle& rectangle, int x, int y);
+inline BlockMask rectangle_mask(const Rectangle& rectangle, int x, int y) {
+    const auto bound = [](int at) { return static_cast<unsigned>(std::clamp(at, 0, BlockSize)); };
+    return Bounds.from_x[bound(rectangle.x0 - x)] & ~Bounds.from_x[bound(rectangle.x1 - x)] &
+           Bounds.from_y[bound(rectangle.y0 - y)] & ~Bounds.from_y[bound(rectangle.y1 - y)];
+}
 
 // False where the tile is certainly outside an edge.
 bool may_touch(const SetupRecord& record, const Rectangle& tile);

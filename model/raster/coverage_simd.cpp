@@ -235,6 +235,41 @@ void CoverTile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& covera
     if (add_crossing_edges(edges, walk)) cover_large(walk, coverage);
 }
 
+// What pixels have more than the window's first is below 2^15, so that 16 bits hold all that
+// matters, unless the primitive is larger than what is left of it inside the clip rectangle.
+BlockCoverage CoverWindowLanes(const EdgeSet& set, const Rectangle& tile) {
+    constexpr std::int64_t Limit = 0x7fff;
+    constexpr int Steepest = 0x7fff / (BlockSize - 1);
+    const Narrow d;
+    const Rectangle area = intersect(set.box, tile);
+    BlockCoverage window = empty_window(area);
+    const Edge* const edges = set.edges.data();
+    hn::Vec<Narrow> a[3], b[3], first[3];
+    int steepest = 0;
+    for (unsigned i = 0; i < 3; ++i) {
+        const Edge& edge = edges[i];
+        steepest = std::max(steepest, std::abs(edge.a) + std::abs(edge.b));
+        const std::int64_t e = edge.at(window.x, window.y);
+        a[i] = hn::Set(d, static_cast<std::int16_t>(edge.a));
+        b[i] = hn::Set(d, static_cast<std::int16_t>(edge.b));
+        first[i] = hn::Set(d, static_cast<std::int16_t>(std::clamp(e, -Limit - 1, Limit)));
+    }
+    if (steepest > Steepest) [[unlikely]]
+        return cover_window_scalar(set, tile);
+    BlockMask outside = 0;
+    for (std::size_t part = 0; part < BlockVectors; ++part) {
+        const auto x = hn::Load(d, Places.x + part * NarrowLanes);
+        const auto y = hn::Load(d, Places.y + part * NarrowLanes);
+        const auto sum = [&](unsigned i) HWY_ATTR {
+            return hn::SaturatedAdd(first[i], hn::Add(hn::Mul(a[i], x), hn::Mul(b[i], y)));
+        };
+        outside |= negative_narrow(hn::Or(hn::Or(sum(0), sum(1)), sum(2)))
+                   << (part * NarrowLanes);
+    }
+    window.mask = rectangle_mask(area, window.x, window.y) & ~outside;
+    return window;
+}
+
 } // namespace HWY_NAMESPACE
 } // namespace ffgpu
 HWY_AFTER_NAMESPACE();
@@ -247,6 +282,18 @@ HWY_EXPORT(CoverTile);
 CoverTileForm choose_cover_tile() {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     return HWY_DYNAMIC_DISPATCH(CoverTile);
+}
+
+HWY_EXPORT(CoverWindowLanes);
+
+CoverWindow choose_cover_window() {
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    return HWY_DYNAMIC_DISPATCH(CoverWindowLanes);
+}
+
+BlockCoverage cover_window(const EdgeSet& edges, const Rectangle& tile) {
+    static const CoverWindow cover = choose_cover_window();
+    return cover(edges, tile);
 }
 
 void cover_tile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {

@@ -28,6 +28,26 @@ struct BatchRun {
 // Coverage in 0 .. 255 of a block's pixels, by block_bit().
 using BlockAntialias = std::array<std::uint8_t, BlockSize * BlockSize>;
 
+// A window's pixels by the blocks that they lie in: that of its lower left, and those to the right,
+// above and beyond both.
+struct WindowParts {
+    BlockMask here, right, up, diagonal;
+
+    explicit WindowParts(const BlockCoverage& window) {
+        constexpr unsigned Row = 4 * BlockQuadsAcross; // bits
+        const unsigned x = window.x % BlockSize / 2, y = window.y % BlockSize / 2; // quads
+        // Columns that stay in the blocks to the left, of all rows of quads.
+        const BlockMask left = BlockMask{0x0001000100010001} * (0xffffu >> (4 * x));
+        const auto above = [&](BlockMask mask) { return mask >> 1 >> (Row * (4 - y) - 1); };
+        const BlockMask stay = (window.mask & left) << (4 * x);
+        const BlockMask leave = (window.mask & ~left) >> 1 >> (4 * (4 - x) - 1);
+        here = stay << (Row * y);
+        right = leave << (Row * y);
+        up = above(stay);
+        diagonal = above(leave);
+    }
+};
+
 class QuadCollector {
 public:
     explicit QuadCollector(FragmentBatch& batch, PackQuads pack = pack_quads)
@@ -50,6 +70,10 @@ public:
              const BlockAntialias* antialias,
              Flush&& flush);
 
+    // The same for a window of a primitive that fits one: its pixels lie in up to four blocks.
+    template <class Flush>
+    void add_window(const SetupRecord& record, const BlockCoverage& window, Flush&& flush);
+
     // The same for samples; fills the batch's `samples` as well.
     template <class Flush>
     void add_samples(const SetupRecord& record, const SampleBlock& block, Flush&& flush);
@@ -59,11 +83,13 @@ public:
     void clear();
 
 private:
+    static constexpr unsigned BlocksAcross = MaxTileSize / BlockSize;
+
     template <class Block>
     unsigned block_index(const Block& block) const {
         const unsigned x = block.x - static_cast<unsigned>(tile_.x0);
         const unsigned y = block.y - static_cast<unsigned>(tile_.y0);
-        return y / BlockSize * (MaxTileSize / BlockSize) + x / BlockSize;
+        return y / BlockSize * BlocksAcross + x / BlockSize;
     }
     void begin_run(const SetupRecord& record);
     BlockMask append(const BlockCoverage& block, BlockMask mask, const BlockAntialias* antialias);
@@ -76,7 +102,8 @@ private:
     Rectangle tile_;
     unsigned run_count_ = 0;
     std::array<BatchRun, BatchQuads> runs_;
-    std::array<BlockMask, MaxTileBlocks> live_{}; // Pixels live in the batch, by block.
+    // Pixels live in the batch, by block. Windows have no pixels in blocks beyond the tile's.
+    std::array<BlockMask, MaxTileBlocks + BlocksAcross + 1> live_{};
     unsigned touched_end_ = 0;                    // Blocks from here on are 0 in live_.
     std::array<std::array<BlockMask, MaxSamples>, MaxTileBlocks> live_samples_{};
     unsigned touched_samples_end_ = 0;
@@ -99,6 +126,26 @@ void QuadCollector::add(const SetupRecord& record,
         if (left == 0) return;
         flush();
     }
+}
+
+template <class Flush>
+void QuadCollector::add_window(const SetupRecord& record,
+                               const BlockCoverage& window,
+                               Flush&& flush) {
+    BlockMask* const live = live_.data() + block_index(window);
+    const WindowParts parts(window);
+    const BlockMask recurring = (live[0] & parts.here) | (live[1] & parts.right) |
+                                (live[BlocksAcross] & parts.up) |
+                                (live[BlocksAcross + 1] & parts.diagonal);
+    if (recurring != 0 || batch_.quad_count > BatchQuads - BlockQuads) flush();
+    begin_run(record);
+    append_block(window);
+    live[0] |= parts.here;
+    live[1] |= parts.right;
+    live[BlocksAcross] |= parts.up;
+    live[BlocksAcross + 1] |= parts.diagonal;
+    const auto end = static_cast<unsigned>(live - live_.data()) + BlocksAcross + 2;
+    touched_end_ = touched_end_ > end ? touched_end_ : end;
 }
 
 template <class Flush>

@@ -60,8 +60,10 @@ struct PlantedStages {
 template <class Visit>
 void for_each_stage(Visit&& visit) {
     visit.template operator()<&Stages::shade_vertices>();
+    visit.template operator()<&Stages::set_up_triangles>();
     visit.template operator()<&Stages::cover_tile>();
     visit.template operator()<&Stages::cover_tile_samples>();
+    visit.template operator()<&Stages::cover_window>();
     visit.template operator()<&Stages::pack_quads>();
     visit.template operator()<&Stages::smooth_block>();
     visit.template operator()<&Stages::interpolate_depth>();
@@ -71,7 +73,7 @@ void for_each_stage(Visit&& visit) {
     visit.template operator()<&Stages::interpolate_tex_coords>();
     visit.template operator()<&Stages::interpolate_directions>();
     visit.template operator()<&Stages::sample>();
-    static_assert(sizeof(Stages) == 13 * sizeof(void*), "twelve stages and the fragment's table");
+    static_assert(sizeof(Stages) == 15 * sizeof(void*), "fourteen stages and the fragment's table");
     visit.template operator()<&FragmentStages::run_environment>();
     visit.template operator()<&FragmentStages::add_secondary>();
     visit.template operator()<&FragmentStages::apply_fog>();
@@ -138,10 +140,10 @@ TEST_CASE("The files that run the pipe call no fast form by its name") {
     const fs::path model = fs::path(FFGPU_SOURCE_DIR) / "model";
     std::set<std::string> fast =
         functions_of_table(text_of(model / "gpu/stages.cpp"), "FastStages");
-    REQUIRE(fast.size() == 12);
+    REQUIRE(fast.size() == 14);
     fast.merge(
         functions_of_table(text_of(model / "fragment/fragment_stages.cpp"), "FastFragmentStages"));
-    REQUIRE(fast.size() == 19);
+    REQUIRE(fast.size() == 21);
     std::vector<fs::path> files{model / "fragment/fragment_pipe.cpp",
                                 model / "fragment/sample_pipe.cpp"};
     for (const char* folder : {"gpu", "geometry"})
