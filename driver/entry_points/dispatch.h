@@ -14,6 +14,14 @@
 
 namespace ffgpu::gl {
 
+// Out of line, so that vertices outside of lists keep no registers for it. False: the list has the
+// command, and it is not to be carried out.
+template <Command Id, CommandClass Class, auto Function, class... Arguments>
+[[gnu::noinline, gnu::cold]] bool compile_and_execute(Context& context, Arguments... arguments) {
+    compile<Id, Class, Function>(context, arguments...);
+    return context.lists().executing_too();
+}
+
 template <Command Id, CommandClass Class, auto Function, class... Arguments>
 auto dispatch(Arguments... arguments) noexcept {
     using Result = std::invoke_result_t<decltype(Function), Context&, Arguments...>;
@@ -22,8 +30,8 @@ auto dispatch(Arguments... arguments) noexcept {
     try {
         if constexpr (Class != CommandClass::Immediate) {
             if (context->lists().compiling()) [[unlikely]] {
-                compile<Id, Class, Function>(*context, arguments...);
-                if (!context->lists().executing_too()) return Result();
+                if (!compile_and_execute<Id, Class, Function>(*context, arguments...))
+                    return Result();
             }
         }
         return execute<Class, Function>(*context, arguments...);
