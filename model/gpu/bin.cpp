@@ -12,6 +12,8 @@ Bin::Bin(int tile_size, std::size_t arena_bytes)
     , arena_(new Line[(arena_bytes_ + sizeof(Line) - 1) / sizeof(Line)]) {
     check(tile_size >= 16 && tile_size <= MaxTileSize && tile_size % BlockSize == 0,
           "a tile is 16 to 128 pixels, in steps of 8");
+    const auto size = static_cast<unsigned>(tile_size);
+    per_tile_size_ = ((1u << TileShift) + size - 1) / size;
 }
 
 void Bin::reset(int width, int height) {
@@ -53,9 +55,6 @@ void Bin::add_word(std::uint32_t tile, std::uint32_t word) {
 }
 
 Rectangle Bin::tiles_under(const Rectangle& area) const {
-    const auto tile_of = [this](int at) {
-        return static_cast<int>(static_cast<unsigned>(at) / static_cast<unsigned>(tile_size_));
-    };
     return intersect(
         {tile_of(area.x0), tile_of(area.y0), tile_of(area.x1 - 1) + 1, tile_of(area.y1 - 1) + 1},
         {0, 0, columns_, rows_});
@@ -65,7 +64,11 @@ void Bin::insert() {
     const SetupRecord& record = next_record();
     const auto word = static_cast<std::uint32_t>(used_ / RecordAlign);
     used_ += record.bytes();
-    const Rectangle tiles = tiles_under(record.box);
+    const Rectangle& box = record.box;
+    const int column = tile_of(box.x0), row = tile_of(box.y0);
+    if (column == tile_of(box.x1 - 1) && row == tile_of(box.y1 - 1)) [[likely]]
+        return add_word(static_cast<std::uint32_t>(row * columns_ + column), word);
+    const Rectangle tiles = tiles_under(box);
     const bool many = tiles.width() > 2 || tiles.height() > 2;
     for (int y = tiles.y0; y < tiles.y1; ++y)
         for (int x = tiles.x0; x < tiles.x1; ++x) {

@@ -70,6 +70,9 @@ private:
     static constexpr std::uint32_t CommandBit = 1u << 31, WholeBit = 1u << 30;
     static constexpr std::size_t RecordAlign = 16;
     static constexpr std::size_t MaxWords = std::size_t{1} << 18;
+    // Places are below 2^12, so that what rounding up adds stays below a tile's share.
+    static constexpr unsigned TileShift = 19;
+    static_assert(MaxSurfaceSize <= 1u << 12);
     static constexpr std::size_t MaxCommands = 1 << 10; // Each may hold registers.
 
     struct Tile {
@@ -78,10 +81,15 @@ private:
     };
 
     std::byte* arena() const { return arena_[0].bytes; }
+    // Of a pixel in a row or column.
+    int tile_of(int at) const {
+        return static_cast<int>(static_cast<unsigned>(at) * per_tile_size_ >> TileShift);
+    }
     Rectangle tiles_under(const Rectangle& area) const;
     void add_word(std::uint32_t tile, std::uint32_t word);
 
     int tile_size_;
+    unsigned per_tile_size_ = 0; // 2^TileShift / tile_size, rounded up: its product is exact
     std::size_t arena_bytes_;
     int columns_ = 0, rows_ = 0;
     std::vector<Tile> tiles_;

@@ -29,7 +29,8 @@ struct Stages {
     // Coverage of a tile: by centres, by samples; of a block: by areas.
     void (*cover_tile)(const EdgeSet&, const Rectangle& tile, TileCoverage&);
     void (*cover_tile_samples)(const SetupRecord&, const Rectangle& tile, TileSampleCoverage&);
-    CoverWindow cover_window; // Of a primitive of few pixels.
+    // By centres, in windows, of a primitive of few pixels.
+    void (*cover_windows)(const EdgeSet&, const Rectangle& tile, TileCoverage&);
     PackQuads pack_quads; // The quads of a covered block.
     BlockMask (*smooth_block)(const SetupRecord&, int x, int y, BlockAntialias&);
 

@@ -90,7 +90,7 @@ void TileRenderer::begin_command(const BinCommand& command) {
 void TileRenderer::draw_record(const SetupRecord& record) {
     if (pixels_->multisample) return draw_samples(record);
     if (record.coverage != CoverageKind::Centre) return draw_smooth(record);
-    if (record.stipple == StippleKind::None && fits_window(record)) return draw_small(record);
+    if (record.stipple == StippleKind::None && fits_windows(record)) return draw_small(record);
     stages_.cover_tile(edge_set(record), tile_, coverage_);
     for (unsigned i = 0; i < coverage_.count; ++i) {
         BlockCoverage& block = coverage_.blocks[i];
@@ -101,8 +101,9 @@ void TileRenderer::draw_record(const SetupRecord& record) {
 }
 
 void TileRenderer::draw_small(const SetupRecord& record) {
-    const BlockCoverage window = stages_.cover_window(edge_set(record), tile_);
-    if (window.mask != 0) collector_.add_window(record, window, [this] { flush(); });
+    stages_.cover_windows(edge_set(record), tile_, windows_);
+    for (unsigned i = 0; i < windows_.count; ++i)
+        collector_.add_window(record, windows_.blocks[i], [this] { flush(); });
 }
 
 void TileRenderer::draw_samples(const SetupRecord& record) {

@@ -81,7 +81,7 @@ private:
     SampleMasks covered_samples_; // of the batch, where targets are multisampled
     SampleDepths sample_depths_;
     QuadCollector collector_{batch_, stages_.pack_quads};
-    TileCoverage coverage_;
+    TileCoverage coverage_, windows_;
     TileSampleCoverage sample_coverage_;
     PerspectivePlanes perspective_;
     TexCoordPlanes coordinates_;

@@ -30,14 +30,21 @@ void cover_tile_scalar(const EdgeSet& edges, const Rectangle& tile, TileCoverage
 }
 
 // Pixel by pixel.
-BlockCoverage cover_window_scalar(const EdgeSet& edges, const Rectangle& tile) {
+void cover_windows_scalar(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
+    coverage.count = 0;
     const Rectangle area = intersect(edges.box, tile);
-    BlockCoverage window = empty_window(area);
-    for (int y = area.y0; y < area.y1; ++y)
-        for (int x = area.x0; x < area.x1; ++x)
-            if (inside(edges.edges, x, y))
-                window.mask |= BlockMask{1} << block_bit(x - window.x, y - window.y);
-    return window;
+    if (area.empty()) return;
+    for (int wy = area.y0 & ~1; wy < area.y1; wy += BlockSize)
+        for (int wx = area.x0 & ~1; wx < area.x1; wx += BlockSize) {
+            const Rectangle window = intersect(area, {wx, wy, wx + BlockSize, wy + BlockSize});
+            BlockMask mask = 0;
+            for (int y = window.y0; y < window.y1; ++y)
+                for (int x = window.x0; x < window.x1; ++x)
+                    if (inside(edges.edges, x, y)) mask |= BlockMask{1} << block_bit(x - wx, y - wy);
+            if (mask != 0)
+                coverage.blocks[coverage.count++] = {
+                    static_cast<std::uint16_t>(wx), static_cast<std::uint16_t>(wy), mask};
+        }
 }
 
 bool may_touch(const SetupRecord& record, const Rectangle& tile) {

@@ -61,27 +61,30 @@ void cover_tile_scalar(const EdgeSet& edges, const Rectangle& tile, TileCoverage
 using CoverTileForm = void (*)(const EdgeSet&, const Rectangle& tile, TileCoverage&);
 CoverTileForm choose_cover_tile();
 
-// Primitives of few pixels need not be taken block by block: all that they cover in a tile lies in
-// a window of 8x8 pixels that begins at even pixels, and comes as if it were a block.
-inline bool fits_window(const SetupRecord& record) {
+// Primitives of few pixels need not be taken block by block: what they cover in a tile lies in one
+// to four windows of 8x8 pixels that begin at even pixels, and come as if they were blocks.
+//
+// What an edge adds inside a window must fit 16 bits.
+constexpr int SteepestInWindow = 0x7fff / (BlockSize - 1);
+
+inline bool fits_windows(const SetupRecord& record) {
+    constexpr int Most = 2 * BlockSize;
+    const auto steepness = [&](unsigned i) {
+        const Edge& edge = record.edges[i];
+        return (edge.a < 0 ? -edge.a : edge.a) + (edge.b < 0 ? -edge.b : edge.b);
+    };
     const Rectangle& box = record.box;
-    return record.edge_count == 3 && box.x1 - (box.x0 & ~1) <= BlockSize &&
-           box.y1 - (box.y0 & ~1) <= BlockSize;
+    return record.edge_count == 3 && box.x1 - (box.x0 & ~1) <= Most &&
+           box.y1 - (box.y0 & ~1) <= Most && steepness(0) <= SteepestInWindow &&
+           steepness(1) <= SteepestInWindow && steepness(2) <= SteepestInWindow;
 }
 
-// The window of an area, with nothing covered.
-inline BlockCoverage empty_window(const Rectangle& area) {
-    return {
-        static_cast<std::uint16_t>(area.x0 & ~1), static_cast<std::uint16_t>(area.y0 & ~1), 0};
-}
+// The windows of a primitive that fits; those with nothing covered are left out.
+void cover_windows(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage);
+void cover_windows_scalar(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage);
 
-// What a primitive that fits covers in a tile that its box touches; the mask may be 0.
-BlockCoverage cover_window(const EdgeSet& edges, const Rectangle& tile);
-BlockCoverage cover_window_scalar(const EdgeSet& edges, const Rectangle& tile);
-
-using CoverWindow = BlockCoverage (*)(const EdgeSet&, const Rectangle& tile);
 // The form for the instruction set that Highway chooses now.
-CoverWindow choose_cover_window();
+CoverTileForm choose_cover_windows();
 
 // Pixels of a block at x >= i, and at y >= i.
 struct BlockBounds {

@@ -152,11 +152,10 @@ bool has_few_blocks(const Rectangle& blocks) {
 }
 
 bool has_small_steps(const TileWalk& walk) {
-    constexpr int Most = 0x7fff / (BlockSize - 1);
     int steepest = 0;
     for (unsigned i = 0; i < walk.edge_count; ++i)
         steepest = std::max(steepest, std::abs(walk.edges[i].a) + std::abs(walk.edges[i].b));
-    return steepest <= Most;
+    return steepest <= SteepestInWindow;
 }
 
 // A bit a lane.
@@ -171,37 +170,56 @@ HWY_INLINE BlockMask negative_narrow(hn::Vec<Narrow> values) {
     return bits;
 }
 
-// All blocks' pixels are evaluated: to ask first which edge crosses which block would take longer.
-// An edge that is cut off at 16 bits keeps its sign: what it adds in a block is less.
-HWY_INLINE void cover_small(const TileWalk& walk, TileCoverage& coverage) {
-    constexpr unsigned Edges = 3;
-    constexpr std::int32_t Limit = 0x7fff;
-    const Narrow d;
-    hn::Vec<Narrow> inside[Edges][BlockVectors]; // what each pixel has more than the block's first
-    for (unsigned i = 0; i < Edges; ++i) {
-        const auto a = hn::Set(d, static_cast<std::int16_t>(walk.edges[i].a));
-        const auto b = hn::Set(d, static_cast<std::int16_t>(walk.edges[i].b));
-        for (std::size_t part = 0; part < BlockVectors; ++part)
-            inside[i][part] = hn::Add(hn::Mul(a, hn::Load(d, Places.x + part * NarrowLanes)),
-                                      hn::Mul(b, hn::Load(d, Places.y + part * NarrowLanes)));
+// Three edges over 8x8 pixels at a time, from the lower left pixel of the first. An edge that is
+// cut off at 16 bits keeps its sign: what it adds in a block is less.
+class WindowEdges {
+public:
+    template <class AnyEdge>
+    HWY_INLINE WindowEdges(const AnyEdge* edges, int x, int y) {
+        const Narrow d;
+        for (unsigned i = 0; i < Edges; ++i) {
+            a_[i] = edges[i].a;
+            b_[i] = edges[i].b;
+            first_[i] = edges[i].at(x, y);
+            const auto a = hn::Set(d, static_cast<std::int16_t>(a_[i]));
+            const auto b = hn::Set(d, static_cast<std::int16_t>(b_[i]));
+            for (std::size_t part = 0; part < BlockVectors; ++part)
+                inside_[i][part] = hn::Add(hn::Mul(a, hn::Load(d, Places.x + part * NarrowLanes)),
+                                           hn::Mul(b, hn::Load(d, Places.y + part * NarrowLanes)));
+        }
     }
+    // The pixels outside any edge, of those from (x, y) on.
+    HWY_INLINE BlockMask outside(int x, int y) const {
+        constexpr std::int64_t Limit = 0x7fff;
+        hn::Vec<Narrow> first[Edges];
+        for (unsigned i = 0; i < Edges; ++i) {
+            const std::int64_t e = first_[i] + a_[i] * x + b_[i] * y;
+            first[i] =
+                hn::Set(Narrow(), static_cast<std::int16_t>(std::clamp(e, -Limit - 1, Limit)));
+        }
+        BlockMask mask = 0;
+        for (std::size_t part = 0; part < BlockVectors; ++part) {
+            const auto sum = [&](unsigned i) HWY_ATTR {
+                return hn::SaturatedAdd(first[i], inside_[i][part]);
+            };
+            mask |= negative_narrow(hn::Or(hn::Or(sum(0), sum(1)), sum(2))) << (part * NarrowLanes);
+        }
+        return mask;
+    }
+
+private:
+    static constexpr unsigned Edges = 3;
+    hn::Vec<Narrow> inside_[Edges][BlockVectors]; // what each pixel has more than the first
+    std::int32_t a_[Edges], b_[Edges];
+    std::int64_t first_[Edges];
+};
+
+// All blocks' pixels are evaluated: to ask first which edge crosses which block would take longer.
+HWY_INLINE void cover_small(const TileWalk& walk, TileCoverage& coverage) {
+    const WindowEdges edges(walk.edges.data(), 0, 0);
     for (int y = walk.blocks.y0; y < walk.blocks.y1; y += BlockSize)
         for (int x = walk.blocks.x0; x < walk.blocks.x1; x += BlockSize) {
-            hn::Vec<Narrow> first[Edges];
-            for (unsigned i = 0; i < Edges; ++i) {
-                const TileEdge& edge = walk.edges[i];
-                const std::int32_t e =
-                    edge.e + edge.a * (x - walk.blocks.x0) + edge.b * (y - walk.blocks.y0);
-                first[i] = hn::Set(d, static_cast<std::int16_t>(std::clamp(e, -Limit - 1, Limit)));
-            }
-            BlockMask outside = 0;
-            for (std::size_t part = 0; part < BlockVectors; ++part) {
-                const auto sum = [&](unsigned i) HWY_ATTR {
-                    return hn::SaturatedAdd(first[i], inside[i][part]);
-                };
-                const auto signs = hn::Or(hn::Or(sum(0), sum(1)), sum(2));
-                outside |= negative_narrow(signs) << (part * NarrowLanes);
-            }
+            const BlockMask outside = edges.outside(x - walk.blocks.x0, y - walk.blocks.y0);
             add_block(x, y, rectangle_mask(walk.area, x, y) & ~outside, coverage);
         }
 }
@@ -235,39 +253,17 @@ void CoverTile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& covera
     if (add_crossing_edges(edges, walk)) cover_large(walk, coverage);
 }
 
-// What pixels have more than the window's first is below 2^15, so that 16 bits hold all that
-// matters, unless the primitive is larger than what is left of it inside the clip rectangle.
-BlockCoverage CoverWindowLanes(const EdgeSet& set, const Rectangle& tile) {
-    constexpr std::int64_t Limit = 0x7fff;
-    constexpr int Steepest = 0x7fff / (BlockSize - 1);
-    const Narrow d;
+void CoverWindows(const EdgeSet& set, const Rectangle& tile, TileCoverage& coverage) {
     const Rectangle area = intersect(set.box, tile);
-    BlockCoverage window = empty_window(area);
-    const Edge* const edges = set.edges.data();
-    hn::Vec<Narrow> a[3], b[3], first[3];
-    int steepest = 0;
-    for (unsigned i = 0; i < 3; ++i) {
-        const Edge& edge = edges[i];
-        steepest = std::max(steepest, std::abs(edge.a) + std::abs(edge.b));
-        const std::int64_t e = edge.at(window.x, window.y);
-        a[i] = hn::Set(d, static_cast<std::int16_t>(edge.a));
-        b[i] = hn::Set(d, static_cast<std::int16_t>(edge.b));
-        first[i] = hn::Set(d, static_cast<std::int16_t>(std::clamp(e, -Limit - 1, Limit)));
-    }
-    if (steepest > Steepest) [[unlikely]]
-        return cover_window_scalar(set, tile);
-    BlockMask outside = 0;
-    for (std::size_t part = 0; part < BlockVectors; ++part) {
-        const auto x = hn::Load(d, Places.x + part * NarrowLanes);
-        const auto y = hn::Load(d, Places.y + part * NarrowLanes);
-        const auto sum = [&](unsigned i) HWY_ATTR {
-            return hn::SaturatedAdd(first[i], hn::Add(hn::Mul(a[i], x), hn::Mul(b[i], y)));
-        };
-        outside |= negative_narrow(hn::Or(hn::Or(sum(0), sum(1)), sum(2)))
-                   << (part * NarrowLanes);
-    }
-    window.mask = rectangle_mask(area, window.x, window.y) & ~outside;
-    return window;
+    coverage.count = 0;
+    if (area.empty()) return;
+    const int left = area.x0 & ~1, bottom = area.y0 & ~1;
+    const WindowEdges edges(set.edges.data(), left, bottom);
+    for (int y = bottom; y < area.y1; y += BlockSize)
+        for (int x = left; x < area.x1; x += BlockSize) {
+            const BlockMask outside = edges.outside(x - left, y - bottom);
+            add_block(x, y, rectangle_mask(area, x, y) & ~outside, coverage);
+        }
 }
 
 } // namespace HWY_NAMESPACE
@@ -284,16 +280,16 @@ CoverTileForm choose_cover_tile() {
     return HWY_DYNAMIC_DISPATCH(CoverTile);
 }
 
-HWY_EXPORT(CoverWindowLanes);
+HWY_EXPORT(CoverWindows);
 
-CoverWindow choose_cover_window() {
+CoverTileForm choose_cover_windows() {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    return HWY_DYNAMIC_DISPATCH(CoverWindowLanes);
+    return HWY_DYNAMIC_DISPATCH(CoverWindows);
 }
 
-BlockCoverage cover_window(const EdgeSet& edges, const Rectangle& tile) {
-    static const CoverWindow cover = choose_cover_window();
-    return cover(edges, tile);
+void cover_windows(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
+    static const CoverTileForm cover = choose_cover_windows();
+    cover(edges, tile, coverage);
 }
 
 void cover_tile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {

@@ -12,6 +12,7 @@ struct TileEdge {
     std::int32_t a, b;
     std::int32_t e; // at the lower left pixel of the walk's first block
 
+    std::int32_t at(int x, int y) const { return e + a * x + b * y; } // from there
     // Most and least that E can differ from its value at a block's lower left pixel.
     std::int32_t gain() const { return (BlockSize - 1) * (std::max(a, 0) + std::max(b, 0)); }
     std::int32_t loss() const { return (BlockSize - 1) * (std::min(a, 0) + std::min(b, 0)); }

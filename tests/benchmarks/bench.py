@@ -4,7 +4,8 @@
     tests/benchmarks/bench.py --build build [--workloads DIR] [--only traces|rates] [--threads N]
 
 Traces: frames a second of the last frame repeated, by `ffgpu replay --benchmark` and by `glretrace
---benchmark`, without start-up and without pictures; and of the whole with the timing model. Rates: fill
+--benchmark`, without start-up and without pictures; the same with nothing drawn, which is what player and driver cost by
+themselves (`--player-only`); and of the whole with the timing model. Rates: fill
 and vertex rates of one program (gl_rates) on ffgpu's off-screen library and on Mesa's. Mesa runs with
 LP_NUM_THREADS=0, that is on one thread, where ffgpu does; then all is measured in processor time.
 """
@@ -90,7 +91,11 @@ def players(options, display, trace):
     def mesas(loops):
         return ["glretrace", "--headless", "--benchmark", f"--loop={loops}", trace]
 
+    def our_player(loops):
+        return [*ours(loops), "--player-only"]
+
     yield Player("ffgpu", ours, None, options.threads)
+    yield Player("player", our_player, None, options.threads)
     for peer in PEERS:
         environment = dict(mesa_environment(peer, options.threads), DISPLAY=display)
         yield Player(peer, mesas, environment, options.threads)
@@ -134,8 +139,9 @@ def bench_traces(options, display):
         traces = sorted(glob.glob(os.path.join(ROOT, "traces", "*.trace")))
     print(f"Frames a second of the last frame repeated, {options.threads} thread(s), {CLOCK[options.threads == 1]} time,")
     print(f"middle of {options.rounds} rounds in which each takes its turn. Ratios: least, middle, greatest of the rounds.")
+    print("player: ffgpu's player and driver alone, nothing drawn; its share of the frame's time.")
     print("timing: frames a second over the whole trace with the timing model, and million cycles a second.")
-    print(f"{'trace':16s}" + "".join(f"{name:>9s}" for name in ("ffgpu", *PEERS))
+    print(f"{'trace':16s}" + "".join(f"{name:>9s}" for name in ("ffgpu", "player", *PEERS)) + f"{'share':>7s}"
           + "".join(f"{'/ ' + peer:>22s}" for peer in PEERS) + f"{'timing':>9s} Mcycles/s")
     medians = {peer: [] for peer in PEERS}
     speeds = []
@@ -143,6 +149,7 @@ def bench_traces(options, display):
         found = frame_rates(options, display, trace)
         timed, cycles = timing_rates(options, trace)
         row = "".join(cell(middle(found[name])) for name in found)
+        row += f"{share(middle(found['ffgpu']), middle(found['player'])):>7s}"
         for peer in PEERS:
             ratios = [a / b for a, b in zip(found["ffgpu"], found[peer]) if a and b]
             row += spread(ratios)
@@ -154,6 +161,11 @@ def bench_traces(options, display):
     print_medians(medians)
     if speeds:
         print(f"median: {statistics.median(speeds):.2f} million cycles a second with timing")
+
+
+def share(whole, part):
+    """Of a frame's time that the player takes."""
+    return f"{whole / part:.0%}" if whole and part else "-"
 
 
 def spread(ratios):

@@ -63,7 +63,7 @@ void for_each_stage(Visit&& visit) {
     visit.template operator()<&Stages::set_up_triangles>();
     visit.template operator()<&Stages::cover_tile>();
     visit.template operator()<&Stages::cover_tile_samples>();
-    visit.template operator()<&Stages::cover_window>();
+    visit.template operator()<&Stages::cover_windows>();
     visit.template operator()<&Stages::pack_quads>();
     visit.template operator()<&Stages::smooth_block>();
     visit.template operator()<&Stages::interpolate_depth>();

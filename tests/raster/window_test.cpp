@@ -1,4 +1,4 @@
-// Windows: primitives of few pixels without blocks. Against the pixels that blocks give, with each
+// Windows: primitives of few pixels without blocks. Against edges at each pixel, with each
 // instruction set, and how a window's pixels lie in blocks.
 
 #include "model/raster/quad_collector.h"
@@ -17,6 +17,22 @@ std::set<Pixel> pixels_of(const BlockCoverage& block) {
     for (int y = 0; y < BlockSize; ++y)
         for (int x = 0; x < BlockSize; ++x)
             if ((block.mask >> block_bit(x, y) & 1) != 0) pixels.emplace(block.x + x, block.y + y);
+    return pixels;
+}
+
+// Each pixel once.
+std::set<Pixel> pixels_of(const TileCoverage& coverage) {
+    std::set<Pixel> pixels;
+    for (unsigned i = 0; i < coverage.count; ++i) {
+        const BlockCoverage& window = coverage.blocks[i];
+        REQUIRE(window.x % 2 == 0);
+        REQUIRE(window.y % 2 == 0);
+        REQUIRE(window.mask != 0);
+        const std::size_t before = pixels.size();
+        const std::set<Pixel> more = pixels_of(window);
+        pixels.insert(more.begin(), more.end());
+        REQUIRE(pixels.size() == before + more.size());
+    }
     return pixels;
 }
 
@@ -40,7 +56,7 @@ Rectangle tile_at(int x, int y) {
 bool random_record(Random& random, RecordBuffer& buffer) {
     const bool cut = random.below(3) == 0;
     const int x = random.between(56, 72), y = random.between(56, 72);
-    const int size = cut ? 1 << random.between(10, 20) : 256 * random.between(1, 8);
+    const int size = cut ? 1 << random.between(10, 20) : 256 * random.between(1, 12);
     const SetupContext setup =
         cut ? context({x, y, x + random.between(1, 8), y + random.between(1, 8)}) : context();
     const auto corner = [&] {
@@ -48,50 +64,56 @@ bool random_record(Random& random, RecordBuffer& buffer) {
         return vertex(px, 256 * y + random.between(-size, size));
     };
     const WindowVertex a = corner(), b = corner(), c = corner();
-    return buffer.triangle(setup, a, b, c) && fits_window(buffer.record());
+    return buffer.triangle(setup, a, b, c) && fits_windows(buffer.record());
 }
 
 } // namespace
 
-TEST_CASE("a window holds the pixels that lie inside all edges, with each instruction set") {
+TEST_CASE("windows hold the pixels that lie inside all edges, with each instruction set") {
     for_each_target([] {
-        const CoverWindow form = choose_cover_window();
+        const CoverTileForm form = choose_cover_windows();
         Random random(81);
         RecordBuffer buffer;
-        unsigned covered = 0, steep = 0;
+        unsigned covered = 0, several = 0;
+        TileCoverage coverage, scalar;
         for (int n = 0; n < 40000; ++n) {
             if (!random_record(random, buffer)) continue;
             const SetupRecord& record = buffer.record();
             const Rectangle& box = record.box;
             for (const int x : {box.x0, box.x1 - 1}) {
                 const Rectangle tile = tile_at(x, box.y0);
-                const BlockCoverage window = form(edge_set(record), tile);
-                REQUIRE(window.x % 2 == 0);
-                REQUIRE(window.y % 2 == 0);
+                form(edge_set(record), tile, coverage);
+                cover_windows_scalar(edge_set(record), tile, scalar);
                 const std::set<Pixel> expected = pixels_inside(record, tile);
-                REQUIRE(pixels_of(window) == expected);
-                REQUIRE(pixels_of(cover_window_scalar(edge_set(record), tile)) == expected);
+                REQUIRE(pixels_of(coverage) == expected);
+                REQUIRE(pixels_of(scalar) == expected);
                 covered += !expected.empty();
-                steep += std::abs(record.edges[0].a) > 0x7fff && !expected.empty();
+                several += coverage.count > 1;
             }
         }
         CHECK(covered > 10000);
-        CHECK(steep > 100);
+        CHECK(several > 1000);
     });
 }
 
-TEST_CASE("primitives fit a window by the quads that their boxes touch") {
+TEST_CASE("primitives fit windows by the quads of their boxes and by their edges") {
     SetupRecord record;
     record.edge_count = 3;
+    record.edges = {};
     const auto fits = [&](const Rectangle& box) {
         record.box = box;
-        return fits_window(record);
+        return fits_windows(record);
     };
+    CHECK(fits({10, 20, 26, 36}));
+    CHECK_FALSE(fits({10, 20, 27, 36}));
+    CHECK_FALSE(fits({10, 20, 26, 37}));
+    CHECK(fits({11, 21, 26, 36}));
+    CHECK_FALSE(fits({11, 21, 27, 36})); // Its first quads begin a pixel before.
+    record.edges[2] = {-4000, 681, 0}; // 7 (4000 + 681) is the last that fits 15 bits.
     CHECK(fits({10, 20, 18, 28}));
-    CHECK_FALSE(fits({10, 20, 19, 28}));
-    CHECK_FALSE(fits({10, 20, 18, 29}));
-    CHECK(fits({11, 21, 18, 28}));
-    CHECK_FALSE(fits({11, 21, 19, 28})); // Its first quads begin a pixel before.
+    record.edges[2].b = -682;
+    CHECK_FALSE(fits({10, 20, 18, 28}));
+    record.edges[2] = {};
     record.edge_count = 4;
     CHECK_FALSE(fits({10, 20, 18, 28}));
 }
@@ -109,7 +131,7 @@ TEST_CASE("a window's parts are its pixels in the four blocks that it can touch"
                 const WindowParts parts(window);
                 std::set<Pixel> pixels;
                 const auto add = [&](std::uint16_t at_x, std::uint16_t at_y, BlockMask part) {
-                    pixels.merge(pixels_of({at_x, at_y, part}));
+                    pixels.merge(pixels_of(BlockCoverage{at_x, at_y, part}));
                 };
                 add(0, 0, parts.here);
                 add(8, 0, parts.right);

@@ -104,6 +104,27 @@ TEST_CASE("A trace that draws, but in no context, is told of with the way to rec
     CHECK_THAT(warnings_of({"replay", good.path(), "-o", folder / "out"}), !Contains("warning"));
 }
 
+TEST_CASE("The player alone is timed where nothing is drawn, and nowhere else") {
+    const TemporaryFolder folder;
+    const TemporaryFile trace(trace::in_snappy(clears(3, true)));
+    const std::string line =
+        warnings_of({"replay", trace.path(), "--benchmark", "2", "--player-only"});
+    CHECK_THAT(line, Contains("frames/s over 3 frames"));
+    CHECK_THAT(line, Contains("over the last frame, 2 times"));
+    CHECK_THAT(line, Contains("0 draws"));
+    const std::vector<std::vector<std::string>> refused{
+        {"replay", trace.path(), "--player-only", "-o", folder / "out"},
+        {"replay", trace.path(), "--player-only", "--benchmark", "2", "-o", folder / "out"},
+        {"replay", trace.path(), "--player-only", "--benchmark", "2", "--capture", folder / "a.ffc"},
+    };
+    for (const std::vector<std::string>& arguments : refused) {
+        int status = 0;
+        const std::string told = printed(stderr, [&] { status = run(arguments); });
+        CHECK(status == 2);
+        CHECK_THAT(told, Contains("--player-only draws nothing"));
+    }
+}
+
 TEST_CASE("Pictures of an older run are told of") {
     const TemporaryFolder folder;
     const TemporaryFile trace(trace::in_snappy(clears(4)));

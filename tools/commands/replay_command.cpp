@@ -45,6 +45,9 @@ int run_replay(Arguments& arguments) {
     ReplayOptions& options = arguments.replay;
     resolve(arguments.recording, options);
     if (options.benchmark > 0) options.images = false;
+    if (options.player_only && (options.benchmark == 0 || !options.output.empty() ||
+                                !options.capture.empty() || !options.save_work.empty()))
+        throw InputError("--player-only draws nothing: it goes with --benchmark N alone");
     options.warn = warn;
     warn_of_settings(settings_without_effect(arguments.recording));
     if (options.output.empty() && options.capture.empty() && options.save_work.empty() &&
@@ -77,6 +80,7 @@ void add_replay_command(CLI::App& application, Run& run) {
         ->delimiter(',');
     verb->add_option("--benchmark", options.benchmark, "Time it; repeat the last frame N times")
         ->type_name("N");
+    verb->add_flag("--player-only", options.player_only, "With --benchmark: draw nothing");
     verb->add_flag("--verbose", options.report_errors, "Report each GL error with its call");
     verb->footer("Example: ffgpu replay traces/corridor.trace -o out --timing --heatmap overdraw");
     verb->callback([arguments, &run] { run = [arguments] { return run_replay(*arguments); }; });

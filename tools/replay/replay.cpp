@@ -4,6 +4,7 @@
 #include "tools/frames/frame_source.h"
 #include "tools/frames/progress.h"
 #include "tools/record/recording.h"
+#include "tools/replay/idle_device.h"
 #include "tools/replay/interruption.h"
 
 #include <chrono>
@@ -50,6 +51,7 @@ private:
     }
 
     Device& drawn_on() {
+        if (options_.player_only) return idle_;
         if (!options_.rtl) return recording_.device();
         options_.rtl->attach(recording_.device(), recording_.gpu());
         return *options_.rtl;
@@ -114,6 +116,7 @@ private:
 
     const ReplayOptions& options_;
     Recording recording_;
+    IdleDevice idle_{recording_.device().memory_size()};
     CallLog calls_;
     std::unique_ptr<FrameSource> source_; // Plays on it.
     unsigned measured_ = 0;
