@@ -19,13 +19,17 @@ FunctionalGpu::FunctionalGpu(const Config& config)
     , memory_(config.memory_bytes)
     , geometry_(memory_.bytes(), config.stages->shade_vertices)
     , pool_(config.threads)
-    , bin_(static_cast<int>(config.tile_size), config.bin_bytes) {
+    , bin_(static_cast<int>(config.tile_size), config.bin_bytes)
+    , under_way_(static_cast<int>(config.tile_size), config.bin_bytes) {
     check(config.threads >= 1, "a GPU needs a thread");
     for (unsigned i = 0; i < pool_.threads(); ++i)
         renderers_.push_back(std::make_unique<TileRenderer>(memory_.bytes(), *config.stages));
 }
 
-FunctionalGpu::~FunctionalGpu() = default;
+// Other threads may draw still.
+FunctionalGpu::~FunctionalGpu() {
+    pool_.wait();
+}
 
 void FunctionalGpu::set_work_sink(WorkSink* sink, WorkDetail detail) {
     flush();

@@ -1,7 +1,7 @@
 // FunctionalGpu: the device that draws. It is the block diagram:
 //
 //     commands -> registers -> geometry -> set-up -> bin
-//     bin, tile by tile on all threads:
+//     bin, tile by tile on the other threads while the next is filled, or on all:
 //         coverage -> early depth -> interpolation -> texture units -> environments .. write
 //
 // Geometry runs while commands are submitted; pixels wait in a bin until somebody may look at
@@ -14,7 +14,7 @@
 #include "model/device/device.h"
 #include "model/device/register_file.h"
 #include "model/geometry/geometry_unit.h"
-#include "model/gpu/bin.h"
+#include "model/gpu/bin_under_way.h"
 #include "model/gpu/range_set.h"
 #include "model/gpu/raster_statistics.h"
 #include "model/gpu/stages.h"
@@ -102,7 +102,10 @@ private:
     // Bins.
     void before_read(std::uint64_t at, std::uint64_t bytes); // of memory by anybody but a bin
     void before_write(std::uint64_t at, std::uint64_t bytes);
-    void flush();
+    void flush();     // All that was submitted is in memory.
+    void carry_out(); // The bin at hand is drawn, perhaps while the next one is filled.
+    void finish_carrying();
+    void draw_and_record();
     void open_bin(const Targets& targets);
     void tell_contents(const Targets& targets);
     bool records_values() const { return sink_ && detail_ == WorkDetail::Values; }
@@ -124,6 +127,7 @@ private:
     Bin bin_;
     Targets bin_targets_; // what the bin draws into
     RangeSet bin_reads_, bin_writes_;
+    BinUnderWay under_way_;
     bool bin_serial_ = false; // A draw reads what it writes: one thread, so that it repeats.
     std::shared_ptr<const DrawContext> context_; // of the registers, where it is valid
     bool context_valid_ = false;

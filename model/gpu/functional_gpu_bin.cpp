@@ -128,7 +128,7 @@ bool FunctionalGpu::reads_own_target(const DrawContext& context) const {
 // Makes `command` the one that is binned from now on, in the state of context_.
 void FunctionalGpu::begin_command(BinCommand command) {
     const Targets& targets = context_->regs().targets;
-    if (!bin_.empty() && (bin_.full() || !(bin_targets_ == targets))) flush();
+    if (!bin_.empty() && (bin_.full() || !(bin_targets_ == targets))) carry_out();
     if (context_->pixels != binned_pixels_) {
         // Textures that the bin draws into must be finished; others must stay as they are.
         for_each_image(*context_, [this](const TextureImage& image) {
@@ -222,7 +222,7 @@ SetupRecord& FunctionalGpu::begin_record(const Primitive& primitive) {
         const std::uint32_t number = bin_.commands().back().number;
         const bool serial = bin_serial_;
         draw_goes_on_ = true;
-        flush();
+        carry_out();
         draw_goes_on_ = false;
         begin_command({.kind = WorkKind::Draw, .number = number});
         bin_serial_ = serial;
@@ -263,11 +263,13 @@ void FunctionalGpu::count_area(const Rectangle& box, double double_area) {
 
 void FunctionalGpu::before_read(std::uint64_t at, std::uint64_t bytes) {
     if (bin_writes_.overlaps(at, bytes)) flush();
+    if (under_way_.writes_to(at, bytes)) finish_carrying();
 }
 
 void FunctionalGpu::before_write(std::uint64_t at, std::uint64_t bytes) {
     journal_.forget(at, bytes);
     if (bin_writes_.overlaps(at, bytes) || bin_reads_.overlaps(at, bytes)) flush();
+    if (under_way_.uses(at, bytes)) finish_carrying();
 }
 
 void FunctionalGpu::note_transfer(bool is_write, std::uint64_t at, std::uint64_t bytes) {
@@ -281,10 +283,58 @@ void FunctionalGpu::note_transfer(bool is_write, std::uint64_t at, std::uint64_t
 }
 
 void FunctionalGpu::flush() {
-    if (bin_.empty()) {
-        if (sink_ && !transfers_.empty()) hand_over({});
-        return;
+    if (!bin_.empty())
+        carry_out();
+    else if (sink_ && !transfers_.empty())
+        hand_over({});
+    finish_carrying();
+}
+
+// Bins are drawn one after another: what draws see of each other does not depend on threads.
+void FunctionalGpu::carry_out() {
+    finish_carrying();
+    if (bin_serial_ || probe_ || sink_) {
+        draw_and_record();
+        bin_.reset(0, 0);
+    } else {
+        std::swap(bin_, under_way_.bin);
+        std::swap(bin_reads_, under_way_.reads);
+        std::swap(bin_writes_, under_way_.writes);
+        under_way_.busy = true;
+        Bin& bin = under_way_.bin;
+        const std::vector<std::uint32_t>& tiles = bin.busy_tiles();
+        pool_.start(tiles.size(), [this, &bin, &tiles](unsigned worker, std::size_t i) {
+            renderers_[worker]->render(bin, tiles[i], nullptr);
+        });
+        if (pool_.threads() == 1) finish_carrying();
     }
+    ++host_statistics_.bins;
+    bin_reads_.clear();
+    bin_writes_.clear();
+    binned_pixels_.reset();
+    bin_serial_ = false;
+}
+
+void FunctionalGpu::finish_carrying() {
+    if (under_way_.busy) {
+        const FloatEnvironment environment;
+        pool_.wait();
+        under_way_.busy = false;
+        under_way_.bin.reset(0, 0);
+        under_way_.reads.clear();
+        under_way_.writes.clear();
+    }
+    for (const auto& renderer : renderers_) {
+        const FragmentCounts counts = renderer->take_counts();
+        fragment_statistics_.add(counts);
+        host_statistics_.add(counts);
+        samples_ += counts.counted_samples;
+    }
+    if (bin_.empty()) samples_pending_ = false;
+}
+
+// Bins that others listen to, or that one thread has to draw.
+void FunctionalGpu::draw_and_record() {
     const FloatEnvironment environment;
     const std::vector<std::uint32_t>& tiles = bin_.busy_tiles();
     std::vector<WorkTile> recordings(sink_ ? tiles.size() : 0);
@@ -297,21 +347,7 @@ void FunctionalGpu::flush() {
     } else {
         pool_.run(tiles.size(), job);
     }
-    for (const auto& renderer : renderers_) {
-        const FragmentCounts counts = renderer->take_counts();
-        fragment_statistics_.add(counts);
-        host_statistics_.add(counts);
-        samples_ += counts.counted_samples;
-    }
-    ++host_statistics_.bins;
     if (sink_) hand_over(std::move(recordings));
-
-    bin_.reset(0, 0);
-    bin_reads_.clear();
-    bin_writes_.clear();
-    binned_pixels_.reset();
-    bin_serial_ = false;
-    samples_pending_ = false;
 }
 
 void FunctionalGpu::hand_over(std::vector<WorkTile> tiles) {

@@ -3,7 +3,8 @@
 // which draw the same frames bit for bit. What a stage does is in the header of its unit.
 //
 // What has one form is not here, and runs in both: fetch, assembly, clipping and the set-up of
-// single primitives; stipple, batches of quads, images' fragments; the sample mask; clears and copies.
+// single primitives; stipple, batches of quads, images' fragments; the sample mask; clears and
+// copies.
 
 #pragma once
 

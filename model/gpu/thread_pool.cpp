@@ -1,5 +1,6 @@
 #include "model/gpu/thread_pool.h"
 
+#include "model/base/check.h"
 #include "model/base/float_environment.h"
 #include "model/base/thread_without_signals.h"
 
@@ -22,25 +23,27 @@ ThreadPool::~ThreadPool() {
         worker.join();
 }
 
-void ThreadPool::run(std::size_t count, const Job& job) {
-    if (workers_.empty() || count <= 1) {
-        for (std::size_t i = 0; i < count; ++i)
-            job(0, i);
-        return;
-    }
+void ThreadPool::start(std::size_t count, Job job) {
     {
         const std::lock_guard lock(mutex_);
-        job_ = &job;
+        check(next_ >= count_ && running_ == 0, "a list of jobs is under way");
+        job_ = std::move(job);
         count_ = count;
         next_ = 0;
-        busy_ = static_cast<unsigned>(workers_.size());
-        ++generation_;
     }
     started_.notify_all();
+}
+
+void ThreadPool::wait() {
     take_jobs(0);
     std::unique_lock lock(mutex_);
-    done_.wait(lock, [this] { return busy_ == 0; });
+    done_.wait(lock, [this] { return running_ == 0; });
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+}
+
+void ThreadPool::run(std::size_t count, Job job) {
+    start(count, std::move(job));
+    wait();
 }
 
 void ThreadPool::take_jobs(unsigned worker) {
@@ -50,32 +53,36 @@ void ThreadPool::take_jobs(unsigned worker) {
             const std::lock_guard lock(mutex_);
             if (next_ >= count_) return;
             index = next_++;
+            ++running_;
         }
+        std::exception_ptr failure;
         try {
-            (*job_)(worker, index);
+            job_(worker, index); // The same until all that have begun have ended.
         } catch (...) {
-            const std::lock_guard lock(mutex_);
-            if (!failure_) failure_ = std::current_exception();
-            next_ = count_;
+            failure = std::current_exception();
         }
+        end_job(std::move(failure));
     }
+}
+
+void ThreadPool::end_job(std::exception_ptr failure) {
+    const std::lock_guard lock(mutex_);
+    if (failure) {
+        if (!failure_) failure_ = std::move(failure);
+        next_ = count_;
+    }
+    if (--running_ == 0 && next_ >= count_) done_.notify_one();
 }
 
 void ThreadPool::work(unsigned worker) {
     const FloatEnvironment environment; // A thread begins with the mode of the one that made it.
-    std::uint64_t seen = 0;
     while (true) {
         {
             std::unique_lock lock(mutex_);
-            started_.wait(lock, [&] { return stopping_ || generation_ != seen; });
+            started_.wait(lock, [this] { return stopping_ || next_ < count_; });
             if (stopping_) return;
-            seen = generation_;
         }
         take_jobs(worker);
-        {
-            const std::lock_guard lock(mutex_);
-            if (--busy_ == 0) done_.notify_one();
-        }
     }
 }
 

@@ -1,10 +1,10 @@
-// ThreadPool: runs the jobs of one list at a time on a fixed set of threads, the caller's included.
+// ThreadPool: runs the jobs of one list at a time on a fixed set of threads. The caller goes on in
+// between, and takes jobs itself where it waits for them.
 
 #pragma once
 
 #include <condition_variable>
 #include <cstddef>
-#include <cstdint>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -25,22 +25,28 @@ public:
 
     unsigned threads() const { return static_cast<unsigned>(workers_.size()) + 1; }
 
-    // Returns when job has run for each index below `count`. An exception of a job is thrown again
-    // here, after all threads have stopped.
-    void run(std::size_t count, const Job& job);
+    // The other threads begin to run `job` for each index below `count`. The list before must have
+    // been waited for.
+    void start(std::size_t count, Job job);
+    // Returns when the job has run for each index. It waits for jobs, not for threads: one that
+    // wakes late delays nobody. An exception of a job is thrown again here; jobs that had not begun
+    // are left out then.
+    void wait();
+    // Both.
+    void run(std::size_t count, Job job);
 
 private:
     void work(unsigned worker);
     void take_jobs(unsigned worker);
+    void end_job(std::exception_ptr failure);
 
     std::vector<std::thread> workers_;
-    std::mutex mutex_;
+    std::mutex mutex_; // over all below
     std::condition_variable started_, done_;
-    const Job* job_ = nullptr;
+    Job job_;
     std::size_t count_ = 0;
-    std::size_t next_ = 0;         // under mutex_
-    std::uint64_t generation_ = 0; // counts calls of run()
-    unsigned busy_ = 0;            // workers that have not ended this generation
+    std::size_t next_ = 0;
+    std::size_t running_ = 0; // jobs that have begun and not ended
     bool stopping_ = false;
     std::exception_ptr failure_;
 };

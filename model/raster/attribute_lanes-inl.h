@@ -130,8 +130,7 @@ HWY_INLINE MaskD sure(const Gradient& x, const Gradient& y, double reach) {
 
 // The part of `scale` that takes an exponent off those of all planes.
 constexpr std::uint64_t scale_base(int base_exponent) {
-    return static_cast<std::uint64_t>(1022 - 127 + base_exponent)
-           << (23 - StoredPlane::ScaleShift);
+    return static_cast<std::uint64_t>(1022 - 127 + base_exponent) << (23 - StoredPlane::ScaleShift);
 }
 
 // The plane with these values at the vertices.

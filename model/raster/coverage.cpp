@@ -40,7 +40,8 @@ void cover_windows_scalar(const EdgeSet& edges, const Rectangle& tile, TileCover
             BlockMask mask = 0;
             for (int y = window.y0; y < window.y1; ++y)
                 for (int x = window.x0; x < window.x1; ++x)
-                    if (inside(edges.edges, x, y)) mask |= BlockMask{1} << block_bit(x - wx, y - wy);
+                    if (inside(edges.edges, x, y))
+                        mask |= BlockMask{1} << block_bit(x - wx, y - wy);
             if (mask != 0)
                 coverage.blocks[coverage.count++] = {
                     static_cast<std::uint16_t>(wx), static_cast<std::uint16_t>(wy), mask};

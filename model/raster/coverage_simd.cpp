@@ -199,9 +199,8 @@ public:
         }
         BlockMask mask = 0;
         for (std::size_t part = 0; part < BlockVectors; ++part) {
-            const auto sum = [&](unsigned i) HWY_ATTR {
-                return hn::SaturatedAdd(first[i], inside_[i][part]);
-            };
+            const auto sum = [&](unsigned i)
+                                 HWY_ATTR { return hn::SaturatedAdd(first[i], inside_[i][part]); };
             mask |= negative_narrow(hn::Or(hn::Or(sum(0), sum(1)), sum(2))) << (part * NarrowLanes);
         }
         return mask;

@@ -34,7 +34,7 @@ struct WindowParts {
     BlockMask here, right, up, diagonal;
 
     explicit WindowParts(const BlockCoverage& window) {
-        constexpr unsigned Row = 4 * BlockQuadsAcross; // bits
+        constexpr unsigned Row = 4 * BlockQuadsAcross;                             // bits
         const unsigned x = window.x % BlockSize / 2, y = window.y % BlockSize / 2; // quads
         // Columns that stay in the blocks to the left, of all rows of quads.
         const BlockMask left = BlockMask{0x0001000100010001} * (0xffffu >> (4 * x));
@@ -104,7 +104,7 @@ private:
     std::array<BatchRun, BatchQuads> runs_;
     // Pixels live in the batch, by block. Windows have no pixels in blocks beyond the tile's.
     std::array<BlockMask, MaxTileBlocks + BlocksAcross + 1> live_{};
-    unsigned touched_end_ = 0;                    // Blocks from here on are 0 in live_.
+    unsigned touched_end_ = 0; // Blocks from here on are 0 in live_.
     std::array<std::array<BlockMask, MaxSamples>, MaxTileBlocks> live_samples_{};
     unsigned touched_samples_end_ = 0;
 };

@@ -125,8 +125,8 @@ struct CornerLanes {
         }
     }
     HWY_INLINE MaskD outside_guard_band() const {
-        const VD farthest = hn::Max(hn::Max(greatest(x), greatest(y)),
-                                    hn::Neg(hn::Min(least(x), least(y))));
+        const VD farthest =
+            hn::Max(hn::Max(greatest(x), greatest(y)), hn::Neg(hn::Min(least(x), least(y))));
         return hn::Gt(farthest, constant(GuardBand << SubPixelBits));
     }
 };
@@ -186,23 +186,18 @@ struct EdgeLanes {
         : a(hn::Sub(py, qy))
         , b(hn::Sub(qx, px)) {
         const VD half = constant(1 << (SubPixelBits - 1)), zero = constant(0);
-        const VD at_centre =
-            hn::Add(hn::Mul(a, hn::Sub(half, px)), hn::Mul(b, hn::Sub(half, py)));
-        const MaskD owns =
-            hn::Or(hn::Gt(a, zero), hn::And(hn::Eq(a, zero), hn::Gt(b, zero)));
+        const VD at_centre = hn::Add(hn::Mul(a, hn::Sub(half, px)), hn::Mul(b, hn::Sub(half, py)));
+        const MaskD owns = hn::Or(hn::Gt(a, zero), hn::And(hn::Eq(a, zero), hn::Gt(b, zero)));
         const VD inside = hn::Sub(at_centre, hn::IfThenElse(owns, zero, constant(1)));
         c = hn::Floor(hn::Mul(inside, constant(PerPixel)));
         fraction = hn::Sub(inside, hn::Mul(c, constant(1 << SubPixelBits)));
     }
-    HWY_INLINE VD at(VD x, VD y) const {
-        return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), c);
-    }
+    HWY_INLINE VD at(VD x, VD y) const { return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), c); }
     HWY_INLINE void store(TriangleGroup::Each<Edge>& edges, std::size_t lane) const {
-        hn::StoreInterleaved2(
-            select(0xffffffff, words_of(a), hn::ShiftLeft<32>(words_of(b))),
-            words_of(c),
-            Words(),
-            reinterpret_cast<std::uint64_t*>(edges.data() + lane));
+        hn::StoreInterleaved2(select(0xffffffff, words_of(a), hn::ShiftLeft<32>(words_of(b))),
+                              words_of(c),
+                              Words(),
+                              reinterpret_cast<std::uint64_t*>(edges.data() + lane));
     }
 };
 
@@ -265,8 +260,8 @@ HWY_INLINE MaskD set_up_depth(const std::array<VD, 3>& depths,
     constexpr double Steepest = std::int64_t{1} << 42; // Products with offsets stay exact.
     std::array<VD, 3> z;
     for (unsigned j = 0; j < 3; ++j) {
-        const VD clamped = hn::IfThenElseZero(hn::Gt(depths[j], constant(0)),
-                                              hn::Min(depths[j], constant(1)));
+        const VD clamped =
+            hn::IfThenElseZero(hn::Gt(depths[j], constant(0)), hn::Min(depths[j], constant(1)));
         const VD scaled = hn::Mul(clamped, constant(DepthOne * depth_scale));
         z[j] = hn::Floor(hn::Add(scaled, constant(0.5)));
     }
@@ -295,8 +290,7 @@ HWY_INLINE MaskD set_up_depth(const std::array<VD, 3>& depths,
     };
     store_narrow(round_depth(least(z)), group.depth_min, lane);
     store_narrow(round_depth(greatest(z)), group.depth_max, lane);
-    return hn::Not(
-        hn::Lt(hn::Max(hn::Abs(exact_dx), hn::Abs(exact_dy)), constant(Steepest)));
+    return hn::Not(hn::Lt(hn::Max(hn::Abs(exact_dx), hn::Abs(exact_dy)), constant(Steepest)));
 }
 
 // 1 / w of the vertices, scaled so that the greatest is in [1, 2).
@@ -312,8 +306,8 @@ struct PerspectiveLanes {
         constexpr double Usual = 0x1p100;
         varies = hn::Or(hn::Ne(inverse_w[0], inverse_w[1]), hn::Ne(inverse_w[0], inverse_w[2]));
         const VD lowest = least(inverse_w), highest = greatest(inverse_w);
-        unusual = hn::Not(
-            hn::And(hn::Gt(lowest, constant(1 / Usual)), hn::Lt(highest, constant(Usual))));
+        unusual =
+            hn::Not(hn::And(hn::Gt(lowest, constant(1 / Usual)), hn::Lt(highest, constant(Usual))));
         const VW exponent = hn::And(bits_of(highest), hn::Set(Words(), Field(0x7ff)));
         const VD to_one =
             hn::BitCast(Doubles(), hn::Sub(hn::Set(Words(), Field(2 * 1023)), exponent));
@@ -356,14 +350,14 @@ HWY_INLINE MaskD set_up_constant(const VertexPairs& pairs,
     for (unsigned c = span.channels; c-- > 0;) {
         const VN v0 = attribute_bits(pairs, span.first + c, 0, lane);
         for (unsigned j = 1; j < 3; ++j)
-            different = hn::Or(
-                different, hn::Xor(v0, attribute_bits(pairs, span.first + c, j, lane)));
+            different =
+                hn::Or(different, hn::Xor(v0, attribute_bits(pairs, span.first + c, j, lane)));
         const auto value = hn::BitCast(singles, v0);
         const auto positive =
             hn::IfThenElseZero(hn::Gt(value, hn::Zero(singles)), value); // NaN is 0.
-        const auto scaled = hn::Add(hn::Mul(hn::Min(positive, hn::Set(singles, 1)),
-                                            hn::Set(singles, 255)),
-                                    hn::Set(singles, 0.5f));
+        const auto scaled =
+            hn::Add(hn::Mul(hn::Min(positive, hn::Set(singles, 1)), hn::Set(singles, 255)),
+                    hn::Set(singles, 0.5f));
         const auto byte = hn::ConvertTo(NarrowIntegers(), scaled);
         bytes = hn::Or(hn::ShiftLeft<8>(bytes), hn::BitCast(d, byte));
     }
@@ -387,8 +381,9 @@ HWY_INLINE MaskD set_up_planes(const SetupContext& context,
     const MaskD same_secondary = set_up_constant(pairs, secondary, group.secondary, lane);
     group.constant_color |= bits_from(same_color, lane);
     group.constant_secondary |= bits_from(same_secondary, lane);
-    const auto all_same = [&](MaskD same)
-                              HWY_ATTR { return hn::AllTrue(Doubles(), hn::Or(same, hn::Not(live))); };
+    const auto all_same = [&](MaskD same) HWY_ATTR {
+        return hn::AllTrue(Doubles(), hn::Or(same, hn::Not(live)));
+    };
     const bool skip_color = all_same(same_color), skip_secondary = all_same(same_secondary);
     const VW base = perspective.base();
     MaskD left = hn::FirstN(Doubles(), 0);
@@ -446,8 +441,8 @@ HWY_INLINE void set_up_vector(const SetupContext& context,
         group.perspective |= bits_from(perspective.varies, lane);
         MaskD left = hn::Or(sides.are_slivers(), perspective.unusual);
         left = hn::Or(left, set_up_depth(depths, context.depth_scale, basis, group, lane));
-        left = hn::Or(
-            left, set_up_planes(context, pairs, perspective, basis.frame, live, group, lane));
+        left = hn::Or(left,
+                      set_up_planes(context, pairs, perspective, basis.frame, live, group, lane));
         alone = hn::Or(alone, hn::And(live, left));
     }
     group.alone |= bits_from(alone, lane);

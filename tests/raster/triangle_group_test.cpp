@@ -61,9 +61,8 @@ struct Triangles {
             if (flat || random.below(3) == 0)
                 for (unsigned j = 1; j < 3; ++j)
                     std::copy_n(v[0].attributes.begin(), 7, v[j].attributes.begin());
-            primitives[i] = {.front_facing = random.below(2) != 0,
-                             .key = i,
-                             .vertices = {&v[0], &v[1], &v[2]}};
+            primitives[i] = {
+                .front_facing = random.below(2) != 0, .key = i, .vertices = {&v[0], &v[1], &v[2]}};
         }
     }
 
@@ -118,8 +117,7 @@ void compare_records(const SetupRecord& a, const SetupRecord& b, const SetupCont
     REQUIRE(a.depth_min == b.depth_min);
     REQUIRE(a.depth_max == b.depth_max);
     if (a.constant_color) REQUIRE(a.color == b.color);
-    if (a.constant_secondary)
-        REQUIRE(std::memcmp(a.secondary.data(), b.secondary.data(), 3) == 0);
+    if (a.constant_secondary) REQUIRE(std::memcmp(a.secondary.data(), b.secondary.data(), 3) == 0);
     if (a.perspective) REQUIRE(a.inverse_w_floor == b.inverse_w_floor);
     const InterpolantLayout& layout = setup.layout;
     for (int i = 0; i < a.plane_count + int{a.perspective}; ++i) {
@@ -148,8 +146,9 @@ void compare_group(const Triangles& scene, unsigned count, TriangleGroup& group,
         REQUIRE(one.record().covers_nothing == nothing);
         REQUIRE(one.record().box == group.box[i]);
         const auto& v = primitive.vertices;
-        REQUIRE(group.double_area[i] == std::fabs(static_cast<double>(double_area(
-                                            {v[0]->x, v[0]->y}, {v[1]->x, v[1]->y}, {v[2]->x, v[2]->y}))));
+        REQUIRE(group.double_area[i] ==
+                std::fabs(static_cast<double>(
+                    double_area({v[0]->x, v[0]->y}, {v[1]->x, v[1]->y}, {v[2]->x, v[2]->y}))));
         if (nothing) {
             ++seen.nothing;
             continue;

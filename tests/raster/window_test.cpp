@@ -109,7 +109,7 @@ TEST_CASE("primitives fit windows by the quads of their boxes and by their edges
     CHECK_FALSE(fits({10, 20, 26, 37}));
     CHECK(fits({11, 21, 26, 36}));
     CHECK_FALSE(fits({11, 21, 27, 36})); // Its first quads begin a pixel before.
-    record.edges[2] = {-4000, 681, 0}; // 7 (4000 + 681) is the last that fits 15 bits.
+    record.edges[2] = {-4000, 681, 0};   // 7 (4000 + 681) is the last that fits 15 bits.
     CHECK(fits({10, 20, 18, 28}));
     record.edges[2].b = -682;
     CHECK_FALSE(fits({10, 20, 18, 28}));

@@ -115,7 +115,13 @@ TEST_CASE("The player alone is timed where nothing is drawn, and nowhere else") 
     const std::vector<std::vector<std::string>> refused{
         {"replay", trace.path(), "--player-only", "-o", folder / "out"},
         {"replay", trace.path(), "--player-only", "--benchmark", "2", "-o", folder / "out"},
-        {"replay", trace.path(), "--player-only", "--benchmark", "2", "--capture", folder / "a.ffc"},
+        {"replay",
+         trace.path(),
+         "--player-only",
+         "--benchmark",
+         "2",
+         "--capture",
+         folder / "a.ffc"},
     };
     for (const std::vector<std::string>& arguments : refused) {
         int status = 0;

@@ -13,9 +13,9 @@ namespace ffgpu::tools {
 struct ReplayOptions : RecordingOptions {
     std::string input;
     bool report_errors = false;
-    unsigned benchmark = 0; // times that the last frame is repeated; 0: no benchmark
+    unsigned benchmark = 0;   // times that the last frame is repeated; 0: no benchmark
     bool player_only = false; // Nothing is drawn: what is timed is the player and the driver.
-    unsigned samples = 1;   // of a pixel of a trace's windows
+    unsigned samples = 1;     // of a pixel of a trace's windows
     gl::SwapMode swap = gl::SwapMode::Copy;
     RtlDevice* rtl = nullptr; // draws and compares
 };
