@@ -97,11 +97,6 @@ unsigned array_type_bytes(GLenum type) {
 
 ArrayGather::ArrayGather(const VertexArrayObject& object) {
     for (std::size_t a = 0; a < Attributes; ++a) {
-        if (object.arrays[a].enabled)
-            format_ = widen(
-                format_, static_cast<Attribute>(a), static_cast<unsigned>(object.arrays[a].size));
-    }
-    for (std::size_t a = 0; a < Attributes; ++a) {
         if (object.arrays[a].enabled) add(static_cast<Attribute>(a), object.arrays[a]);
     }
 }
