@@ -121,14 +121,19 @@ void Bottlenecks::look(Place& place) {
     }
     for (const Way* const way : place.asked)
         if (way->link->pushed_at() == now) asked += way->link->pushed() - way->pushed;
-    count_work(place, static_cast<std::uint32_t>(std::max(taken, given)), refused);
+    count_work(place, {taken, given, refused});
+    const auto refuses = [now](const Link* link) {
+        return !link->carries_requests() && link->refused_at() == now;
+    };
+    const bool unit_refused = std::ranges::any_of(place.stage.unit->outputs(), refuses);
     // The cycles in which its unit slept were as the last one.
-    if (now > place.looked + 1) note_stall(place, place.activity, place.was_refused);
+    if (now > place.looked + 1) note_stall(place, place.activity, place.unit_was_refused);
     const Activity activity = place.stage.unit->activity();
-    note_stall(place, activity, refused);
-    if (taken + given + asked > 0) act(place, taken > 0);
+    note_stall(place, activity, unit_refused);
+    if (taken + given + asked > 0) act(place, {taken, given, refused});
     place.activity = activity;
     place.was_refused = refused;
+    place.unit_was_refused = unit_refused;
     place.looked = now;
     place.had_backlog =
         place.stage.input ? place.stage.input->arrival() <= now : place.stage.unit->has_backlog();
@@ -156,32 +161,30 @@ void Bottlenecks::take_answers(Place& place) {
     }
 }
 
-// A cycle in which it leaves work behind, or moves nothing, is all of it work; one in which it
-// takes all that is there, or is refused, is so in the part that what it moves needs.
-void Bottlenecks::count_work(Place& place, std::uint32_t items, bool refused) {
+// A cycle in which it leaves work behind is all of it work, unless it is refused or could have gone
+// on before.
+void Bottlenecks::count_work(Place& place, const Moved& moved) {
     const Stage& stage = place.stage;
-    const float passing = part(items, stage.width);
     if (stage.lookups_per_cycle > 0) {
         std::uint64_t lookups = 0;
         for (const Counter* const counter : stage.lookups)
             lookups += counter->value();
         place.work +=
             part(lookups - std::exchange(place.lookups, lookups), stage.lookups_per_cycle);
-        place.passing += passing;
-        place.passing_free += passing;
         return;
     }
     if (place.activity == Activity::Busy) {
         const auto gap = static_cast<float>(clock_.now() - place.looked - 1);
         place.busy += gap;
+        place.active += gap;
         if (place.had_backlog && !place.was_refused) place.work += gap;
     }
     if (stage.unit->activity() != Activity::Busy) return;
-    const float free = stage.free_width > 0 ? part(items, stage.free_width) : 0;
-    place.work += place.had_backlog && !refused ? 1 : std::min(passing, 1.0F);
-    place.passing_free += free;
-    place.busy += !refused || items == 0 ? 1 : std::min(passing, 1.0F);
-    place.busy_free += free;
+    ++place.active;
+    const bool is_refused = moved.refused || place.was_refused;
+    const bool moves = moved.taken > 0 || moved.given > 0;
+    if (place.had_backlog && !is_refused) ++place.work;
+    if (!is_refused || !moves) ++place.busy;
 }
 
 // The arbiter takes them.
@@ -217,16 +220,32 @@ void Bottlenecks::done(const MemoryRequest& request, std::uint64_t cycle) {
 
 // --- Moments -----------------------------------------------------------------------------------
 
-std::span<const Dependence> Bottlenecks::dependences(const Place& place) {
+// What is taken goes the way of what was taken before it, what is given that of what was given:
+// side by side.
+void Bottlenecks::find_port(const Stage& stage, const Moment& before, std::uint64_t items) {
+    if (items == 0) return;
+    const float takes = part(items, stage.width);
+    const float free = stage.free_width > 0 ? part(items, stage.free_width) : 0;
+    found_.add({&before, takes, {stage.resource, std::max(takes - free, 0.0F)}});
+}
+
+std::span<const Dependence> Bottlenecks::dependences(const Place& place, const Moved& moved) {
     const Cycle now = clock_.now();
     Dependences& found = found_;
     found.count = 0;
-    const float work = std::max(place.work, place.passing);
-    found.add(
-        {&place.last, work, {place.stage.resource, std::max(work - place.passing_free, 0.0F)}});
+    // Look-ups are of what is taken; other work holds up all.
+    const float work = place.work;
+    const bool looks_up = place.stage.lookups_per_cycle > 0;
+    found.add({&place.last, looks_up ? 0 : work, {place.stage.resource, looks_up ? 0 : work}});
+    if (looks_up && moved.taken > 0) found.add({&place.taken, work, {place.stage.resource, work}});
+    find_port(place.stage, place.taken, moved.taken);
+    find_port(place.stage, place.given, moved.given);
     for (const Way* const way : place.in) {
-        if (way->popped == way->link->popped()) continue;
-        const Moment& sent = way->sent[way->link->popped() - 1];
+        // One that is taken when done is worked on before.
+        const bool takes = way->popped != way->link->popped();
+        if (!takes && (way->link->arrival() > now || way->link->arrival() <= place.last.at))
+            continue;
+        const Moment& sent = way->sent[takes ? way->link->popped() - 1 : way->popped];
         const Cycle arrival = sent.at + way->link->latency();
         // What came behind the last moment has been worked on since, where it is taken when done.
         const float since =
@@ -236,7 +255,7 @@ std::span<const Dependence> Bottlenecks::dependences(const Place& place) {
         found.add({&sent,
                    latency + on_it,
                    {Resource::Links, latency - 1},
-                   {place.stage.resource, std::max(on_it - place.passing_free, 0.0F)}});
+                   {place.stage.resource, on_it}});
     }
     bool gives = false;
     for (const std::vector<Way*>* const ways : {&place.out, &place.asked}) {
@@ -247,9 +266,7 @@ std::span<const Dependence> Bottlenecks::dependences(const Place& place) {
         }
     }
     if (gives && place.stage.lookups_per_cycle == 0)
-        found.add({&place.taken,
-                   place.busy,
-                   {place.stage.resource, std::max(place.busy - place.busy_free, 0.0F)}});
+        found.add({&place.taken, place.busy, {place.stage.resource, place.busy}});
     if (place.on_memory)
         found.add({place.stage.unit == &parts_.drain ? &memory_.all() : place.memory, 1});
     if (place.drains) {
@@ -258,23 +275,49 @@ std::span<const Dependence> Bottlenecks::dependences(const Place& place) {
             if (&other > &place && (!last || other.last.at >= last->last.at)) last = &other;
         if (last && last->last.at < now) found.add({&last->last, 1});
     }
+    explain(place);
     return std::span(found.all).first(found.count);
 }
 
-void Bottlenecks::act(Place& place, bool takes) {
+// What none of them explains was waited for behind the last of them, or behind an answer of the
+// memory that came meanwhile: a unit that still does something else does not say that it waits for
+// it.
+void Bottlenecks::explain(const Place& place) {
     const Cycle now = clock_.now();
-    const std::span<const Dependence> all = dependences(place);
+    const auto last = [&]() -> Dependence& {
+        const std::span<Dependence> all = std::span(found_.all).first(found_.count);
+        return all[static_cast<std::size_t>(&last_of(all, now) - all.data())];
+    };
+    if (slack(last(), now) == 0) return;
+    if (place.stage.free_width == 0) { // It carries bytes between what it sends.
+        Dependence& own = found_.all[0];
+        const float carried = std::min(place.active, slack(own, now));
+        own.takes += carried;
+        own.first.cycles += carried;
+    }
+    const float more = slack(last(), now);
+    if (more == 0) return;
+    const Dependence answer{place.memory, 1};
+    if (slack(answer, now) < more) found_.add(answer);
+    last().takes += slack(last(), now);
+}
+
+void Bottlenecks::act(Place& place, const Moved& moved) {
+    const Cycle now = clock_.now();
+    const std::span<const Dependence> all = dependences(place, moved);
     const Dependence& last = last_of(all, now);
     WaitPaths::Path path = paths_.extend(last.moment->path, last.first.resource, now - 1);
     path = paths_.extend(path, place.stage.resource, now);
     saved_ = saved_after(all, last, now);
     place.last = {now, paths_.share(path), saved_};
-    if (takes) {
+    if (moved.taken > 0) {
         place.taken = place.last;
-        place.busy = place.busy_free = 0;
+        place.busy = 0;
     }
+    if (moved.given > 0) place.given = place.last;
     pass_on(place);
-    place.work = place.passing = place.passing_free = 0;
+    place.active = 0;
+    if (moved.taken > 0 || place.stage.lookups_per_cycle == 0) place.work = 0;
     place.on_memory = place.drains = false;
 }
 
@@ -291,7 +334,7 @@ void Bottlenecks::pass_on(Place& place) {
 void Bottlenecks::collect_paths() {
     heads_.clear();
     for (Place& place : places_)
-        heads_.insert(heads_.end(), {&place.last.path, &place.taken.path});
+        heads_.insert(heads_.end(), {&place.last.path, &place.taken.path, &place.given.path});
     for (Way& way : ways_)
         for (Moments* const moments : {&way.sent, &way.freed})
             for (Moment& moment : *moments)
@@ -320,7 +363,7 @@ std::vector<WaitPaths::Run> Bottlenecks::end_frame() {
     frame_begin_ = now;
     paths_.restart(now);
     for (Place& place : places_)
-        place.last = place.taken = {now, 0, {}};
+        place.last = place.taken = place.given = {now, 0, {}};
     for (Way& way : ways_)
         for (Moments* const moments : {&way.sent, &way.freed})
             std::fill(moments->begin(), moments->end(), Moment{});

@@ -4,10 +4,14 @@
 // Each stage of the pipe has a moment, that in which it last took or sent anything (moment.h). It
 // depends on
 //   - the one before, and the work of its own since then,
-//   - the moment in which what it takes was sent, and the way,
+//   - the last one in which it took, where it takes, and in which it gave, where it gives: a
+//   stage's
+//     way in and its way out are used side by side,
+//   - the moment in which what it takes, or works on, was sent, and the way,
 //   - the moment in which a place came free for what it sends,
 //   - the memory's last answer, where it waited for the memory,
 //   - the last moment of the stages behind it, where it waited until they are done.
+// What it waited for beyond all of these it waited for behind the last of them.
 // The moment that is last, at the end of a frame, is the frame's.
 
 #pragma once
@@ -111,6 +115,11 @@ private:
         // When the place of the item came free; long ago where it is the first there.
         const Moment& place_freed(std::uint64_t item) const { return freed[item - link->places()]; }
     };
+    // What went by in a cycle: items.
+    struct Moved {
+        std::uint64_t taken = 0, given = 0;
+        bool refused = false;
+    };
     struct Place {
         Stage stage;
         std::vector<Way*> in, out, asked, answered;
@@ -119,13 +128,12 @@ private:
         Cycle looked = 0;
         Activity activity = Activity::Idle; // then
         bool had_backlog = false, was_refused = false;
+        bool unit_was_refused = false; // by any of the unit's ways out
         std::uint64_t lookups = 0;
-        // Since its last moment: cycles of its own work that held up others, those of them that
-        // what it moved needs, and those that it would without its resource's limits.
-        float work = 0, passing = 0, passing_free = 0;
-        // Since it took anything: all cycles of its work, and without those limits.
-        Moment taken{};
-        float busy = 0, busy_free = 0;
+        // Cycles since its last moment: of its work that held up others, and of all of it.
+        float work = 0, active = 0;
+        Moment taken{}, given{};
+        float busy = 0; // Since it took anything: all cycles of its work.
         bool on_memory = false, drains = false;
     };
     static constexpr std::size_t Most = 48; // dependences of a moment
@@ -143,10 +151,12 @@ private:
     void look(Place& place);
     static void note_stall(Place& place, Activity activity, bool refused);
     void take_answers(Place& place);
-    void count_work(Place& place, std::uint32_t items, bool refused);
-    void act(Place& place, bool takes);
+    void count_work(Place& place, const Moved& moved);
+    void act(Place& place, const Moved& moved);
     // Until the next call.
-    std::span<const Dependence> dependences(const Place& place);
+    std::span<const Dependence> dependences(const Place& place, const Moved& moved);
+    void find_port(const Stage& stage, const Moment& before, std::uint64_t items);
+    void explain(const Place& place);
     void pass_on(Place& place);
     void take_requests();
     void collect_paths();
