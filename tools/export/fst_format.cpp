@@ -58,6 +58,9 @@ public:
         if (time > time_) fstWriterEmitTimeChange(writer_, time);
         time_ = time;
         value(unit, activity);
+        if (++waiting_ < MostWaiting) return;
+        fstWriterFlushContext(writer_); // where time goes on
+        waiting_ = 0;
     }
 
     // The writer does not say where a disk was full: what was written is looked at.
@@ -77,6 +80,8 @@ public:
 
 private:
     static constexpr std::uint32_t Bits = 3;
+    // Changes that the writer keeps in memory: by itself it waits for 128 MB of them.
+    static constexpr std::uint32_t MostWaiting = 1u << 19;
 
     static std::string legend() {
         std::string text = "a unit of time is a cycle; activity:";
@@ -94,6 +99,7 @@ private:
     void* writer_;
     std::vector<fstHandle> variables_;
     std::uint64_t time_ = 0;
+    std::uint32_t waiting_ = 0;
 };
 
 } // namespace
