@@ -5,7 +5,7 @@
 // A divisor a cycle; a quad without any takes one cycle.
 
 module divisor_pass #(
-  parameter int unsigned QuadDepth = 8,
+  parameter int unsigned QuadDepth = ffgpu_registers_pkg::DividedQuads,
   parameter int unsigned DivisorDepth = 16
 ) (
   input  logic                            clk_i,

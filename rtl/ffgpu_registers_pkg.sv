@@ -1325,4 +1325,36 @@ package ffgpu_registers_pkg;
     };
   endfunction
 
+  // The fragment pipe in numbers: model/device/pipe_numbers.h.
+  localparam int unsigned WalkerLatency = 1;  // cycles: tile_walker, from a quad's place to its output
+  localparam int unsigned DepthPlaneLatency = 2;  // cycles
+  localparam int unsigned AttributePlaneLatency = 2;  // cycles
+  localparam int unsigned PerspectiveLatency = 4;  // cycles
+  localparam int unsigned ReciprocalLatency = 6;  // cycles
+  localparam int unsigned LevelOfDetailLatency = 6;  // cycles
+  localparam int unsigned TexelAddressLatency = 9;  // cycles
+  localparam int unsigned TexelFetchLatency = 1;  // cycles
+  localparam int unsigned TexelCacheLatency = 2;  // cycles, where the line is there
+  localparam int unsigned TexelDecodeLatency = 2;  // cycles
+  localparam int unsigned FilterTreeLatency = 5;  // cycles
+  localparam int unsigned TextureEnvironmentLatency = 3;  // cycles
+  localparam int unsigned ColorSumLatency = 1;  // cycles
+  localparam int unsigned FogLatency = 6;  // cycles
+  localparam int unsigned ApplyCoverageLatency = 1;  // cycles
+  localparam int unsigned AlphaTestLatency = 1;  // cycles
+  localparam int unsigned QuadInterlockLatency = 1;  // cycles
+  localparam int unsigned StencilDepthLatency = 1;  // cycles
+  localparam int unsigned BlendLatency = 3;  // cycles
+  localparam int unsigned TargetWriteLatency = 1;  // cycles: from a quad to its store's being offered
+  localparam int unsigned FifoLatency = 1;  // cycles: a queue or a register
+  localparam int unsigned WalkedQuads = 4;  // places: quads beside depth_plane
+  localparam int unsigned DividedQuads = 8;  // places: quads whose divisors are made
+  localparam int unsigned PendingQuads = 16;  // places: quads that wait for their samples
+  localparam int unsigned TargetQuads = 16;  // places: quads between the read of a target and the store
+  localparam int unsigned TexelQueue = 32;  // places: texels between tags and data
+  localparam int unsigned CacheSetBits = 4;  // of the texel cache's sets
+  localparam int unsigned CacheWayBits = 2;  // of its ways
+  localparam int unsigned LineBits = 6;  // of the bytes of a line
+  localparam int unsigned FillBits = 3;  // of lines on their way
+
 endpackage

@@ -22,7 +22,7 @@ module fog (
 );
 
   localparam int unsigned Lanes = ffgpu_pkg::Lanes;
-  localparam int unsigned FactorStages = 5;
+  localparam int unsigned FactorStages = ffgpu_registers_pkg::FogLatency - 1;
 
   // Number i enters stage i; those behind the last one enter the colour's.
   ffgpu_pkg::fog_quad_t              first, last;

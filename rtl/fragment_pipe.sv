@@ -8,8 +8,11 @@
 // docs/rtl.md has the diagram.
 
 module fragment_pipe #(
-  parameter int unsigned LineBits = 6,
-  parameter int unsigned FillBits = 3
+  parameter int unsigned LineBits = ffgpu_registers_pkg::LineBits,
+  parameter int unsigned FillBits = ffgpu_registers_pkg::FillBits,
+  parameter int unsigned SetBits = ffgpu_registers_pkg::CacheSetBits,  // of the texel cache
+  parameter int unsigned QueueDepth = ffgpu_registers_pkg::TexelQueue,  // texels
+  parameter int unsigned TargetQuads = ffgpu_registers_pkg::TargetQuads  // between read and store
 ) (
   input  logic                            clk_i,
   input  logic                            rst_ni,
@@ -60,7 +63,7 @@ module fragment_pipe #(
   output ffgpu_pipe_pkg::target_store_t   color_store_o
 );
 
-  localparam int unsigned PendingDepth = 16;
+  localparam int unsigned PendingDepth = ffgpu_registers_pkg::PendingQuads;
   // As many samples as a quad can have: its first units' wait here for its last unit's request.
   localparam int unsigned SampleDepth = 32;
 
@@ -166,8 +169,10 @@ module fragment_pipe #(
 
   // Samples, and the quads that wait for them.
   texture_unit #(
-    .LineBits(LineBits),
-    .FillBits(FillBits)
+    .LineBits  (LineBits),
+    .FillBits  (FillBits),
+    .SetBits   (SetBits),
+    .QueueDepth(QueueDepth)
   ) u_texture (
     .clk_i,
     .rst_ni,
@@ -241,7 +246,9 @@ module fragment_pipe #(
     .out_ready_i(shaded_ready),
     .out_data_o (shaded)
   );
-  target_stages u_targets (
+  target_stages #(
+    .Entries(TargetQuads)
+  ) u_targets (
     .clk_i,
     .rst_ni,
     .state_0_i (state_0),

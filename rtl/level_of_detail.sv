@@ -21,7 +21,7 @@ module level_of_detail (
   output ffgpu_texture_pkg::quad_levels_t   out_data_o
 );
 
-  localparam int unsigned Stages = 5;
+  localparam int unsigned Stages = ffgpu_registers_pkg::LevelOfDetailLatency - 1;
 
   ffgpu_texture_pkg::level_steps_t     first, last;
   localparam int unsigned Width = $bits(first);

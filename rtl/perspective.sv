@@ -19,7 +19,7 @@ module perspective (
   output ffgpu_pkg::lane_values_t      out_data_o
 );
 
-  localparam int unsigned Stages = 4;
+  localparam int unsigned Stages = ffgpu_registers_pkg::PerspectiveLatency;
 
   ffgpu_pkg::perspective_quad_t last;
   localparam int unsigned Width = $bits(last);

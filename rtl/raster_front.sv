@@ -24,7 +24,7 @@ module raster_front (
   output logic [ffgpu_pipe_pkg::SlotWidth-1:0] slot_o
 );
 
-  localparam int unsigned SideDepth = 4;
+  localparam int unsigned SideDepth = ffgpu_registers_pkg::WalkedQuads;
 
   ffgpu_pipe_pkg::setup_record_t   record;
   ffgpu_pipe_pkg::shading_header_t shading;

@@ -18,7 +18,7 @@ module reciprocal (
   output ffgpu_pkg::tagged_float_t out_data_o
 );
 
-  localparam int unsigned Stages = 5;
+  localparam int unsigned Stages = ffgpu_registers_pkg::ReciprocalLatency - 1;
   localparam logic [24:0] FirstRemainder = 25'h080_0000;  // 2^48 but for the 25 bits to come
 
   ffgpu_pkg::division_t        first, last;

@@ -5,7 +5,7 @@
 // answers in the order of the requests. A draw without the target reads nothing.
 
 module target_read #(
-  parameter int unsigned Entries = 16
+  parameter int unsigned Entries = ffgpu_registers_pkg::TargetQuads
 ) (
   input  logic                            clk_i,
   input  logic                            rst_ni,

@@ -1,7 +1,9 @@
 // From the alpha test to the targets: stencil_depth and blend, each between the read and the store
 // of its target. Quads without a live lane go no further.
 
-module target_stages (
+module target_stages #(
+  parameter int unsigned Entries = ffgpu_registers_pkg::TargetQuads
+) (
   input  logic                            clk_i,
   input  logic                            rst_ni,
 
@@ -58,7 +60,9 @@ module target_stages (
   assign lives      = in_data_i.live != 4'd0;
   assign in_ready_o = read_ready || !lives;
 
-  target_read u_depth_read (
+  target_read #(
+    .Entries(Entries)
+  ) u_depth_read (
     .clk_i,
     .rst_ni,
     .place_0_i       (state_0_i.depth_place),
@@ -114,7 +118,9 @@ module target_stages (
   assign tested_lives = tested.live != 4'd0;
   assign tested_ready = color_read_ready || !tested_lives;
 
-  target_read u_color_read (
+  target_read #(
+    .Entries(Entries)
+  ) u_color_read (
     .clk_i,
     .rst_ni,
     .place_0_i       (state_0_i.color_place),

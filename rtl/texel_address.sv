@@ -21,7 +21,7 @@ module texel_address (
   output ffgpu_texture_pkg::texel_request_t out_data_o
 );
 
-  localparam int unsigned Stages = 7;
+  localparam int unsigned Stages = ffgpu_registers_pkg::TexelAddressLatency - 2;
 
   ffgpu_texture_pkg::texel_walk_t      last;
   localparam int unsigned Width = $bits(last);

@@ -7,11 +7,11 @@
 // it into the cache. What hits and misses is what ffgpu::work::TagArray says for the same order.
 
 module texel_cache #(
-  parameter int unsigned SetBits = 4,
-  parameter int unsigned WayBits = 2,
-  parameter int unsigned LineBits = 6,   // of an address inside a line: 5 or more
-  parameter int unsigned FillBits = 3,   // lines on their way, as a power of two
-  parameter int unsigned QueueDepth = 32
+  parameter int unsigned SetBits = ffgpu_registers_pkg::CacheSetBits,
+  parameter int unsigned WayBits = ffgpu_registers_pkg::CacheWayBits,
+  parameter int unsigned LineBits = ffgpu_registers_pkg::LineBits,  // of an address inside a line: 5 or more
+  parameter int unsigned FillBits = ffgpu_registers_pkg::FillBits,  // lines on their way, as a power of two
+  parameter int unsigned QueueDepth = ffgpu_registers_pkg::TexelQueue
 ) (
   input  logic                           clk_i,
   input  logic                           rst_ni,

@@ -2,8 +2,10 @@
 // which asks no memory. In their order, ready to be decoded.
 
 module texel_supply #(
-  parameter int unsigned LineBits = 6,
-  parameter int unsigned FillBits = 3,
+  parameter int unsigned LineBits = ffgpu_registers_pkg::LineBits,
+  parameter int unsigned FillBits = ffgpu_registers_pkg::FillBits,
+  parameter int unsigned SetBits = ffgpu_registers_pkg::CacheSetBits,  // of the texel cache
+  parameter int unsigned QueueDepth = ffgpu_registers_pkg::TexelQueue,
   parameter int unsigned NoteDepth = 64
 ) (
   input  logic                             clk_i,
@@ -66,8 +68,10 @@ module texel_supply #(
     end
   end
   texel_cache #(
-    .LineBits(LineBits),
-    .FillBits(FillBits)
+    .LineBits  (LineBits),
+    .FillBits  (FillBits),
+    .SetBits   (SetBits),
+    .QueueDepth(QueueDepth)
   ) u_cache (
     .clk_i,
     .rst_ni     (keeps_q),

@@ -7,8 +7,10 @@
 // is the quad's last unit.
 
 module texture_unit #(
-  parameter int unsigned LineBits = 6,
-  parameter int unsigned FillBits = 3
+  parameter int unsigned LineBits = ffgpu_registers_pkg::LineBits,
+  parameter int unsigned FillBits = ffgpu_registers_pkg::FillBits,
+  parameter int unsigned SetBits = ffgpu_registers_pkg::CacheSetBits,  // of the texel cache
+  parameter int unsigned QueueDepth = ffgpu_registers_pkg::TexelQueue
 ) (
   input  logic                            clk_i,
   input  logic                            rst_ni,
@@ -148,8 +150,10 @@ module texture_unit #(
     .out_data_o (filter)
   );
   texel_supply #(
-    .LineBits(LineBits),
-    .FillBits(FillBits)
+    .LineBits  (LineBits),
+    .FillBits  (FillBits),
+    .SetBits   (SetBits),
+    .QueueDepth(QueueDepth)
   ) u_supply (
     .clk_i,
     .rst_ni,

@@ -94,6 +94,7 @@ private:
     void bin_triangle(const Primitive& triangle, unsigned place);
     void bin_primitive(const Primitive& primitive);
     SetupRecord& begin_record(const Primitive& primitive);
+    void tell_set_up(const SetupRecord& record);
     void count_empty();
     void count_area(const Rectangle& box, double double_area);
     void draw_in_geometry(const DrawCommand& command);

@@ -6,6 +6,7 @@
 #include "model/gpu/functional_gpu.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <utility>
 
@@ -59,9 +60,36 @@ std::size_t leading_triangles(std::span<const Primitive> batch) {
     return count;
 }
 
+// Attributes of the record that vary; of the texture units' q alone, or of all.
+unsigned varying_planes(const InterpolantLayout& layout, const SetupRecord& record, bool q_alone) {
+    unsigned planes = 0;
+    for (unsigned unit = 0; unit < TextureUnits; ++unit) {
+        if (layout.tex_coord[unit] < 0) continue;
+        const unsigned components = layout.tex_components[unit];
+        planes += q_alone ? components / 4 : components;
+    }
+    if (q_alone) return planes;
+    if (layout.color >= 0 && !record.constant_color) planes += 4;
+    if (layout.secondary >= 0 && !record.constant_secondary) planes += 3;
+    return planes + (layout.fog >= 0);
+}
+
 PieceBox piece_box(const Rectangle& box) {
     const auto narrow = [](int at) { return static_cast<std::uint16_t>(at); };
     return {narrow(box.x0), narrow(box.y0), narrow(box.x1), narrow(box.y1)};
+}
+
+// What set-up made of it.
+void add_set_up(const InterpolantLayout& layout, const SetupRecord& record, PieceBox& piece) {
+    const auto count = [](unsigned n) { return static_cast<std::uint8_t>(n); };
+    static_assert(PieceBox::BlockWidth == BlockSize);
+    piece.touched_blocks = touched_blocks(edge_set(record));
+    const unsigned varying = varying_planes(layout, record, false);
+    piece.perspective = record.perspective;
+    piece.planes = count(varying + record.perspective);
+    piece.values = count(varying - varying_planes(layout, record, true));
+    piece.divisors = count((record.perspective && varying != 0) +
+                           static_cast<unsigned>(std::popcount(record.divided_units)));
 }
 
 } // namespace
@@ -212,6 +240,7 @@ void FunctionalGpu::bin_triangle(const Primitive& triangle, unsigned place) {
     count_area(group.box[place], group.double_area[place]);
     if (is(group.nothing)) return;
     write_record(context_->setup, group, place, triangle, record);
+    tell_set_up(record);
     bin_.insert();
 }
 
@@ -246,7 +275,14 @@ void FunctionalGpu::bin_primitive(const Primitive& primitive) {
                         .record = covers ? &record : nullptr});
     if (!covers) return count_empty();
     count_area(record.box, double_area_of(record));
-    if (!record.covers_nothing) bin_.insert();
+    if (record.covers_nothing) return;
+    tell_set_up(record);
+    bin_.insert();
+}
+
+// Of the piece that was counted last.
+void FunctionalGpu::tell_set_up(const SetupRecord& record) {
+    if (sink_) add_set_up(context_->setup.layout, record, geometry_work_.pieces.back());
 }
 
 void FunctionalGpu::count_empty() {

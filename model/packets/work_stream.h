@@ -76,9 +76,19 @@ struct PrimitiveWork {
     bool operator==(const PrimitiveWork&) const = default;
 };
 
-// The pixels that a piece may cover: what a rasterizer has to walk. Empty: it cannot cover any.
+// The pixels that a piece may cover: what a rasterizer has to walk. Empty: it cannot cover any. And
+// what set-up made of the piece.
 struct PieceBox {
+    static constexpr unsigned BlockWidth = 8; // pixels
+
     std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0; // half open
+    std::uint32_t touched_blocks = 0;             // that neither box nor an edge rules out as a
+                                                  // whole; 0: no quad will be found
+    // Attributes that vary over the piece, each with a plane. Those are values that quads get, and
+    // q of texture units; `divisors` are w and the q that are not 1 at every vertex.
+    std::uint8_t planes = 0; // with that of 1/w
+    std::uint8_t values = 0, divisors = 0;
+    bool perspective = false; // There is a plane of 1/w.
 
     bool empty() const { return x0 == x1; }
     bool operator==(const PieceBox&) const = default;

@@ -48,6 +48,17 @@ void cover_windows_scalar(const EdgeSet& edges, const Rectangle& tile, TileCover
         }
 }
 
+std::uint32_t touched_blocks(const EdgeSet& edges) {
+    constexpr int Last = BlockSize - 1;
+    std::uint32_t touched = 0;
+    for (int y = edges.box.y0 / BlockSize * BlockSize; y < edges.box.y1; y += BlockSize)
+        for (int x = edges.box.x0 / BlockSize * BlockSize; x < edges.box.x1; x += BlockSize)
+            touched += std::all_of(edges.edges.begin(), edges.edges.end(), [&](const Edge& edge) {
+                return edge.at(edge.a > 0 ? x + Last : x, edge.b > 0 ? y + Last : y) >= 0;
+            });
+    return touched;
+}
+
 bool may_touch(const SetupRecord& record, const Rectangle& tile) {
     const Rectangle area = intersect(record.box, tile);
     if (area.empty()) return false;

@@ -109,6 +109,10 @@ inline BlockMask rectangle_mask(const Rectangle& rectangle, int x, int y) {
            Bounds.from_y[bound(rectangle.y0 - y)] & ~Bounds.from_y[bound(rectangle.y1 - y)];
 }
 
+// Blocks of BlockSize pixels that neither the box nor an edge rules out as a whole: those in which
+// a rasterizer that works by blocks looks for pixels.
+std::uint32_t touched_blocks(const EdgeSet& edges);
+
 // False where the tile is certainly outside an edge.
 bool may_touch(const SetupRecord& record, const Rectangle& tile);
 

@@ -13,10 +13,41 @@ ColorTiming::ColorTiming(sc_core::sc_module_name name,
     , ports_(ports)
     , in_flight_(in_flight)
     , on_retire_(std::move(on_retire))
-    , parked_(config.color_cache.fragment_fifo * config.raster.quads_per_cycle) {}
+    , parked_(config.color_cache.fragment_fifo * config.raster.quads_per_cycle)
+    , interlock_(config.color_cache.fragment_fifo) {}
+
+// Without a cache: of every quad, whatever of it is changed.
+bool ColorTiming::read_pixels(Activity& reason) {
+    const QuadToken& token = ports_.quads_in.front();
+    if (!interlock_.admits(token.quad())) {
+        blame(reason, Activity::StalledMemory);
+        return false;
+    }
+    const auto lines = token.scene->work.color_lines(token.quad());
+    if (!lines.empty() && !walk_.read(ports_.cache, lines.front())) {
+        blame(reason, Activity::StalledRequests);
+        return false;
+    }
+    interlock_.enter(token.quad());
+    parked_.park(ports_.quads_in.pop(), walk_.end());
+    return true;
+}
+
+void ColorTiming::store_pixels(const QuadToken& token) {
+    const work::PreparedScene& work = token.scene->work;
+    const auto lines = work.color_lines(token.quad());
+    if (token.draw().writes_color && !lines.empty())
+        ports_.cache.write_memory(lines.front(), work.color_bytes(token.quad(), 0).touched);
+    interlock_.store(now() + config_.color_cache.store_cycles);
+}
+
+Cycle ColorTiming::next_work(Activity last) const {
+    return interlock_.changes() ? now() + 1 : Unit::next_work(last);
+}
 
 bool ColorTiming::look_up(Activity& reason) {
     if (!ports_.quads_in.can_pop()) return false;
+    if (!ports_.cache.is_enabled()) return read_pixels(reason);
     if (parked_.is_full()) {
         blame(reason, Activity::StalledMemory);
         return false;
@@ -58,6 +89,7 @@ bool ColorTiming::retire(Activity& reason) {
         return false;
     }
     const QuadToken token = parked_.pop();
+    if (!ports_.cache.is_enabled()) store_pixels(token);
     on_retire_(token, now());
     token.scene->retire_quad(token.index, now());
     in_flight_.leave();
@@ -66,6 +98,7 @@ bool ColorTiming::retire(Activity& reason) {
 
 Activity ColorTiming::step() {
     ports_.cache.begin_cycle(ports_.responses_in);
+    interlock_.begin_cycle(now());
     Activity reason = Activity::Idle;
     bool worked = false;
     for (std::uint32_t i = 0; i < config_.raster.quads_per_cycle && retire(reason); ++i)
@@ -74,6 +107,7 @@ Activity ColorTiming::step() {
         config_.color_cache.lookups_per_cycle * config_.raster.quads_per_cycle;
     for (std::uint32_t i = 0; i < lookups && look_up(reason); ++i)
         worked = true;
+    if (interlock_.changes()) blame(reason, Activity::StalledMemory); // Stores are under way.
     return worked ? Activity::Busy : reason;
 }
 

@@ -8,6 +8,7 @@
 #include "model/timing/in_flight.h"
 #include "model/timing/parked_quads.h"
 #include "model/timing/quad_observer.h"
+#include "model/timing/target_interlock.h"
 #include "model/timing/unit.h"
 
 #include <functional>
@@ -38,6 +39,9 @@ public:
 private:
     Activity step() override;
     bool look_up(Activity& reason);
+    bool read_pixels(Activity& reason);
+    void store_pixels(const QuadToken& token);
+    Cycle next_work(Activity last) const override;
     void follow_values(const QuadToken& token, std::uint64_t line);
     bool retire(Activity& reason);
 
@@ -46,7 +50,8 @@ private:
     InFlight& in_flight_;
     std::function<void(const QuadToken&, Cycle)> on_retire_;
     ParkedQuads parked_;
-    LineWalk walk_; // of the quad that is looked up
+    LineWalk walk_;             // of the quad that is looked up
+    TargetInterlock interlock_; // without a cache
     QuadObserver* observer_ = nullptr;
 };
 

@@ -42,6 +42,8 @@ Activity CommandProcessor::step() {
 
 // What an image reads is asked for while the picture is drawn; the next command waits for that.
 Activity CommandProcessor::draw(const DrawToken& draw) {
+    if (config_.command_processor.drains && !decoding_ && !in_flight_.was_empty())
+        return Activity::StalledOutput;
     if (!decoding_) {
         decoding_ = true;
         decoded_at_ = now() + config_.command_processor.draw_cycles - 1;

@@ -13,6 +13,7 @@
 #include "model/timing/config/depth.h"
 #include "model/timing/config/fragment.h"
 #include "model/timing/config/host.h"
+#include "model/timing/config/interpolator.h"
 #include "model/timing/config/raster.h"
 #include "model/timing/config/scan_out.h"
 #include "model/timing/config/series.h"
@@ -37,6 +38,7 @@ struct TimingConfig {
     ClipConfig clip;
     SetupConfig setup;
     RasterConfig raster;
+    InterpolatorConfig interpolator;
     TextureConfig texture;
     TilesConfig tiles;
     TexelCacheConfig texel_cache;
@@ -84,6 +86,7 @@ struct TimingConfig {
         each(self.clip);
         each(self.setup);
         each(self.raster);
+        each(self.interpolator);
         each(self.texture);
         each(self.tiles);
         each(self.texel_cache);

@@ -40,7 +40,8 @@ DepthTiming::DepthTiming(sc_core::sc_module_name name,
     , orders_writes_(ports.blocks != nullptr ||
                      config.depth.test == work::DepthTest::EarlyWhereExact)
     , early_(config.depth_cache.fragment_fifo * config.raster.quads_per_cycle)
-    , late_(config.depth_cache.fragment_fifo * config.raster.quads_per_cycle) {}
+    , late_(config.depth_cache.fragment_fifo * config.raster.quads_per_cycle)
+    , interlock_(config.depth_cache.fragment_fifo) {}
 
 bool DepthTiming::tests_here(Path path, const PreparedDraw& draw) const {
     if (!draw.uses_depth) return false;
@@ -181,6 +182,7 @@ bool DepthTiming::look_up_lines(Path path,
 
 // Takes one quad in and looks its line up if it is tested on this path.
 bool DepthTiming::look_up(Path path, Budget& budget, Activity& reason) {
+    if (is_past_cache(path)) return read_pixels(reason);
     Channel<QuadToken>& in = path == Path::Early ? ports_.early_in : ports_.late_in;
     ParkedQuads& parked = path == Path::Early ? early_ : late_;
     if (parked.is_full()) {
@@ -229,6 +231,7 @@ bool DepthTiming::send(Path path, Activity& reason) {
         return false;
     }
     const QuadToken token = parked.pop();
+    if (is_past_cache(path)) store_pixels(token);
     if (dies) {
         token.scene->end_dead_quad(token.index, now());
         in_flight_.leave();
@@ -240,6 +243,7 @@ bool DepthTiming::send(Path path, Activity& reason) {
 
 Activity DepthTiming::step() {
     ports_.cache.begin_cycle(ports_.responses_in);
+    interlock_.begin_cycle(now());
     Activity reason = Activity::Idle;
     bool worked = false;
     const std::uint32_t pipes = config_.raster.quads_per_cycle;
@@ -253,6 +257,7 @@ Activity DepthTiming::step() {
         for (std::uint32_t i = 0; i < pipes && in.can_pop() && look_up(path, budget, reason); ++i)
             worked = true;
     }
+    if (interlock_.changes()) blame(reason, Activity::StalledMemory); // Stores are under way.
     return worked ? Activity::Busy : reason;
 }
 

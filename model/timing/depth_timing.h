@@ -15,6 +15,7 @@
 #include "model/timing/parked_quads.h"
 #include "model/timing/pending_writes.h"
 #include "model/timing/quad_observer.h"
+#include "model/timing/target_interlock.h"
 #include "model/timing/unit.h"
 
 namespace ffgpu::timing {
@@ -65,6 +66,11 @@ private:
     bool tests_here(Path path, const PreparedDraw& draw) const;
     bool writes_late(const PreparedDraw& draw) const;
     bool send(Path path, Activity& reason); // the oldest of those parked
+    bool read_pixels(Activity& reason);
+    void store_pixels(const QuadToken& token);
+    bool end_dead(const QuadToken& token);
+    Cycle next_work(Activity last) const override;
+    bool is_past_cache(Path path) const { return path == Path::Late && !ports_.cache.is_enabled(); }
 
     const TimingConfig& config_;
     const Ports ports_;
@@ -73,7 +79,8 @@ private:
     ParkedQuads early_, late_;
     LineWalk early_walk_, late_walk_; // of the quads that are looked up
     Coarse coarse_ = Coarse::Untested;
-    PendingWrites pending_; // by place
+    PendingWrites pending_;     // by place
+    TargetInterlock interlock_; // without a cache
     QuadObserver* observer_ = nullptr;
 };
 

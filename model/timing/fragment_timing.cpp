@@ -1,6 +1,7 @@
 #include "model/timing/fragment_timing.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ffgpu::timing {
 
@@ -20,7 +21,25 @@ void FragmentTiming::distribute() {
     }
 }
 
+// A quad leaves at the end of its cycles.
+Activity FragmentTiming::go_round(std::size_t number) {
+    Pipe& pipe = pipes_[number];
+    if (pipe.waiting.empty()) return Activity::Idle;
+    if (!std::exchange(pipe.inside, true))
+        pipe.cycles_left = config_.fragment.cycles(pipe.waiting.front().draw().combiners);
+    if (pipe.cycles_left > 1) {
+        --pipe.cycles_left;
+        return Activity::Busy;
+    }
+    if (!exit_.can_push(number)) return Activity::StalledOutput;
+    exit_.push(number, pipe.waiting.front());
+    pipe.waiting.pop_front();
+    pipe.inside = false;
+    return Activity::Busy;
+}
+
 Activity FragmentTiming::step(std::size_t number) {
+    if (config_.fragment.entry_cycles > 0) return go_round(number);
     Pipe& pipe = pipes_[number];
     if (pipe.cycles_left > 0) {
         --pipe.cycles_left;

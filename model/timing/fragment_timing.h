@@ -36,6 +36,7 @@ private:
     struct Pipe {
         Ring<QuadToken> waiting;
         std::uint32_t cycles_left = 0; // before it takes a quad again
+        bool inside = false;           // with entry_cycles: the first that waits
     };
 
     Activity step() override;
@@ -51,6 +52,7 @@ private:
     bool can_distribute() const;
     void distribute();
     Activity step(std::size_t number);
+    Activity go_round(std::size_t number);
 
     const TimingConfig& config_;
     const Ports ports_;

@@ -3,6 +3,7 @@
 #include "model/timing/cache_checks.h"
 #include "model/timing/machine_thread.h"
 #include "model/timing/memory_lines.h"
+#include "model/timing/pipe_checks.h"
 #include "model/timing/target_blocks.h"
 
 #include <utility>
@@ -22,6 +23,7 @@ GpuTiming::GpuTiming(const TimingConfig& config,
     check_refresh(config.memory);
     check_caches(config);
     check_blocks(config);
+    check_pipe(config);
     const SimulationContext::Scope scope(*context_);
     machine_ = std::make_unique<Machine>(*context_, config, evaluation, make_memory);
     thread_ = std::make_unique<MachineThread>(*machine_);

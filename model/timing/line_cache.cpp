@@ -91,6 +91,22 @@ LookupResult LineCache::look_up_absent(const LineAccess& access, TagArray::Line*
     return {.accepted = true, .missed = true, .ticket = line.fill};
 }
 
+LookupResult LineCache::read_memory(std::uint64_t number) {
+    if (!can_fetch()) return {};
+    ++statistics_.accesses;
+    count_miss(classifier_.access(number));
+    classifier_.drop(number);
+    return {.accepted = true, .missed = true, .ticket = fetch(number)};
+}
+
+void LineCache::write_memory(std::uint64_t number, LineMask written) {
+    const std::uint32_t bytes = moved_bytes(written & grain_.all());
+    if (bytes == 0) return;
+    statistics_.dirtied_bytes += grain_.count_bytes(written & grain_.all());
+    statistics_.written_bytes += bytes;
+    post({number, bytes, 0}, true);
+}
+
 LookupResult LineCache::look_up_optimal(const LineAccess& access) {
     check(access.written == 0, "a cache with optimal replacement is only read");
     if (const std::uint64_t* const found = optimal_->find(access.number)) {

@@ -67,6 +67,12 @@ public:
         return repeats_last(access) ? look_up_last(access) : look_up_any(access);
     }
 
+    // Past the cache (CacheConfig::enable is off): a read of the line's bytes, and the store of
+    // some of them, which waits for nobody.
+    LookupResult read_memory(std::uint64_t number);
+    void write_memory(std::uint64_t number, LineMask written);
+    bool is_enabled() const { return config_.enable; }
+
     bool is_complete(std::uint64_t ticket) const { return ticket < first_incomplete_; }
 
     // Lines have come that take some cycles to expand.

@@ -1,7 +1,7 @@
 #include "model/timing/machine.h"
 
 #include "model/timing/machine_stuck.h"
-#include "model/timing/memory_controller.h"
+#include "model/timing/memory_kinds.h"
 
 #include <utility>
 
@@ -26,6 +26,11 @@ CacheConfig index_cache(const VertexConfig& config) {
     cache.sets = 1;
     cache.ways = std::max(config.index_cache_lines, 1u);
     return cache;
+}
+
+// From the unit that makes quads whole: rasterizer or interpolator.
+Cycle latency_of_quads(const TimingConfig& config) {
+    return config.interpolator.is_on() ? config.interpolator.latency : config.raster.latency;
 }
 
 // Of primitives a cycle.
@@ -67,12 +72,18 @@ Machine::Machine(const SimulationContext& kernel,
     , clipped(clock, config.setup.queue)
     , setups(clock, config.setup.queue)
     , bins(clock, 1)
-    , raster_to_depth(clock, config.raster.queue)
-    , depth_to_texture(clock, config.fragment.queue)
+    , raster_to_interpolator(clock, config.raster.queue, config.raster.latency)
+    , raster_to_depth(
+          clock, config.raster.queue, latency_of_quads(config), config.raster.quads_per_cycle)
+    , depth_to_texture(clock,
+                       config.fragment.queue,
+                       config.depth_cache.enable ? 1 : latency_of_quads(config),
+                       config.raster.quads_per_cycle)
     , texture_to_fragment(clock, config.fragment.queue)
     , fragment_to_depth(
           clock, config.fragment.queue, config.fragment.latency, config.raster.quads_per_cycle)
-    , depth_to_color(clock, config.fragment.queue)
+    , depth_to_color(
+          clock, config.fragment.queue, config.depth_cache.latency, config.raster.quads_per_cycle)
     , host("host",
            clock,
            config,
@@ -119,8 +130,18 @@ Machine::Machine(const SimulationContext& kernel,
     , raster("raster",
              clock,
              config.raster,
-             {.setups_in = setups, .bins_in = bins, .quads_out = raster_to_depth},
+             {.setups_in = setups,
+              .bins_in = bins,
+              .quads_out = config.interpolator.is_on() ? raster_to_interpolator : whole_quads()},
              in_flight)
+    , interpolator(config.interpolator.is_on()
+                       ? std::make_unique<InterpolatorTiming>(
+                             "interpolator",
+                             clock,
+                             config.interpolator,
+                             InterpolatorTiming::Ports{.quads_in = raster_to_interpolator,
+                                                       .quads_out = whole_quads()})
+                       : nullptr)
     , depth("depth",
             clock,
             config,
@@ -158,7 +179,7 @@ Machine::Machine(const SimulationContext& kernel,
                {.requests_out = screen_requests, .responses_in = screen_responses})
     , arbiter("arbiter", clock, config.memory, memory_ports(), memory_in_flight)
     , memory(make_memory ? make_memory(clock, config.memory)
-                         : std::make_unique<MemoryController>("memory", clock, config.memory)) {
+                         : configured_memory(clock, config.memory)) {
     arbiter.set_ledger(&ledger);
     depth_port.cache.set_store(blocks.depth.get());
     color_port.cache.set_store(blocks.color.get());
@@ -174,6 +195,11 @@ Machine::Machine(const SimulationContext& kernel,
     if (!memory->unit() && evaluation.pace == Pace::Decoupled) clock.set_pace(Pace::Lockstep);
 }
 
+// A machine without a depth cache has nothing to test early.
+Channel<QuadToken>& Machine::whole_quads() {
+    return config.depth_cache.enable ? raster_to_depth : depth_to_texture;
+}
+
 void Machine::connect_links() {
     commands.connect("commands", host, command_processor);
     drained.connect("drained", command_processor, host);
@@ -186,8 +212,16 @@ void Machine::connect_links() {
     } else {
         setups.connect("setups", setup, raster);
     }
-    raster_to_depth.connect("raster_to_depth", raster, depth);
-    depth_to_texture.connect("depth_to_texture", depth, texture);
+    Unit& quads = interpolator ? static_cast<Unit&>(*interpolator) : raster;
+    const std::string from = quads.account().unit();
+    if (interpolator)
+        raster_to_interpolator.connect("raster_to_interpolator", raster, *interpolator);
+    if (config.depth_cache.enable) {
+        raster_to_depth.connect(from + "_to_depth", quads, depth);
+        depth_to_texture.connect("depth_to_texture", depth, texture);
+    } else {
+        depth_to_texture.connect(from + "_to_texture", quads, texture);
+    }
     texture_to_fragment.connect("texture_to_fragment", texture, fragment);
     fragment_to_depth.connect("fragment_to_depth", fragment, depth);
     depth_to_color.connect("depth_to_color", depth, color);
@@ -308,6 +342,7 @@ std::vector<Unit*> Machine::units() {
                            &scan_out,
                            &arbiter};
     if (Unit* unit = texel_caches.unit()) all.insert(all.begin() + 9, unit); // behind texture
+    if (interpolator) all.insert(all.begin() + 7, interpolator.get());       // behind raster
     if (tiles) {
         const std::vector<Unit*> more = tiles->units();
         all.insert(all.begin() + 6, more.begin(), more.end()); // behind set-up

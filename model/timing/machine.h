@@ -14,6 +14,7 @@
 #include "model/timing/geometry_timing.h"
 #include "model/timing/gpu_timing.h"
 #include "model/timing/host_bus.h"
+#include "model/timing/interpolator_timing.h"
 #include "model/timing/memory_arbiter.h"
 #include "model/timing/quad_observer.h"
 #include "model/timing/queue_statistics.h"
@@ -91,9 +92,9 @@ public:
     Channel<VertexToken> vertices;
     Channel<PrimitiveToken> primitives, clipped;
     Channel<SetupToken> setups;
-    Channel<BinToken> bins; // tile-based
-    Channel<QuadToken> raster_to_depth, depth_to_texture, texture_to_fragment, fragment_to_depth,
-        depth_to_color;
+    Channel<BinToken> bins;                    // tile-based
+    Channel<QuadToken> raster_to_interpolator, // where there is one
+        raster_to_depth, depth_to_texture, texture_to_fragment, fragment_to_depth, depth_to_color;
 
     HostBus host;
     CommandProcessor command_processor;
@@ -103,6 +104,7 @@ public:
     SetupTiming setup;
     std::unique_ptr<TilePath> tiles; // of a tile-based machine
     RasterTiming raster;
+    std::unique_ptr<InterpolatorTiming> interpolator; // null: attributes take no time
     DepthTiming depth;
     TextureTiming texture;
     FragmentTiming fragment;
@@ -135,6 +137,7 @@ private:
     void check_progress();
     StuckParts stuck_parts();
     std::string stuck_report();
+    Channel<QuadToken>& whole_quads(); // as raster or interpolator send them on
     void connect_links();
     MemoryArbiter::Ports memory_ports();
     void connect_memory(Unit& unit, RequestPort& requests, Channel<std::uint64_t>& responses);

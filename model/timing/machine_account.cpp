@@ -58,7 +58,8 @@ void Machine::look_for_bottlenecks() {
                            .arbiter = arbiter,
                            .drain = command_processor,
                            .memory = config.memory,
-                           .memory_is_ours = memory->unit() != nullptr});
+                           .memory_is_ours = memory->unit() != nullptr &&
+                                             config.memory.kind == MemoryKind::Dram});
     if (!config.bottlenecks.enable) return;
     bottlenecks->attach();
     arbiter.set_waits(bottlenecks.get());

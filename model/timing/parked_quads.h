@@ -60,6 +60,14 @@ struct LineWalk {
         return true;
     }
 
+    // The same past the cache.
+    bool read(LineCache& cache, std::uint64_t number) {
+        const LookupResult result = cache.read_memory(number);
+        missed = result.missed;
+        ticket = std::max(ticket, result.ticket);
+        return result.accepted;
+    }
+
     // Begins with the next quad; returns the ticket of this one.
     std::uint64_t end() {
         next = 0;

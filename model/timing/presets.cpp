@@ -1,5 +1,7 @@
 #include "model/timing/presets.h"
 
+#include "model/timing/rtl_pipe_preset.h"
+
 #include <algorithm>
 #include <array>
 
@@ -19,7 +21,8 @@ constexpr std::array Sources{
     PresetSource{"neoseeker", "neoseeker.com, VisionTek GeForce 2 Ultra review, December 21, 2000"},
     PresetSource{"technical-news", "technical-news.net, Kyro II Ultra and Kyro III this year"},
     PresetSource{"wikipedia-2700g", "en.wikipedia.org, Intel 2700G"},
-    PresetSource{"tomshw-mbx", "tomshw.it, PowerVR MBX (2001), table"}};
+    PresetSource{"tomshw-mbx", "tomshw.it, PowerVR MBX (2001), table"},
+    PresetSource{"rtl", "rtl/fragment_pipe.sv and the files of its units; docs/rtl_cycles.md"}};
 
 // What a chip without geometry units gets from the host's processor.
 constexpr PresetSetting HostTransforms{
@@ -191,7 +194,10 @@ constexpr std::array Presets{
            GeForce2Gts},
     Preset{"geforce2_ultra", "NVIDIA GeForce2 Ultra, 2000: the same, faster", GeForce2Ultra},
     Preset{"kyro", "STMicroelectronics KYRO, 2000: tile-based, two pipes", Kyro},
-    Preset{"powervr_mbx", "PowerVR MBX Lite in Intel's 2700G, 2004: tile-based, mobile", Mbx}};
+    Preset{"powervr_mbx", "PowerVR MBX Lite in Intel's 2700G, 2004: tile-based, mobile", Mbx},
+    Preset{"rtl_pipe",
+           "the fragment pipe of this project in RTL, on a memory without limits",
+           rtl_pipe::Settings}};
 
 } // namespace
 

@@ -1,6 +1,6 @@
-// Presets: machines after chips of the time, by name. A preset is a list of parameters that differ
-// from the defaults, each with the public source of its value, or why it is assumed.
-// docs/presets.md is printed from it.
+// Presets: machines after chips of the time, and the pipe that is there in RTL, by name. A preset
+// is a list of parameters that differ from the defaults, each with the public source of its value,
+// or why it is assumed. docs/presets.md is printed from it.
 
 #pragma once
 

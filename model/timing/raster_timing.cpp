@@ -99,7 +99,7 @@ Activity RasterTiming::step() {
         if (!take()) return Activity::Idle;
         if (piece_ == end_piece_) return Activity::Busy;
     }
-    return walk_piece();
+    return config_.walk == Walk::Tiles ? walk_tiles() : walk_piece();
 }
 
 Cycle RasterTiming::next_work(Activity last) const {

@@ -3,6 +3,9 @@
 // its quads' cycles; one without takes empty_tile_cycles; a piece takes a cycle at least. An
 // immediate machine follows the primitives, a tile-based one the bins, in each of them the parts of
 // the pieces in its list.
+//
+// With Walk::Tiles (raster_tiles.cpp) it looks at every block of the outer tiles and at every quad
+// of the blocks that the edges touch, a cycle each, and makes those that are covered.
 
 #pragma once
 
@@ -53,6 +56,21 @@ private:
     Cycle cycles_to(const PreparedQuad& quad) const;
     bool step_to_block(const PreparedQuad& quad);
     void end_piece(const work::PreparedPiece& piece);
+    // Walk::Tiles:
+    struct TileWalk {
+        bool begun = false;
+        Cycle cycles_left = 0;     // of the piece
+        Cycle steps = 0;           // tiles and blocks that were stepped to
+        std::uint32_t scanned = 0; // quads of the block
+        std::uint64_t empty = 0;   // blocks of the box without quads,
+        std::uint64_t touched = 0; // and those of them that the edges touch
+        std::uint64_t passed_empty = 0, passed_touched = 0;
+    };
+    void begin_tiles(const work::PreparedPiece& piece);
+    Cycle steps_to(const PieceBox& box, const PreparedQuad& quad) const;
+    Cycle scan_to(const PieceBox& box, const PreparedQuad& quad);
+    Activity walk_tiles();
+    void end_tiles();
 
     const RasterConfig config_;
     const Ports ports_;
@@ -66,6 +84,7 @@ private:
     std::uint32_t quad_ = 0; // of the piece
     bool in_block_ = false;  // Its block was stepped to.
     Cycle walked_at_ = 0;    // the first cycle after the steps under way
+    TileWalk walk_;
 };
 
 } // namespace ffgpu::timing

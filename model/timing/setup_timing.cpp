@@ -4,6 +4,24 @@
 
 namespace ffgpu::timing {
 
+// The pieces of a tile-based machine are sorted by bins: set-up does not see them.
+Cycle SetupTiming::piece_cycles(const SetupToken& record) const {
+    const SetupConfig& setup = config_.setup;
+    Cycle cycles = setup.triangle_cycles +
+                   Cycle{setup.attribute_cycles} * record.draw.prepared().geometry.interpolants;
+    if (setup.plane_cycles > 0)
+        cycles +=
+            Cycle{setup.plane_cycles} * record.draw.scene->work.pieces[record.begin].box.planes;
+    return cycles;
+}
+
+// It covers nothing, and a rasterizer that walks tiles does not see it.
+bool SetupTiming::drops(const SetupToken& record) const {
+    if (config_.raster.walk == Walk::Box) return false;
+    const work::PreparedPiece& piece = record.draw.scene->work.pieces[record.begin];
+    return piece.begin == piece.end && piece.box.touched_blocks == 0;
+}
+
 // A free unit takes the next piece, or a primitive without any.
 bool SetupTiming::begin_next() {
     if (units_.size() == config_.setup.units || !ports_.primitives_in.can_pop()) return false;
@@ -14,10 +32,13 @@ bool SetupTiming::begin_next() {
         cycles = 1;
     } else if (const work::PreparedPrimitive& primitive = token.prepared();
                primitive.piece_count > 0) {
-        cycles = config_.setup.triangle_cycles + Cycle{config_.setup.attribute_cycles} *
-                                                     token.draw.prepared().geometry.interpolants;
         record.begin = primitive.first_piece + next_piece_;
         record.end = record.begin + 1;
+        if (drops(record)) {
+            record.end = record.begin;
+        } else {
+            cycles = piece_cycles(record);
+        }
         const bool is_last_piece = ++next_piece_ == primitive.piece_count;
         record.last = token.last && is_last_piece;
         units_.push_back({record, now() + cycles - 1});
@@ -32,9 +53,12 @@ bool SetupTiming::begin_next() {
 }
 
 bool SetupTiming::send_next() {
-    if (units_.empty() || now() < units_.front().done_at || !ports_.setups_out.can_push())
-        return false;
-    ports_.setups_out.push(units_.front().record);
+    if (units_.empty() || now() < units_.front().done_at) return false;
+    const SetupToken& record = units_.front().record;
+    const bool ends_here =
+        config_.raster.walk == Walk::Tiles && record.begin == record.end && !record.last;
+    if (!ends_here && !ports_.setups_out.can_push()) return false;
+    if (!ends_here) ports_.setups_out.push(record);
     units_.pop_front();
     return true;
 }

@@ -40,6 +40,8 @@ private:
     Cycle next_work(Activity last) const override {
         return now() < next_change_ ? next_change_ : Unit::next_work(last);
     }
+    Cycle piece_cycles(const SetupToken& record) const;
+    bool drops(const SetupToken& record) const;
     bool begin_next();
     bool send_next();
 

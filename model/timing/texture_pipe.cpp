@@ -16,13 +16,44 @@ bool TexturePipe::begin(TextureStatistics& statistics, Activity& reason) {
     ticket_ = 0;
     const PreparedQuad& quad = current_.quad();
     share_.begin(current_.scene->work, quad);
+    count(statistics, quad);
+    return true;
+}
+
+void TexturePipe::count(TextureStatistics& statistics, const PreparedQuad& quad) {
     statistics.texel_reads += quad.texel_reads;
     statistics.samples += quad.filter_steps;
     statistics.quads += quad.filter_steps > 0;
+}
+
+bool TexturePipe::stream_tags(TextureStatistics& statistics, Cycle now, Activity& reason) {
+    if (!stream_.is_comparing()) {
+        stream_.begin(waiting_.front());
+        waiting_.pop_front();
+        count(statistics, stream_.current().quad());
+    }
+    return stream_.compare(reason, [&](std::uint64_t line) {
+        const LookupResult result = cache_.look_up({.number = line});
+        if (observer_ && result.accepted)
+            observer_->texel_line(name_of(stream_.current()), {line, result.missed, now});
+        return result;
+    });
+}
+
+bool TexturePipe::stream_data(PipeExit& out, std::size_t pipe, Cycle now, Activity& reason) {
+    const bool read = stream_.read_texel(now, reason);
+    if (!stream_.can_leave(now)) return read;
+    if (!out.can_push(pipe)) {
+        blame(reason, Activity::StalledOutput);
+        return read;
+    }
+    out.push(pipe, stream_.front());
+    stream_.pop();
     return true;
 }
 
 bool TexturePipe::compare_tags(TextureStatistics& statistics, Cycle now, Activity& reason) {
+    if (config_.texture.rate == TexelRate::Texels) return stream_tags(statistics, now, reason);
     if (miss_cycles_left_ > 0 && --miss_cycles_left_ > 0) return true;
     if (!comparing_ && !begin(statistics, reason)) return false;
     const auto lines = current_.scene->work.lines_of(current_.quad());
@@ -59,6 +90,7 @@ void TexturePipe::read_texels(Cycle now) {
 }
 
 bool TexturePipe::filter(PipeExit& out, std::size_t pipe, Cycle now, Activity& reason) {
+    if (config_.texture.rate == TexelRate::Texels) return stream_data(out, pipe, now, reason);
     read_texels(now);
     if (!filtering_) {
         if (read_ == 0 || parked_.front().ready_at > now) {

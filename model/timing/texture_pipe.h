@@ -8,6 +8,7 @@
 #include "model/timing/fragment_pipes.h"
 #include "model/timing/parked_quads.h"
 #include "model/timing/quad_observer.h"
+#include "model/timing/texel_stream.h"
 #include "model/timing/texture_share.h"
 
 namespace ffgpu::timing {
@@ -26,9 +27,12 @@ public:
     TexturePipe(const TimingConfig& config, LineCache& cache)
         : config_(config)
         , cache_(cache)
-        , share_(config.texture, config.texel_cache) {}
+        , share_(config.texture, config.texel_cache)
+        , stream_(config.texture, cache, config.texel_cache.outstanding_lines) {}
 
-    bool can_take() const { return waiting_.size() < config_.fragment.pipe_queue; }
+    bool can_take() const {
+        return waiting_.size() + stream_.quads() < config_.fragment.pipe_queue;
+    }
     void take(const QuadToken& quad) { waiting_.push_back(quad); }
     void set_observer(QuadObserver* observer) { observer_ = observer; }
 
@@ -39,15 +43,15 @@ public:
 
     // Some cycles have to pass before a quad whose texels are there can be filtered.
     bool expands_texels() const {
-        return config_.texel_cache.decompress_cycles > 0 && !parked_.empty() &&
-               (read_ > 0 || cache_.is_complete(parked_.front().ticket));
+        return stream_.waits() || (config_.texel_cache.decompress_cycles > 0 && !parked_.empty() &&
+                                   (read_ > 0 || cache_.is_complete(parked_.front().ticket)));
     }
 
     std::string state() const;
 
-    bool has_parked() const { return !parked_.empty(); }
+    bool has_parked() const { return !parked_.empty() || stream_.quads() > 0; }
     bool has_tags_to_compare() const {
-        return comparing_ || miss_cycles_left_ > 0 || !waiting_.empty();
+        return comparing_ || miss_cycles_left_ > 0 || !waiting_.empty() || stream_.is_comparing();
     }
 
     // One cycle's work of each part, which has some; false, and the reason, where it did none.
@@ -64,6 +68,9 @@ private:
     };
 
     bool begin(TextureStatistics& statistics, Activity& reason);
+    bool stream_tags(TextureStatistics& statistics, Cycle now, Activity& reason);
+    bool stream_data(PipeExit& out, std::size_t pipe, Cycle now, Activity& reason);
+    static void count(TextureStatistics& statistics, const PreparedQuad& quad);
     void read_texels(Cycle now);
 
     const TimingConfig& config_;
@@ -79,6 +86,7 @@ private:
     std::uint32_t filter_cycles_left_ = 0;
     bool filtering_ = false;
     QuadObserver* observer_ = nullptr;
+    TexelStream stream_; // TexelRate::Texels
 };
 
 } // namespace ffgpu::timing

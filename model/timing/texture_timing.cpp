@@ -1,6 +1,7 @@
 #include "model/timing/texture_timing.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ffgpu::timing {
 
@@ -26,9 +27,16 @@ bool TextureTiming::can_distribute() const {
            pipes_[fragment_pipe(config_, ports_.quads_in.front())].can_take();
 }
 
+void TextureTiming::forget_former_draw(const QuadToken& quad) {
+    if (std::exchange(draw_, quad.draw().number) == quad.draw().number) return;
+    for (CachePort* const port : ports_.caches)
+        port->cache.flush();
+}
+
 // In the order in which they came: a quad whose pipe's queue is full holds up those behind it.
 void TextureTiming::distribute() {
     for (std::size_t i = 0; i < pipes_.size() && can_distribute(); ++i) {
+        if (config_.texel_cache.forgets) forget_former_draw(ports_.quads_in.front());
         const std::uint32_t pipe = fragment_pipe(config_, ports_.quads_in.front());
         pipes_[pipe].take(ports_.quads_in.pop());
         exit_.enter(pipe);
@@ -68,7 +76,8 @@ Cycle TextureTiming::next_work(Activity last) const {
 
 // Texels that have come take some cycles more.
 bool TextureTiming::expands() const {
-    if (config_.texel_cache.decompress_cycles == 0) return false;
+    if (config_.texel_cache.decompress_cycles == 0 && config_.texture.rate == TexelRate::Samples)
+        return false;
     const auto expands_texels = [](const TexturePipe& pipe) { return pipe.expands_texels(); };
     const auto expands_lines = [](const CachePort* port) { return port->cache.expands_lines(); };
     return std::any_of(pipes_.begin(), pipes_.end(), expands_texels) ||

@@ -37,13 +37,15 @@ private:
     bool has_backlog() const override;
     bool can_distribute() const;
     void distribute();
+    void forget_former_draw(const QuadToken& quad);
 
     const TimingConfig& config_;
     const Ports ports_;
     TextureStatistics statistics_;
     PipeExit exit_;
     std::vector<TexturePipe> pipes_;
-    std::size_t first_ = 0; // pipe at the cache and the way out
+    std::uint32_t draw_ = ~0u; // of the quad that came last
+    std::size_t first_ = 0;    // pipe at the cache and the way out
 };
 
 } // namespace ffgpu::timing

@@ -14,7 +14,7 @@
 namespace ffgpu::work {
 
 inline constexpr std::string_view WorkFileMagic = "FFGPUWRK";
-inline constexpr std::uint32_t WorkFileVersion = 3;
+inline constexpr std::uint32_t WorkFileVersion = 4;
 
 enum class BlockKind : std::uint32_t { Names = 1, Items = 2, End = 3 };
 
@@ -50,6 +50,7 @@ enum class Column : std::uint8_t {
     Outcome,   // what became of them
     PieceX,    // boxes of pieces: left, as a step, and width
     PieceY,    // below, as a step, and height
+    PieceWork, // what set-up made of them: blocks, planes, values, divisors, perspective
     Primitive, // of quads
     Piece,
     Row,

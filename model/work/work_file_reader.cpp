@@ -276,6 +276,16 @@ PieceBox WorkFileReader::read_piece() {
     box.y0 = moved(box_.y0, in_.difference(Column::PieceY));
     box.y1 = end(box.y0, in_.number(Column::PieceY, MaxSurfaceSize));
     if ((box.x0 == box.x1) != (box.y0 == box.y1)) throw DamagedItem("a box of pixels without area");
+    constexpr std::uint64_t Blocks = MaxSurfaceSize / PieceBox::BlockWidth, MostPlanes = 0xff;
+    const auto count = [&](std::uint64_t most) {
+        return static_cast<std::uint8_t>(in_.number(Column::PieceWork, most));
+    };
+    box.touched_blocks = static_cast<std::uint32_t>(in_.number(Column::PieceWork, Blocks * Blocks));
+    box.planes = count(MostPlanes);
+    box.values = count(MostPlanes);
+    const std::uint8_t divisors = count(MostPlanes);
+    box.divisors = divisors / 2;
+    box.perspective = (divisors & 1) != 0;
     box_ = box;
     return box;
 }

@@ -182,6 +182,10 @@ void WorkFileWriter::write_piece(const PieceBox& box) {
     columns_.number(Column::PieceX, box.x1 - box.x0);
     columns_.difference(Column::PieceY, box.y0 - box_.y0);
     columns_.number(Column::PieceY, box.y1 - box.y0);
+    columns_.number(Column::PieceWork, box.touched_blocks);
+    columns_.number(Column::PieceWork, box.planes);
+    columns_.number(Column::PieceWork, box.values);
+    columns_.number(Column::PieceWork, box.divisors * 2u + box.perspective);
     box_ = box;
 }
 

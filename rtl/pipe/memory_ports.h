@@ -8,6 +8,7 @@
 #include <cstring>
 #include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace ffgpu::rtl {
@@ -65,15 +66,15 @@ public:
     void ask(std::uint64_t due, unsigned fill, std::uint32_t address) {
         asked_.push_back({due, fill, address});
     }
-    // One of those that are due.
-    std::optional<Answer> take(std::uint64_t cycle, Stalls& stalls) {
+    // One of those that are due; the oldest, or any.
+    std::optional<Answer> take(std::uint64_t cycle, Stalls& stalls, bool in_order) {
         if (asked_.empty() || stalls.next()) return std::nullopt;
         const std::size_t i =
-            asked_.size() == 1 ? 0 : stalls.below(static_cast<unsigned>(asked_.size()));
+            in_order || asked_.size() == 1 ? 0 : stalls.below(static_cast<unsigned>(asked_.size()));
         if (asked_[i].due > cycle) return std::nullopt;
         const Answer answer = asked_[i];
-        asked_[i] = asked_.back();
-        asked_.pop_back();
+        if (!in_order) std::swap(asked_[i], asked_.back());
+        asked_.erase(in_order ? asked_.begin() : asked_.end() - 1);
         return answer;
     }
 

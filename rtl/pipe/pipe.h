@@ -8,16 +8,20 @@
 
 #include "model/gpu/draw_context.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace ffgpu::rtl {
 
 struct PipeOptions {
     unsigned latency = 20;      // cycles from a read to its answer, at least
     unsigned stall_percent = 0; // of cycles in which a port of memory does not take or give
+    bool jitters = true;        // The memory takes a cycle more at random, and gives texels in any
+                                // order.
     std::uint64_t seed = 1;
     // Cycles in which nothing moves at any port, after which the pipe is said to stand. A large
     // primitive without a live fragment may take millions.
@@ -25,6 +29,17 @@ struct PipeOptions {
     // Of this store of colours, counted from 0, each byte's lowest bit is wrong: how tests see that
     // it is told.
     std::optional<std::uint64_t> faulty_store{};
+};
+
+// The parts of the pipe that tell what they are at, as the units of the machine in time do.
+enum class PipeUnit : std::uint8_t { Raster, Interpolator, Texture, Fragment, Depth, Color, Count };
+inline constexpr std::size_t PipeUnits = static_cast<std::size_t>(PipeUnit::Count);
+inline constexpr std::array<std::string_view, PipeUnits> PipeUnitNames{
+    "raster", "interpolator", "texture", "fragment", "depth", "color"};
+
+// Cycles.
+struct PipeActivity {
+    std::array<std::uint64_t, PipeUnits> busy{}, stalled{};
 };
 
 class Pipe {
@@ -45,7 +60,8 @@ public:
     virtual void reset() = 0;
 
     virtual std::uint64_t cycles() const = 0;
-    virtual double seconds() const = 0; // of the host's, in which they were clocked
+    virtual PipeActivity activity() const = 0; // in all of them
+    virtual double seconds() const = 0;        // of the host's, in which they were clocked
 };
 
 using OpenPipe = Pipe* (*)(const PipeOptions& options);

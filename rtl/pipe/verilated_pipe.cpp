@@ -1,5 +1,6 @@
 #include "rtl/pipe/verilated_pipe.h"
 
+#include "Vfragment_pipe___024root.h"
 #include "rtl/pipe/draw_words.h"
 
 #include <ctime>
@@ -60,6 +61,7 @@ void VerilatedPipe::cycle() {
     dut_->eval();
     moved_ = false;
     take_requests();
+    count_activity();
     const bool depth_taken = dut_->depth_response_valid_i && dut_->depth_response_ready_o;
     const bool color_taken = dut_->color_response_valid_i && dut_->color_response_ready_o;
     plane_taken_ = dut_->plane_valid_i && dut_->plane_ready_o;
@@ -88,7 +90,8 @@ void VerilatedPipe::drive_memory() {
     dut_->color_request_ready_i = !stalls_.next();
     dut_->depth_store_ready_i = !stalls_.next();
     dut_->color_store_ready_i = !stalls_.next();
-    const std::optional<TexelPort::Answer> answer = texels_.take(cycle_, stalls_);
+    const std::optional<TexelPort::Answer> answer =
+        texels_.take(cycle_, stalls_, !options_.jitters);
     dut_->texel_response_valid_i = answer.has_value();
     if (answer) {
         dut_->texel_response_fill_i = static_cast<CData>(answer->fill);
@@ -123,6 +126,15 @@ void VerilatedPipe::take_requests() {
         colors_.ask(due(), read_words(dut_->color_request_o));
     if (dut_->depth_store_valid_o && dut_->depth_store_ready_i) store(dut_->depth_store_o, false);
     if (dut_->color_store_valid_o && dut_->color_store_ready_i) store(dut_->color_store_o, true);
+}
+
+// As rtl/pipe/pipe_activity.sv tells.
+void VerilatedPipe::count_activity() {
+    const unsigned events = dut_->rootp->fragment_pipe__DOT__u_activity__DOT__events;
+    for (std::size_t unit = 0; unit < PipeUnits; ++unit) {
+        activity_.busy[unit] += events >> 2 * unit & 1;
+        activity_.stalled[unit] += events >> (2 * unit + 1) & 1;
+    }
 }
 
 TargetPort::Words VerilatedPipe::read_words(std::uint64_t request) {

@@ -22,6 +22,7 @@ public:
     bool finish() override;
     void reset() override;
     std::uint64_t cycles() const override { return cycle_; }
+    PipeActivity activity() const override { return activity_; }
     double seconds() const override { return seconds_; }
 
 private:
@@ -30,13 +31,16 @@ private:
     void clock_until(const Done& done);
     void drive_memory();
     void take_requests();
+    void count_activity();
     template <class Valid>
     void take_back(TargetPort& port, Valid& valid);
     template <class Valid, class Data>
     void offer(TargetPort& port, Valid& valid, Data& data);
     TargetPort::Words read_words(std::uint64_t request);
     void store(const VlWide<7>& store, bool is_color);
-    std::uint64_t due() { return cycle_ + options_.latency + stalls_.below(2); }
+    std::uint64_t due() {
+        return cycle_ + options_.latency + (options_.jitters ? stalls_.below(2) : 0);
+    }
 
     PipeOptions options_;
     Stalls stalls_;
@@ -51,6 +55,7 @@ private:
     bool plane_taken_ = false, record_taken_ = false; // in the last cycle
     std::uint64_t quiet_ = 0;
     std::uint64_t cycle_ = 0, color_stores_ = 0;
+    PipeActivity activity_;
     double seconds_ = 0, began_ = 0;
 };
 

@@ -1,5 +1,6 @@
 // rtl/ffgpu_registers_pkg.sv, and the module that its test reads it with.
 
+#include "model/device/pipe_numbers.h"
 #include "tests/docs/register_pages.h"
 
 #include <algorithm>
@@ -202,6 +203,10 @@ std::string registers_package(const Description& contract) {
     }
     for (const PackedEntry& command : commands_with_payload(contract))
         package += "\n  // " + command.name + "\n" + packed_part(command, widths);
+    package += "\n  // The fragment pipe in numbers: model/device/pipe_numbers.h.\n";
+    for (const PipeNumber& number : PipeNumbers)
+        package += "  localparam int unsigned " + std::string(number.name) + " = " +
+                   std::to_string(number.value) + ";  // " + std::string(number.meaning) + "\n";
     return package + "\nendpackage\n";
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include <catch2/catch.hpp>
 
@@ -218,4 +219,41 @@ TEST_CASE("a batch never holds a pixel twice, and keeps every pixel and the orde
     }
     flush();
     CHECK(found == expected);
+}
+
+TEST_CASE("blocks are touched that the box meets and no edge rules out as a whole") {
+    Random random(7);
+    RecordBuffer buffer;
+    unsigned empty = 0;
+    for (int round = 0; round < 3000; ++round) {
+        const int size = 256 * (round % 3 == 0 ? 200 : 20);
+        const WindowVertex a = random_vertex(random, 0, 256 * 200);
+        const auto near = [&] {
+            const int x = random.between(-size, size);
+            return vertex(a.x + x, a.y + random.between(-size, size));
+        };
+        const WindowVertex b = near(), c = near();
+        if (!buffer.triangle(context(), a, b, c)) continue;
+        const SetupRecord& record = buffer.record();
+        std::set<Pixel> blocks;
+        for (const Pixel& pixel : covered_pixels(record))
+            blocks.insert({pixel.first & ~7, pixel.second & ~7});
+        // By each pixel of a block: an edge rules it out that has no pixel of it inside.
+        std::uint32_t touched = 0;
+        for (int y = record.box.y0 & ~7; y < record.box.y1; y += 8)
+            for (int x = record.box.x0 & ~7; x < record.box.x1; x += 8) {
+                bool in_all = true;
+                for (unsigned e = 0; e < record.edge_count; ++e) {
+                    bool any = false;
+                    for (int i = 0; i < 64; ++i)
+                        any = any || record.edges[e].at(x + i % 8, y + i / 8) >= 0;
+                    in_all = in_all && any;
+                }
+                touched += in_all;
+            }
+        CHECK(touched_blocks(edge_set(record)) == touched);
+        CHECK(touched >= blocks.size());
+        empty += touched > blocks.size();
+    }
+    CHECK(empty > 100);
 }

@@ -14,6 +14,7 @@ namespace {
 
 struct AlphaTest {
     static constexpr const char* Name = "alpha_test";
+    static constexpr std::string_view Latency = "AlphaTestLatency";
     static constexpr std::uint64_t ShortItems = 100000, LongItems = 2500000;
 
     using Dut = Valpha_test;

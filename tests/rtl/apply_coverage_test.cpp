@@ -13,6 +13,7 @@ namespace {
 
 struct ApplyCoverage {
     static constexpr const char* Name = "apply_coverage";
+    static constexpr std::string_view Latency = "ApplyCoverageLatency";
     static constexpr std::uint64_t ShortItems = 100000, LongItems = 2500000;
 
     using Dut = Vapply_coverage;

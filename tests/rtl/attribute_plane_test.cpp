@@ -13,6 +13,7 @@ namespace {
 
 struct AttributePlaneUnit {
     static constexpr const char* Name = "attribute_plane";
+    static constexpr std::string_view Latency = "AttributePlaneLatency";
     static constexpr std::uint64_t ShortItems = 1000000, LongItems = 10000000;
 
     using Dut = Vattribute_plane;

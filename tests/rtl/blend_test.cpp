@@ -14,6 +14,7 @@ namespace {
 
 struct BlendUnit {
     static constexpr const char* Name = "blend";
+    static constexpr std::string_view Latency = "BlendLatency";
     static constexpr std::uint64_t ShortItems = 150000, LongItems = 2500000;
     static constexpr unsigned FormatCount = 12; // and one that is none of a colour target
 

@@ -14,6 +14,7 @@ namespace {
 
 struct ColorSum {
     static constexpr const char* Name = "color_sum";
+    static constexpr std::string_view Latency = "ColorSumLatency";
     static constexpr std::uint64_t ShortItems = 100000, LongItems = 2500000;
 
     using Dut = Vcolor_sum;

@@ -15,6 +15,7 @@ namespace {
 
 struct DepthPlaneUnit {
     static constexpr const char* Name = "depth_plane";
+    static constexpr std::string_view Latency = "DepthPlaneLatency";
     static constexpr std::uint64_t ShortItems = 1000000, LongItems = 10000000;
 
     using Dut = Vdepth_plane;

@@ -15,6 +15,7 @@ namespace {
 
 struct FilterTree {
     static constexpr const char* Name = "filter_tree";
+    static constexpr std::string_view Latency = "FilterTreeLatency";
     static constexpr std::uint64_t ShortItems = 1000000, LongItems = 10000000;
 
     using Dut = Vfilter_tree;

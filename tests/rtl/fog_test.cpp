@@ -15,6 +15,7 @@ namespace {
 
 struct FogUnit {
     static constexpr const char* Name = "fog";
+    static constexpr std::string_view Latency = "FogLatency";
     static constexpr std::uint64_t ShortItems = 150000, LongItems = 2500000;
 
     using Dut = Vfog;

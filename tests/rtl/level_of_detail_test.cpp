@@ -13,6 +13,7 @@ namespace {
 
 struct LevelOfDetail {
     static constexpr const char* Name = "level_of_detail";
+    static constexpr std::string_view Latency = "LevelOfDetailLatency";
     static constexpr std::uint64_t ShortItems = 300000, LongItems = 10000000;
 
     using Dut = Vlevel_of_detail;

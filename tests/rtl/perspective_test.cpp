@@ -20,6 +20,7 @@ constexpr float power_of_two(std::uint8_t biased_exponent) {
 
 struct Perspective {
     static constexpr const char* Name = "perspective";
+    static constexpr std::string_view Latency = "PerspectiveLatency";
     static constexpr std::uint64_t ShortItems = 500000, LongItems = 10000000;
     static constexpr unsigned KindCount = 8; // three of them beyond the list
 

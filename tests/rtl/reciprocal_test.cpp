@@ -13,6 +13,7 @@ namespace {
 
 struct Reciprocal {
     static constexpr const char* Name = "reciprocal";
+    static constexpr std::string_view Latency = "ReciprocalLatency";
     static constexpr std::uint64_t ShortItems = 1000000, LongItems = 10000000;
 
     using Dut = Vreciprocal;

@@ -15,6 +15,7 @@ namespace {
 
 struct StencilDepth {
     static constexpr const char* Name = "stencil_depth";
+    static constexpr std::string_view Latency = "StencilDepthLatency";
     static constexpr std::uint64_t ShortItems = 150000, LongItems = 2500000;
     static constexpr std::array Formats{
         Format::None, Format::Depth16, Format::Depth24Stencil8, Format::Rgba8};

@@ -68,6 +68,7 @@ private:
 
 struct TexelAddress {
     static constexpr const char* Name = "texel_address";
+    static constexpr std::string_view Latency = "TexelAddressLatency";
     static constexpr std::uint64_t ShortItems = 40000, LongItems = 1000000; // some 10 requests each
 
     using Dut = Vtexel_address;

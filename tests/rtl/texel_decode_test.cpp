@@ -19,6 +19,7 @@ namespace {
 
 struct TexelDecode {
     static constexpr const char* Name = "texel_decode";
+    static constexpr std::string_view Latency = "TexelDecodeLatency";
     static constexpr std::uint64_t ShortItems = 400000, LongItems = 10000000;
     static constexpr unsigned FormatCount = 18; // what textures may have, and none
 

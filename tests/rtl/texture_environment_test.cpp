@@ -14,6 +14,7 @@ namespace {
 
 struct TextureEnvironment {
     static constexpr const char* Name = "texture_environment";
+    static constexpr std::string_view Latency = "TextureEnvironmentLatency";
     static constexpr std::uint64_t ShortItems = 1000000, LongItems = 2500000;
 
     using Dut = Vtexture_environment;

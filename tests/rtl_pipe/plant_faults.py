@@ -20,10 +20,10 @@ from pathlib import Path
 Root = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(Root / "tests/rtl"))
 from mutants import Chosen  # noqa: E402
+from verilated_tree import build_tree  # noqa: E402
 
 Work = Root / "out" / "pipe_mutants"
 Rtl = Root / "rtl"
-Packages = ["ffgpu_registers_pkg", "ffgpu_pkg", "ffgpu_texture_pkg", "ffgpu_pipe_pkg"]
 Seconds = 240  # that a mutant may take
 
 # Kind, file, expression, what stands in its place. The expression stands once in the file.
@@ -143,35 +143,10 @@ def write_sources():
 
 def build(tree):
     """The library and the test, in a tree like the build's."""
-    verilated = Work / "verilated"
-    sources = [str(Rtl / "lint.vlt")] + [str(Work / "rtl" / f"{p}.sv") for p in Packages]
-    subprocess.run(["verilator", "--cc", "-Wno-lint", "-Wno-fatal", "-O3", "--assert", "--x-assign",
-                    "unique", "--x-initial", "unique", "--top-module", "fragment_pipe", "--prefix",
-                    "Vfragment_pipe", "-y", str(Work / "rtl"), "--Mdir", str(verilated), *sources,
-                    str(Work / "rtl/fragment_pipe.sv"), str(Root / "tests/rtl/unit_checker.sv"),
-                    str(Work / "rtl/pipe_checks.sv")], check=True)
-    include = Path("/usr/share/verilator/include")
-    cpp = [*verilated.glob("*.cpp"), include / "verilated.cpp", include / "verilated_threads.cpp",
-           *(Rtl / "pipe").glob("*.cpp"), Root / "tests/rtl/mutant.cpp"]
-    flags = ["-std=c++20", "-O1", "-fPIC", "-ffp-contract=off", f"-I{include}", f"-I{include}/vltstd",
-             f"-I{verilated}", f"-I{Root}", "-c"]
-
-    def compile_one(file):
-        output = verilated / (file.name + ".o")
-        subprocess.run(["g++", *flags, str(file), "-o", str(output)], check=True)
-        return str(output)
-
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        objects = list(pool.map(compile_one, cpp))
-    libraries = Work / "driver/GL"
-    libraries.mkdir(parents=True)
-    subprocess.run(["g++", "-shared", "-o", str(libraries / "ffgpu_pipe.so"), *objects, "-lfmt",
-                    "-pthread"], check=True)
-    (libraries / "libGL.so.1").touch()
-    (Work / "tests").mkdir()
-    (Work / "tools").mkdir()
-    shutil.copy(tree / "tests/rtl_pipe_test", Work / "tests")
-    shutil.copy(tree / "tools/ffgpu", Work / "tools")
+    build_tree(Work, tree, Work / "rtl",
+               ["--assert", "--x-assign", "unique", "--x-initial", "unique"],
+               [Root / "tests/rtl/unit_checker.sv", Work / "rtl/pipe_checks.sv"],
+               [Root / "tests/rtl/mutant.cpp"], "-O1")
 
 
 def run(number):

@@ -20,6 +20,8 @@ struct Arguments {
     RecordingArguments recording;
     ReplayOptions replay;
     std::vector<std::string> rtl;
+    std::string rtl_cycles;
+    unsigned rtl_latency = rtl::PipeOptions{}.latency;
 };
 
 // 1: what the units drew is not what the model draws.
@@ -30,14 +32,17 @@ int replay_and_compare(RtlDevice& comparison, ReplayOptions& options) {
     return comparison.equal() ? 0 : 1;
 }
 
-int replay_by_rtl(const std::vector<std::string>& units, ReplayOptions& options) {
+int replay_by_rtl(const Arguments& arguments, ReplayOptions& options) {
+    const std::vector<std::string>& units = arguments.rtl;
     if (std::ranges::find(units, "fragment_pipe") == units.end()) {
         RtlComparison comparison({.units = units});
         options.stages = &comparison.stages();
         return replay_and_compare(comparison, options);
     }
     if (units.size() != 1) throw InputError("--rtl: fragment_pipe has all units, and stands alone");
-    PipeComparison comparison;
+    PipeComparison comparison(
+        {.latency = arguments.rtl_latency, .jitters = arguments.rtl_cycles.empty()},
+        arguments.rtl_cycles);
     return replay_and_compare(comparison, options);
 }
 
@@ -59,7 +64,7 @@ int run_replay(Arguments& arguments) {
     if (arguments.rtl.empty())
         std::fputs(replay(options).c_str(), stderr);
     else
-        status = replay_by_rtl(arguments.rtl, options);
+        status = replay_by_rtl(arguments, options);
     return Interruption::signal() == 0 ? status
                                        : 128 + Interruption::signal(); // as the shell says it
 }
@@ -78,6 +83,13 @@ void add_replay_command(CLI::App& application, Run& run) {
     verb->add_option("--rtl", arguments->rtl, "Draw with Verilated units; compare each draw")
         ->type_name("UNIT[,UNIT]|all|fragment_pipe")
         ->delimiter(',');
+    CLI::Option* const rtl = verb->get_option("--rtl");
+    verb->add_option("--rtl-cycles", arguments->rtl_cycles, "Cycles of each draw in fragment_pipe")
+        ->type_name("FILE.csv")
+        ->needs(rtl);
+    verb->add_option("--rtl-latency", arguments->rtl_latency, "Cycles of fragment_pipe's memory")
+        ->check(CLI::Range(1u, 4096u))
+        ->needs(rtl);
     verb->add_option("--benchmark", options.benchmark, "Time it; repeat the last frame N times")
         ->type_name("N");
     verb->add_flag("--player-only", options.player_only, "With --benchmark: draw nothing");

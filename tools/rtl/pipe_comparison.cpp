@@ -15,9 +15,11 @@ void append(CommandStream& stream, const CommandReader& reader) {
 
 } // namespace
 
-PipeComparison::PipeComparison(const rtl::PipeOptions& options)
+PipeComparison::PipeComparison(const rtl::PipeOptions& options, const std::string& cycles)
     : pipe_(reinterpret_cast<rtl::OpenPipe>(rtl_function("ffgpu_pipe.so", rtl::OpenPipeName))(
-          options)) {}
+          options)) {
+    if (!cycles.empty()) cycles_.emplace(cycles);
+}
 
 void PipeComparison::attach(Device& device, FunctionalGpu& gpu) {
     device_ = &device;
@@ -81,8 +83,13 @@ std::string PipeComparison::draw_by_pipe(const DrawCommand& command) {
     if (!reason.empty()) return reason;
     if (records_->context().pixels->units != 0) pipe_->forget_textures();
     pipe_->begin_draw(records_->context(), next_draw_);
-    records_->for_each([&](const SetupRecord& record) { pipe_->add(record); });
+    if (cycles_) cycles_->begin_draw();
+    records_->for_each([&](const SetupRecord& record) {
+        pipe_->add(record);
+        if (cycles_) cycles_->added(*pipe_);
+    });
     stands_ = !pipe_->finish();
+    if (cycles_) cycles_->end_draw(*pipe_, next_draw_);
     return {};
 }
 

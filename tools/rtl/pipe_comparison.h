@@ -5,6 +5,7 @@
 #pragma once
 
 #include "rtl/pipe/pipe.h"
+#include "tools/rtl/pipe_cycles.h"
 #include "tools/rtl/pipe_records.h"
 #include "tools/rtl/rtl_device.h"
 #include "tools/rtl/target_comparison.h"
@@ -24,8 +25,9 @@ struct PipeDifference {
 
 class PipeComparison final : public RtlDevice {
 public:
-    // Throws InputError where ffgpu was built without Verilator.
-    explicit PipeComparison(const rtl::PipeOptions& options = {});
+    // Throws InputError where ffgpu was built without Verilator, and where the file cannot be made
+    // that the cycles of each draw are written to; empty: none.
+    explicit PipeComparison(const rtl::PipeOptions& options = {}, const std::string& cycles = {});
 
     void attach(Device& device, FunctionalGpu& gpu) override;
     void number_draws_from(std::uint32_t draw) override { next_draw_ = draw; }
@@ -56,6 +58,7 @@ private:
     std::unique_ptr<FunctionalGpu> drawn_; // by the pipe
     std::unique_ptr<PipeRecords> records_;
     TargetComparison targets_;
+    std::optional<PipeCycles> cycles_;
     std::map<std::string, std::uint64_t> fragments_;
     bool stands_ = false; // in the draw under way
     std::uint32_t next_draw_ = 0;

@@ -48,12 +48,32 @@ struct CachePace : work::CachePolicy, CacheTrafficConfig {
 
 // The caches of depth and colour.
 struct CacheConfig : work::CacheShape, CachePace {
+    bool enable = true;
+    std::uint32_t store_cycles = 0;
+    std::uint32_t latency = 1;
     std::uint32_t expand_cycles = 0; // of a fill of expanded texels; texel caches alone have any
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
         CacheShape::visit(self, field);
         CachePace::visit(self, field);
+        field("enable",
+              self.enable,
+              {.meaning =
+                   "off: no cache; each quad reads its pixels from memory and stores what it "
+                   "changes; fragment_fifo quads are between the two, no two of one place"});
+        field("store_cycles",
+              self.store_cycles,
+              {.unit = "cycles",
+               .minimum = 0,
+               .maximum = 1024,
+               .meaning = "no cache: from a quad's pixels to the memory's having taken its store"});
+        field("latency",
+              self.latency,
+              {.unit = "cycles",
+               .minimum = 1,
+               .maximum = 1024,
+               .meaning = "from the quad's pixels to the next unit"});
     }
 };
 
@@ -62,6 +82,7 @@ struct TexelCacheConfig : work::TexelCacheShape, CachePace {
     std::uint32_t bilinear_quads_per_cycle = 1;
     bool per_pipe = false;
     std::uint32_t decompress_cycles = 0;
+    bool forgets = false;
 
     TexelCacheConfig() {
         lookups_per_cycle = 4;
@@ -69,7 +90,11 @@ struct TexelCacheConfig : work::TexelCacheShape, CachePace {
     }
 
     // What every cache has.
-    CacheConfig cache() const { return {*this, *this, decompress_cycles}; }
+    CacheConfig cache() const {
+        CacheConfig cache{*this, *this};
+        cache.expand_cycles = decompress_cycles;
+        return cache;
+    }
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
@@ -92,6 +117,11 @@ struct TexelCacheConfig : work::TexelCacheShape, CachePace {
                .maximum = 1024,
                .meaning = "latency of expanding a compressed block: at each read, or where lines "
                           "hold texels, when a line is filled"});
+        field("forgets",
+              self.forgets,
+              {.meaning = "all lines at the first quad of another draw: with "
+                          "command_processor.drains, what a driver does that does not know which "
+                          "textures have changed"});
     }
 };
 

@@ -13,6 +13,7 @@ struct CommandProcessorConfig {
     static constexpr std::string_view Name = "command_processor";
     std::uint32_t draw_cycles = 16;
     std::uint32_t lines_per_cycle = 1;
+    bool drains = false;
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
@@ -28,6 +29,10 @@ struct CommandProcessorConfig {
                .minimum = 1,
                .maximum = 64,
                .meaning = "of clears, copies, images and write-backs that it asks the memory for"});
+        field("drains",
+              self.drains,
+              {.meaning = "a draw begins when the one before has left the pipe; off: draws follow "
+                          "each other"});
     }
 };
 

@@ -23,13 +23,14 @@ struct FragmentConfig {
     std::uint32_t quad_cycles = 1;
     std::uint32_t combiners = 1;
     std::uint32_t combiner_cycles = 1;
+    std::uint32_t entry_cycles = 0;
     std::uint32_t latency = 12;
     std::uint32_t queue = 64;
 
     // That a quad with so many enabled environments takes its pipe.
     std::uint32_t cycles(std::uint32_t environments) const {
         const std::uint32_t rounds = (environments + combiners - 1) / combiners;
-        return std::max(quad_cycles, rounds * combiner_cycles);
+        return std::max(quad_cycles, entry_cycles + rounds * combiner_cycles);
     }
 
     template <class Self, class Visitor>
@@ -71,6 +72,12 @@ struct FragmentConfig {
                .minimum = 1,
                .maximum = 64,
                .meaning = "a quad and enabled texture environment of each of them"});
+        field("entry_cycles",
+              self.entry_cycles,
+              {.unit = "cycles",
+               .minimum = 0,
+               .maximum = 64,
+               .meaning = "more a quad, which leaves at the end of its cycles; 0: at their begin"});
         field("latency",
               self.latency,
               {.unit = "cycles",

@@ -14,6 +14,7 @@ struct SetupConfig {
     std::uint32_t units = 1;
     std::uint32_t triangle_cycles = 2;
     std::uint32_t attribute_cycles = 0;
+    std::uint32_t plane_cycles = 0;
     std::uint32_t reject_cycles = 1;
     std::uint32_t queue = 16;
 
@@ -38,6 +39,14 @@ struct SetupConfig {
                .minimum = 0,
                .maximum = 64,
                .meaning = "more for each attribute that is interpolated, beside depth"});
+        field("plane_cycles",
+              self.plane_cycles,
+              {.unit = "cycles",
+               .minimum = 0,
+               .maximum = 64,
+               .meaning =
+                   "more for each plane of this primitive: of attributes that differ between "
+                   "its vertices, and of 1/w where it has perspective"});
         field("reject_cycles",
               self.reject_cycles,
               {.unit = "cycles",

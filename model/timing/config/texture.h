@@ -13,11 +13,17 @@ namespace ffgpu::timing {
 enum class UnitShare : std::uint8_t { Textures, Samples };
 inline constexpr std::array<std::string_view, 2> UnitShareNames{"textures", "samples"};
 
+enum class TexelRate : std::uint8_t { Samples, Texels };
+inline constexpr std::array<std::string_view, 2> TexelRateNames{"samples", "texels"};
+
 struct TextureConfig {
     static constexpr std::string_view Name = "texture";
     std::uint32_t units = 1;
     UnitShare share = UnitShare::Textures;
     std::uint32_t miss_cycles = 0;
+    TexelRate rate = TexelRate::Samples;
+    std::uint32_t texel_queue = 32;
+    std::uint32_t latency = 0;
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
@@ -41,6 +47,25 @@ struct TextureConfig {
                .maximum = 64,
                .meaning = "that a miss takes a pipe's tags beside its look-up; the paper on "
                           "prefetching (Igehy 1998) has 1"});
+        field("rate",
+              self.rate,
+              {.meaning =
+                   "samples: tags compare lines, filters take bilinear samples; texels: tags, "
+                   "data and filter take a quad's texels one after the other, a cycle each, "
+                   "and one more for a quad whose samples are of one texel",
+               .choices = TexelRateNames});
+        field("texel_queue",
+              self.texel_queue,
+              {.unit = "texels",
+               .minimum = 1,
+               .maximum = 65536,
+               .meaning = "rate texels: between tags and data: hides misses"});
+        field("latency",
+              self.latency,
+              {.unit = "cycles",
+               .minimum = 0,
+               .maximum = 1024,
+               .meaning = "rate texels: of a quad with samples, beside its texels' cycles"});
     }
 };
 

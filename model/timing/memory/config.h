@@ -17,6 +17,9 @@ enum class PagePolicy : std::uint8_t { Open, Closed, Timeout, Adaptive };
 inline constexpr std::array<std::string_view, 4> PagePolicyNames{
     "open", "closed", "timeout", "adaptive"};
 
+enum class MemoryKind : std::uint8_t { Dram, Fixed };
+inline constexpr std::array<std::string_view, 2> MemoryKindNames{"dram", "fixed"};
+
 enum class SchedulerKind : std::uint8_t { InOrder, FirstReady };
 inline constexpr std::array<std::string_view, 2> SchedulerNames{"in_order", "first_ready"};
 
@@ -25,6 +28,7 @@ inline constexpr std::array<std::string_view, 4> MemoryProfileNames{"ideal", "sd
 
 struct MemoryConfig {
     static constexpr std::string_view Name = "memory";
+    MemoryKind kind = MemoryKind::Dram;
     MemoryProfile profile = MemoryProfile::Ddr;
     std::uint32_t channels = 2;
     std::uint32_t banks = 4;
@@ -83,6 +87,13 @@ private:
             info.power_of_two = true;
             field(name, value, info);
         };
+        field("kind",
+              self.kind,
+              {.meaning =
+                   "dram: channels with banks, rows and a bus; fixed: every request is taken "
+                   "at once, as many a cycle as there are channels, and answered after "
+                   "latency cycles: none of the parameters of a DRAM counts",
+               .choices = MemoryKindNames});
         field("profile",
               self.profile,
               {.meaning =

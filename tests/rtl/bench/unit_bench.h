@@ -15,10 +15,12 @@
 
 #pragma once
 
+#include "model/device/pipe_numbers.h"
 #include "rtl/bundles/ports.h"
 #include "tests/rtl/bench/random.h"
 #include "tests/rtl/bench/stalls.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <deque>
@@ -85,6 +87,7 @@ public:
     }
 
     std::uint64_t compared = 0, mismatches = 0, dependences = 0, stuck = 0;
+    std::uint64_t least_latency = ~std::uint64_t{0}; // cycles from an input to an output of its
     std::string report;
 
     bool probes_dependences = false;
@@ -129,12 +132,14 @@ private:
     struct Expected {
         Bits output, state, input;
         unsigned tag;
+        std::uint64_t taken_at;
     };
 
     void clock() {
         dut_->clk_i = 1;
         dut_->eval();
         dut_->clk_i = 0;
+        ++cycle_;
         context_->timeInc(1);
     }
 
@@ -181,7 +186,8 @@ private:
         unit_.expect(states_[tag_], *offered_, outputs_);
         if (bins) unit_.cover(*bins, states_[tag_], *offered_);
         for (const Output& output : outputs_) {
-            expected_.push_back({settled(to_bits(output)), state_bits_[tag_], offered_bits_, tag_});
+            expected_.push_back(
+                {settled(to_bits(output)), state_bits_[tag_], offered_bits_, tag_, cycle_});
             if (corrupt) corrupt(expected_.back().output);
             ++inside_[tag_];
         }
@@ -196,6 +202,7 @@ private:
             return note("    an output without an input\n");
         }
         const Expected& front = expected_.front();
+        least_latency = std::min(least_latency, cycle_ - front.taken_at);
         ++compared;
         if (!is_blind() && !(got == front.output)) {
             ++mismatches;
@@ -246,6 +253,7 @@ private:
     }
 
     Unit& unit_;
+    std::uint64_t cycle_ = 0;
     std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
     std::unique_ptr<Dut> dut_;
     unsigned tag_ = 0, reports_ = 0;

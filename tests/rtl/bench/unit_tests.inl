@@ -52,6 +52,16 @@ TEST_CASE("the unit equals the model on random states and inputs, whatever stall
     CHECK(compared > 0);
 }
 
+TEST_CASE("the latency is that of the table of the pipe's numbers") {
+    if constexpr (requires { Unit::Latency; }) {
+        Unit unit;
+        UnitBench<Unit> bench(unit);
+        Random random(21);
+        bench.run(random_source(unit, random, 300), Stall::Never, 2);
+        CHECK(bench.least_latency == pipe_number(Unit::Latency));
+    }
+}
+
 TEST_CASE("a reset in mid-stream leaves nothing behind") {
     Unit unit;
     UnitBench<Unit> bench(unit, 9);

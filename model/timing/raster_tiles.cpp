@@ -1,0 +1,115 @@
+// The walk over whole tiles. Quads are found where they lie in the scan of their block. Which of
+// the blocks without quads the edges touch is not known, but how many: they are taken to lie evenly
+// between the others.
+
+#include "model/timing/raster_timing.h"
+
+#include <algorithm>
+
+namespace ffgpu::timing {
+namespace {
+
+constexpr std::uint32_t QuadsAcross = PieceBox::BlockWidth / 2; // a block
+constexpr std::uint32_t BlockQuads = QuadsAcross * QuadsAcross;
+
+std::uint32_t tiles_between(std::uint32_t begin, std::uint32_t end, std::uint32_t width) {
+    return (end - 1) / width - begin / width + 1;
+}
+
+std::uint32_t place_in_block(const PreparedQuad& quad) {
+    return quad.y / 2u % QuadsAcross * QuadsAcross + quad.x / 2u % QuadsAcross;
+}
+
+} // namespace
+
+// A cycle each: tiles, all their blocks, and the quads of those that are touched.
+void RasterTiming::begin_tiles(const work::PreparedPiece& piece) {
+    const PieceBox& box = piece.box;
+    const std::uint32_t width = config_.outer_tile_width;
+    const std::uint32_t across = width / PieceBox::BlockWidth;
+    const Cycle tiles = box.empty() ? 0
+                                    : Cycle{tiles_between(box.x0, box.x1, width)} *
+                                          tiles_between(box.y0, box.y1, width);
+    walk_ = {.begun = true,
+             .cycles_left = config_.piece_cycles + tiles * (1 + Cycle{across} * across) +
+                            Cycle{box.touched_blocks} * BlockQuads,
+             .empty = piece.empty_blocks,
+             .touched = box.touched_blocks};
+    walk_.cycles_left = std::max<Cycle>(walk_.cycles_left, 1);
+    for (std::uint32_t i = piece.begin; i != piece.end; ++i) {
+        const PreparedQuad& quad = scene_->work.quads[i];
+        if (!quad.new_tile) continue;
+        walk_.empty += quad.empty_blocks;
+        walk_.touched -= std::min<std::uint64_t>(walk_.touched, 1);
+    }
+}
+
+// Tiles and blocks up to the quad's own, from the box's first tile on.
+Cycle RasterTiming::steps_to(const PieceBox& box, const PreparedQuad& quad) const {
+    const std::uint32_t width = config_.outer_tile_width;
+    const std::uint32_t across = width / PieceBox::BlockWidth;
+    const Cycle tiles =
+        Cycle{quad.y / width - box.y0 / width} * tiles_between(box.x0, box.x1, width) +
+        (quad.x / width - box.x0 / width);
+    const std::uint32_t block =
+        quad.y % width / PieceBox::BlockWidth * across + quad.x % width / PieceBox::BlockWidth;
+    return tiles * (1 + Cycle{across} * across) + 1 + block + 1;
+}
+
+// Cycles before the one in which the quad is found.
+Cycle RasterTiming::scan_to(const PieceBox& box, const PreparedQuad& quad) {
+    const std::uint32_t place = place_in_block(quad);
+    Cycle cycles = place - walk_.scanned;
+    if (quad.new_tile) {
+        walk_.passed_empty += quad.empty_blocks;
+        const std::uint64_t touched =
+            walk_.empty == 0 ? 0 : walk_.touched * walk_.passed_empty / walk_.empty;
+        const Cycle steps = box.empty() ? walk_.steps + 1 : steps_to(box, quad);
+        const std::uint32_t rest = walk_.scanned == 0 ? 0 : BlockQuads - walk_.scanned;
+        cycles =
+            rest + (steps - walk_.steps) + (touched - walk_.passed_touched) * BlockQuads + place;
+        if (walk_.steps == 0) cycles += config_.piece_cycles;
+        walk_.steps = steps;
+        walk_.passed_touched = touched;
+    }
+    walk_.scanned = place + 1;
+    return cycles;
+}
+
+Activity RasterTiming::walk_tiles() {
+    const work::PreparedScene& work = scene_->work;
+    const work::PreparedPiece& piece = work.pieces[piece_];
+    if (!walk_.begun) begin_tiles(piece);
+    if (quad_ == piece.end) { // It holds none.
+        walked_at_ = now() + walk_.cycles_left;
+        end_tiles();
+        return Activity::Busy;
+    }
+    const PreparedQuad& quad = work.quads[quad_];
+    if (!in_block_) {
+        const Cycle before = scan_to(piece.box, quad);
+        in_block_ = true;
+        walk_.cycles_left -= std::min(walk_.cycles_left, before + 1);
+        walked_at_ = now() + before;
+        if (before > 0) return Activity::Busy;
+    }
+    if (!ports_.quads_out.can_push()) return Activity::StalledOutput;
+    ports_.quads_out.push({scene_, quad_, 0});
+    statistics_.blocks += quad.new_tile;
+    in_block_ = false;
+    if (++quad_ == piece.end) {
+        walked_at_ = now() + 1 + walk_.cycles_left;
+        end_tiles();
+    }
+    return Activity::Busy;
+}
+
+void RasterTiming::end_tiles() {
+    walk_.begun = false;
+    if (++piece_ != end_piece_)
+        quad_ = scene_->work.pieces[piece_].begin;
+    else if (walked_at_ <= now() + 1)
+        end_record();
+}
+
+} // namespace ffgpu::timing
