@@ -52,14 +52,21 @@ TEST_CASE("the unit equals the model on random states and inputs, whatever stall
     CHECK(compared > 0);
 }
 
+// A unit without a name in the table is a part of a loop of its test's.
+template <class U>
+std::string_view latency_name() {
+    if constexpr (requires { U::Latency; }) return U::Latency;
+    return {};
+}
+
 TEST_CASE("the latency is that of the table of the pipe's numbers") {
-    if constexpr (requires { Unit::Latency; }) {
-        Unit unit;
-        UnitBench<Unit> bench(unit);
-        Random random(21);
-        bench.run(random_source(unit, random, 300), Stall::Never, 2);
-        CHECK(bench.least_latency == pipe_number(Unit::Latency));
-    }
+    const std::string_view name = latency_name<Unit>();
+    if (name.empty()) return;
+    Unit unit;
+    UnitBench<Unit> bench(unit);
+    Random random(21);
+    bench.run(random_source(unit, random, 300), Stall::Never, 2);
+    CHECK(bench.least_latency == pipe_number(name));
 }
 
 TEST_CASE("a reset in mid-stream leaves nothing behind") {
