@@ -1336,7 +1336,7 @@ package ffgpu_registers_pkg;
   localparam int unsigned TexelFetchLatency = 1;  // cycles
   localparam int unsigned TexelCacheLatency = 2;  // cycles, where the line is there
   localparam int unsigned TexelDecodeLatency = 2;  // cycles
-  localparam int unsigned FilterTreeLatency = 5;  // cycles
+  localparam int unsigned FilterTreeLatency = 4;  // cycles
   localparam int unsigned TextureEnvironmentLatency = 3;  // cycles
   localparam int unsigned ColorSumLatency = 1;  // cycles
   localparam int unsigned FogLatency = 6;  // cycles

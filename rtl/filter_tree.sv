@@ -1,7 +1,7 @@
 // The filter: up to eight texels of a level along x, y and z, then two levels, then the mean of the
 // probes.
 //
-// Latency 5, one level a cycle; a fragment's color follows its last level. Equals filter_fragment()
+// Latency 4, one level a cycle; a fragment's color follows its last level. Equals filter_fragment()
 // in model/texture/sample.cpp on texels, by ffgpu::lerp8w() in filter.h. A weight of 0 gives the
 // first texel itself: a nearest filter, or an axis that the texture has not, has that weight.
 

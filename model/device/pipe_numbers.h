@@ -29,7 +29,7 @@ inline constexpr std::array PipeNumbers{
     PipeNumber{"TexelFetchLatency", 1, "cycles"},
     PipeNumber{"TexelCacheLatency", 2, "cycles, where the line is there"},
     PipeNumber{"TexelDecodeLatency", 2, "cycles"},
-    PipeNumber{"FilterTreeLatency", 5, "cycles"},
+    PipeNumber{"FilterTreeLatency", 4, "cycles"},
     PipeNumber{"TextureEnvironmentLatency", 3, "cycles"},
     PipeNumber{"ColorSumLatency", 1, "cycles"},
     PipeNumber{"FogLatency", 6, "cycles"},
