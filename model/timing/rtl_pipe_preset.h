@@ -43,8 +43,8 @@ inline constexpr std::uint32_t ToInterpolator =
 inline constexpr std::uint32_t Values =
     pipe_number("AttributePlaneLatency") + pipe_number("PerspectiveLatency");
 inline constexpr std::uint32_t Divide = Values + pipe_number("ReciprocalLatency") + Fifo;
-// From tags to the filter's sample and the quad's leaving, less the cycle in which its data are read
-// and the one in which it goes on.
+// From tags to the filter's sample and the quad's leaving, less the cycle in which its data are
+// read and the one in which it goes on.
 inline constexpr std::uint32_t Sample =
     pipe_number("LevelOfDetailLatency") + pipe_number("TexelAddressLatency") +
     pipe_number("TexelFetchLatency") + pipe_number("TexelCacheLatency") +
