@@ -20,7 +20,7 @@ GpuTiming::GpuTiming(const TimingConfig& config,
                      const MakeMemory& make_memory)
     : context_(std::make_unique<SimulationContext>()) {
     check_memory_lines(config);
-    check_refresh(config.memory);
+    check_refresh(config);
     check_caches(config);
     check_blocks(config);
     check_pipe(config);

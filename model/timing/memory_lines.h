@@ -10,7 +10,7 @@ namespace ffgpu::timing {
 // Throws InputError that names both parameters.
 void check_memory_lines(const TimingConfig& config);
 
-// Throws InputError that names the parameter and the least that would do.
-void check_refresh(const MemoryConfig& config);
+// Throws InputError that names the parameter and what is enough.
+void check_refresh(const TimingConfig& config);
 
 } // namespace ffgpu::timing

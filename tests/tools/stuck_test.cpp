@@ -39,9 +39,11 @@ TEST_CASE("refreshes that leave no time to open, use and close a row are refused
                     "memory.refresh_cycles=1024",
                     "memory.refresh_interval_cycles=" + std::to_string(interval)});
     };
-    // tRFC; tRAS, or tRCD with a write's WL, burst and tWR, the longer; tRP; a cycle each for
-    // refresh, activate, column and precharge.
-    const unsigned least = 1024 + std::max(8u, 4u + 1 + 2 + 3) + 4 + 4;
+    // A row, with a write of 64 bytes on a bus of 8: tRCD, 4 bursts of 2 cycles, CL or WL, a
+    // burst's data, tWR. tRP. tRFC. Another: tRRD or tFAW, tRCD, a turn of the bus, the data; and a
+    // cycle each for refresh, activate, column and precharge.
+    const unsigned data = 8 + 3 + 2;
+    const unsigned least = (4 + data + 3) + 4 + 1024 + (3 + 4 + 3 + data) + 4;
     int status = 0;
     const std::string told = printed(stderr, [&] { status = status_with(least - 1); });
     CHECK(status == 2);
