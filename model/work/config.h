@@ -73,7 +73,8 @@ struct RasterOrder {
                .minimum = 2,
                .maximum = 512,
                .power_of_two = true,
-               .meaning = "nested: width and height of the tiles of tiles; at least a tile's"});
+               .meaning = "nested: width and height of the tiles of tiles; less than a tile's "
+                          "counts as a tile's"});
         field("bin_size",
               self.bin_size,
               {.unit = "pixels",

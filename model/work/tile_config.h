@@ -27,7 +27,7 @@ struct TileOrder {
         field("binning",
               self.binning,
               {.meaning = "bins whose lists a primitive is put in: those where it covers a sample, "
-                          "or all that the bounding box of what it covers touches",
+                          "or all that the bounding box of its corners on the screen touches",
                .choices = BinningNames});
         field("header_bytes",
               self.header_bytes,

@@ -133,7 +133,8 @@ TEST_CASE("The resident size does not grow with the number of frames") {
     for (const std::string& name : own_traces()) {
         INFO(name);
         Repeater repeater(own_trace(name));
-        const std::uint64_t before = repeater.repeat(100);
+        // The driver writes what it uploads round about: all of that memory has to be in use first.
+        const std::uint64_t before = repeater.repeat(600);
         CHECK(repeater.repeat(500) <= before + Margin);
     }
 }

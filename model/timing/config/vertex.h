@@ -114,8 +114,8 @@ struct VertexConfig : CacheQueuesConfig {
               {.unit = "vertices",
                .minimum = 1,
                .maximum = 4096,
-               .meaning = "in the geometry units, or waiting there for their turn to leave; at "
-                          "least vertex.units"});
+               .meaning = "in the geometry units, or waiting there for their turn to leave; fewer "
+                          "than vertex.units count as that many"});
         field("transform_cycles",
               self.transform_cycles,
               {.unit = "cycles",
