@@ -35,9 +35,10 @@ void check_caches(const TimingConfig& config) {
     check_lines(ColorCacheConfig::Name, config.color_cache.sets, config.color_cache.ways);
     if (config.texel_cache.layout == work::Layout::Blocked6d &&
         config.texel_cache.superblock_width < config.texel_cache.block_width)
-        throw InputError("texel_cache.superblock_width: expected at least texel_cache.block_width (" +
-                         std::to_string(config.texel_cache.block_width) + "), found " +
-                         std::to_string(config.texel_cache.superblock_width));
+        throw InputError(
+            "texel_cache.superblock_width: expected at least texel_cache.block_width (" +
+            std::to_string(config.texel_cache.block_width) + "), found " +
+            std::to_string(config.texel_cache.superblock_width));
     if (config.texel_l2.enable && config.texel_l2.line_bytes < config.texel_cache.line_bytes)
         throw InputError("texel_l2.line_bytes: expected at least texel_cache.line_bytes (" +
                          std::to_string(config.texel_cache.line_bytes) + "), found " +
