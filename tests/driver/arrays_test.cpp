@@ -63,26 +63,6 @@ TEST_CASE_METHOD(DrawFixture, "only the vertices that indices use are gathered")
     CHECK(names(all[0])[21] == 501);
 }
 
-TEST_CASE_METHOD(DrawFixture, "a vertex takes the words of its arrays' components, no more") {
-    const NumberedVertices arrays(3); // of two components
-    const std::vector<float> colors(12), coordinates(6), normals(9);
-    const auto stride = [&] {
-        entry::DrawArrays(GL_TRIANGLES, 0, 3);
-        CHECK(draws().size() == 1);
-        return int{device.registers.vertex_format.stride};
-    };
-    CHECK(stride() == 2);
-    entry::EnableClientState(GL_COLOR_ARRAY);
-    entry::ColorPointer(4, GL_FLOAT, 0, colors.data());
-    CHECK(stride() == 2 + 4);
-    entry::EnableClientState(GL_TEXTURE_COORD_ARRAY);
-    entry::TexCoordPointer(2, GL_FLOAT, 0, coordinates.data());
-    CHECK(stride() == 2 + 4 + 2);
-    entry::EnableClientState(GL_NORMAL_ARRAY);
-    entry::NormalPointer(GL_FLOAT, 0, normals.data());
-    CHECK(stride() == 2 + 4 + 2 + 3);
-}
-
 TEST_CASE_METHOD(DrawFixture, "a base vertex is added to the indices") {
     const NumberedVertices arrays(100);
     const GLubyte indices[] = {0, 1, 2};

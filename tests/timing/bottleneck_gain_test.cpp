@@ -1,0 +1,38 @@
+// The gain without a unit is reckoned right where that unit alone limits a draw: stages before and
+// behind it then take in one cycle and give in another.
+
+#include "tests/timing/analytic_scenes.h"
+#include "tests/timing/machine_figures.h"
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::timing {
+namespace {
+
+// Fragments without textures: nothing else has work.
+WorkBin plain_fill() {
+    WorkBin bin = make_bin(uniform_level_scene(128, 0));
+    for (WorkTile& tile : bin.tiles)
+        for (WorkBatch& batch : tile.batches)
+            batch.textures.clear();
+    return bin;
+}
+
+} // namespace
+
+TEST_CASE("a draw bound by the fragment pipe gains what it takes less without its limit") {
+    const WorkBin bin = plain_fill();
+    TimingConfig config;
+    config.memory.bytes_per_cycle = 256;
+    const std::uint64_t unlimited = run(config, bin).at("total_cycles");
+    config.fragment.quad_cycles = GENERATE(2, 3, 4, 6);
+    CAPTURE(config.fragment.quad_cycles);
+    const Figures figures = run(config, bin);
+    const std::uint64_t gain = figures.at("total_cycles") - unlimited;
+    const std::uint64_t reckoned = figures.at("gain_fragment_cycles");
+    REQUIRE(gain > unlimited / 4);
+    CHECK(10 * reckoned >= 9 * gain);
+    CHECK(10 * reckoned <= 11 * gain);
+}
+
+} // namespace ffgpu::timing
