@@ -44,12 +44,12 @@ DepthTiming::DepthTiming(sc_core::sc_module_name name,
     , interlock_(config.depth_cache.fragment_fifo) {}
 
 bool DepthTiming::tests_here(Path path, const PreparedDraw& draw) const {
-    if (!draw.uses_depth) return false;
+    if (!draw.uses_depth()) return false;
     return draw.tests_twice || draw.early_depth == (path == Path::Early);
 }
 
 bool DepthTiming::writes_late(const PreparedDraw& draw) const {
-    return draw.uses_depth && draw.writes_depth && !draw.early_depth;
+    return draw.uses_depth() && draw.writes_depth && !draw.early_depth;
 }
 
 // --- The coarse test ---------------------------------------------------------------------------
@@ -136,7 +136,11 @@ DepthTiming::written_bytes(Path path, const QuadToken& token, std::size_t line) 
     PreparedQuad quad = token.quad();
     quad.samples_written = scene.values_of(quad).depth_words.samples;
     quad.after_depth = lanes_of(quad.samples_written);
-    return quad_bytes(draw.depth_place, ports_.cache.grain(), quad, scene.depth_lines(quad)[line]);
+    return quad_bytes(draw.depth_place,
+                      ports_.cache.grain(),
+                      quad,
+                      scene.depth_lines(quad)[line],
+                      work::whole_pixel(draw.state->targets.depth.format));
 }
 
 LineAccess DepthTiming::access(Path path, const QuadToken& token, std::size_t line) const {
@@ -145,7 +149,7 @@ LineAccess DepthTiming::access(Path path, const QuadToken& token, std::size_t li
     const bool accepted = path == Path::Early && coarse_ == Coarse::Accepted;
     if (accepted && has_stencil(draw)) written = depths_alone(written, ports_.cache.grain());
     return {.number = token.scene->work.depth_lines(token.quad())[line],
-            .read = accepted ? 0 : LineAccess::Whole,
+            .read = accepted || !draw.reads_depth ? 0 : LineAccess::Whole,
             .written = written.touched,
             .covered = written.covered};
 }

@@ -215,9 +215,12 @@ std::vector<LineWrite> LineCache::flush() {
 }
 
 LineWrite LineCache::overwrite(std::uint64_t number, LineMask overwritten) {
-    check(!optimal_, "a cache with optimal replacement is only read");
     forget_last();
     classifier_.drop(number);
+    if (optimal_) { // It is only read.
+        optimal_->drop(number);
+        return {};
+    }
     TagArray::Line* const line = tags_.find(number);
     if (!line) return {};
     const TagArray::Line dropped = *line;

@@ -159,7 +159,9 @@ Machine::Machine(const SimulationContext& kernel,
               config,
               {.quads_in = depth_to_texture,
                .quads_out = texture_to_fragment,
-               .caches = texel_caches.first_level()})
+               .caches = texel_caches.first_level(),
+               .second_level = texel_caches.second_level(),
+               .rewrites = rewrites})
     , fragment("fragment",
                clock,
                config,
@@ -259,6 +261,7 @@ MemoryArbiter::Ports Machine::memory_ports() {
 void Machine::scene(work::PreparedScene&& scene) {
     waiting_quads += scene.quads.size() + scene.draws.size();
     scenes.emplace_back(std::move(scene), ledger);
+    scenes.back().number = scenes_told++;
     scenes.back().host_writes = std::exchange(host_writes, {});
     host.enqueue(scenes.back());
     if (waiting_quads > MostWaiting) run();
@@ -275,6 +278,10 @@ void Machine::content(work::PreparedContent&& content) {
 
 void Machine::host_access(std::vector<work::TransferLine>&& lines) {
     if (blocks.depth || blocks.color) host.enqueue(std::move(lines));
+}
+
+void Machine::texels_rewritten(std::vector<std::uint64_t>&& lines) {
+    rewrites.add(scenes_told, std::move(lines));
 }
 
 void Machine::host_transfer(const HostTransfer& transfer) {

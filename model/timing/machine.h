@@ -59,6 +59,7 @@ public:
     void end_frame(std::uint32_t number) override;
     void content(work::PreparedContent&& content) override;
     void host_access(std::vector<work::TransferLine>&& lines) override;
+    void texels_rewritten(std::vector<std::uint64_t>&& lines) override;
     // What the screen reads from its next refresh on.
     void show(const work::PlacedLevel& picture);
 
@@ -78,6 +79,7 @@ public:
     InFlight in_flight, memory_in_flight, screen_in_flight;
     CommandLedger ledger;
     std::deque<TimedScene> scenes;
+    std::uint64_t scenes_told = 0;
     std::size_t waiting_quads = 0; // and draws and transfers, since run()
 
     RequestPort host_requests, command_requests, screen_requests;
@@ -85,6 +87,7 @@ public:
     CachePort index_port, vertex_port, depth_port, color_port;
     TexelCaches texel_caches;
     TargetBlocks blocks;
+    TexelRewrites rewrites;
 
     Channel<CommandToken> commands;
     Channel<Drained> drained;

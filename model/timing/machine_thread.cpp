@@ -48,6 +48,13 @@ void MachineThread::host_access(std::vector<work::TransferLine>&& lines) {
     });
 }
 
+void MachineThread::texels_rewritten(std::vector<std::uint64_t>&& lines) {
+    const std::size_t weight = 1 + lines.size();
+    jobs_.push(weight, [this, lines = std::move(lines)]() mutable {
+        machine_.texels_rewritten(std::move(lines));
+    });
+}
+
 void MachineThread::show(const work::PlacedLevel& picture) {
     jobs_.push(1, [this, picture] { machine_.show(picture); });
 }

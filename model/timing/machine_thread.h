@@ -20,6 +20,7 @@ public:
     void end_frame(std::uint32_t frame) override;
     void content(work::PreparedContent&& content) override;
     void host_access(std::vector<work::TransferLine>&& lines) override;
+    void texels_rewritten(std::vector<std::uint64_t>&& lines) override;
     void show(const work::PlacedLevel& picture);
 
     // Returns when the machine has read all that it was given.

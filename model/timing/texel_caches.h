@@ -19,6 +19,8 @@ public:
 
     // What the texture units see: one, or one for each pipe.
     std::vector<CachePort*> first_level();
+    // Null where there is none.
+    LineCache* second_level() { return l2_port_ ? &l2_port_->cache : nullptr; }
     // What the memory sees.
     std::vector<CachePort*> at_memory();
     // The second level's unit; null where there is none.

@@ -22,9 +22,33 @@ void TextureTiming::set_observer(QuadObserver* observer) {
         pipe.set_observer(observer);
 }
 
+bool TextureTiming::is_empty() const {
+    const auto is_empty = [](const TexturePipe& pipe) {
+        return !pipe.has_parked() && !pipe.has_tags_to_compare();
+    };
+    return exit_.is_empty() && std::all_of(pipes_.begin(), pipes_.end(), is_empty);
+}
+
+// Those before a quad whose texels may have changed read the former ones from the same caches.
 bool TextureTiming::can_distribute() const {
-    return ports_.quads_in.can_pop() &&
-           pipes_[fragment_pipe(config_, ports_.quads_in.front())].can_take();
+    if (!ports_.quads_in.can_pop()) return false;
+    const QuadToken& quad = ports_.quads_in.front();
+    if (ports_.rewrites.come_before(quad.scene->number) && !is_empty()) return false;
+    return pipes_[fragment_pipe(config_, quad)].can_take();
+}
+
+// Nothing is under way in any of the caches.
+void TextureTiming::forget_rewritten(const QuadToken& quad) {
+    while (ports_.rewrites.come_before(quad.scene->number)) {
+        for (const std::uint64_t line : ports_.rewrites.take()) {
+            for (CachePort* const port : ports_.caches)
+                port->cache.overwrite(line, LineAccess::Whole);
+            if (!ports_.second_level) continue;
+            const work::LineSource source =
+                work::line_source(line, ports_.caches.front()->cache.line_bytes());
+            ports_.second_level->invalidate(source.address, source.address + source.bytes);
+        }
+    }
 }
 
 void TextureTiming::forget_former_draw(const QuadToken& quad) {
@@ -36,6 +60,7 @@ void TextureTiming::forget_former_draw(const QuadToken& quad) {
 // In the order in which they came: a quad whose pipe's queue is full holds up those behind it.
 void TextureTiming::distribute() {
     for (std::size_t i = 0; i < pipes_.size() && can_distribute(); ++i) {
+        forget_rewritten(ports_.quads_in.front());
         if (config_.texel_cache.forgets) forget_former_draw(ports_.quads_in.front());
         const std::uint32_t pipe = fragment_pipe(config_, ports_.quads_in.front());
         pipes_[pipe].take(ports_.quads_in.pop());

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "model/timing/cache_port.h"
+#include "model/timing/texel_rewrites.h"
 #include "model/timing/texture_pipe.h"
 #include "model/timing/unit.h"
 
@@ -19,6 +20,8 @@ public:
         Channel<QuadToken>& quads_in;
         Channel<QuadToken>& quads_out;
         std::vector<CachePort*> caches; // one, or one for each pipe
+        LineCache* second_level;        // behind them; null: none
+        TexelRewrites& rewrites;
     };
 
     TextureTiming(sc_core::sc_module_name name,
@@ -37,6 +40,8 @@ private:
     bool has_backlog() const override;
     bool can_distribute() const;
     void distribute();
+    bool is_empty() const;
+    void forget_rewritten(const QuadToken& quad);
     void forget_former_draw(const QuadToken& quad);
 
     const TimingConfig& config_;

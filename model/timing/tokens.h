@@ -32,6 +32,7 @@ struct TimedScene {
     }
 
     work::PreparedScene work;
+    std::uint64_t number = 0;           // in the machine's order
     std::vector<HostWrite> host_writes; // before its draws; the vertex fetch takes them
 
     // By the unit that reads a draw last.

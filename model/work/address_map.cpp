@@ -1,11 +1,53 @@
 #include "model/work/address_map.h"
 
+#include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace ffgpu::work {
 namespace {
 
 constexpr std::uint64_t LevelAlignment = 512; // bytes: the longest line
+
+// The lines of an element, a texel or a block.
+void add_element_lines(const PlacedLevel& level,
+                       std::uint64_t at,
+                       std::uint32_t line_bytes,
+                       std::vector<std::uint64_t>& lines) {
+    const auto add = [&lines](std::uint64_t line) {
+        if (lines.empty() || lines.back() != line) lines.push_back(line);
+    };
+    if (level.expansion_log2 != 0) {
+        for (std::uint32_t texel = 0; texel < ExpandedBlockBytes; texel += ExpandedTexelBytes)
+            add(expanded_line(at, level.expansion_log2, texel, line_bytes));
+        return;
+    }
+    add(quotient(at, line_bytes));
+    add(quotient(at + level.layout.element_bytes - 1, line_bytes));
+}
+
+// The lines of the elements that bytes [begin, end) of the level are of, as device memory has it;
+// some more than once.
+void add_level_lines(const PlacedLevel& level,
+                     const LevelLayout& device,
+                     std::uint64_t begin,
+                     std::uint64_t end,
+                     std::uint32_t line_bytes,
+                     std::vector<std::uint64_t>& lines) {
+    const std::uint32_t element = level.layout.element_bytes;
+    for (std::uint64_t row = begin / device.row_stride; row * device.row_stride < end; ++row) {
+        const std::uint64_t first = row * device.row_stride;
+        const auto from = static_cast<std::uint32_t>((std::max(begin, first) - first) / element);
+        const std::uint64_t to =
+            (std::min<std::uint64_t>(end - first, device.row_stride) - 1) / element;
+        const auto rows_of_layer = device.layer_stride / device.row_stride;
+        const std::uint64_t at =
+            level.layer_address(static_cast<std::uint32_t>(row / rows_of_layer)) +
+            level.layout.row_offset(static_cast<std::uint32_t>(row % rows_of_layer));
+        for (std::uint32_t column = from; column <= to; ++column)
+            add_element_lines(level, at + level.layout.column_offset(column), line_bytes, lines);
+    }
+}
 
 } // namespace
 
@@ -76,18 +118,64 @@ const PlacedLevel& AddressMap::surface(const Surface& surface, const CacheShape&
     return entry->second;
 }
 
-void AddressMap::memory_written(std::uint64_t at, std::uint64_t bytes) {
+std::vector<std::uint64_t>
+AddressMap::memory_written(std::uint64_t at, std::uint64_t bytes, RewrittenLevel rewritten) {
+    std::vector<std::uint64_t> lines;
     for (auto& [address, texture] : textures_) {
         if (address >= at + bytes) break;
         if (texture.levels.empty() || address + texture.bytes <= at) continue;
         for (std::uint32_t level = 0; level < texture.levels.size(); ++level) {
             const LevelLayout device = level_layout(texture.image.shape, level);
             const std::uint64_t begin = address + device.offset;
-            if (begin < at + bytes && begin + device.bytes > at) {
+            if (begin >= at + bytes || begin + device.bytes <= at) continue;
+            if (rewritten == RewrittenLevel::NewPlace)
                 texture.set(level, place_level(texture.image, level), texture_shape_.line_bytes);
-            }
+            else
+                add_level_lines(texture.levels[level],
+                                device,
+                                std::max(at, begin) - begin,
+                                std::min(at + bytes, begin + device.bytes) - begin,
+                                texture_shape_.line_bytes,
+                                lines);
         }
     }
+    std::sort(lines.begin(), lines.end());
+    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+    return lines;
+}
+
+void AddressMap::drawn_into(const Targets& targets) {
+    Targets::for_each(targets, [this](const Surface& target) {
+        if (target.format == Format::None) return;
+        const Range drawn{target.address, target.address + target.bytes()};
+        if (std::find(drawn_.begin(), drawn_.end(), drawn) != drawn_.end()) return;
+        for (const auto& [address, texture] : textures_) {
+            if (address >= drawn.end) break;
+            if (texture.levels.empty() || address + texture.bytes <= drawn.begin) continue;
+            return drawn_.push_back(drawn);
+        }
+    });
+}
+
+std::vector<std::uint64_t> AddressMap::take_drawn(const Registers& draw) {
+    if (drawn_.empty()) return {};
+    const bool reads = std::any_of(
+        std::begin(draw.images), std::end(draw.images), [this](const TextureImage& image) {
+            if (image.shape.kind == TextureKind::None) return false;
+            const Range read{image.address, image.address + texture_bytes(image.shape)};
+            return std::any_of(drawn_.begin(), drawn_.end(), [&](const Range& drawn) {
+                return drawn.overlaps(read);
+            });
+        });
+    if (!reads) return {};
+    std::vector<std::uint64_t> lines;
+    for (const Range& drawn : std::exchange(drawn_, {})) {
+        const auto more = memory_written(drawn.begin, drawn.end - drawn.begin);
+        lines.insert(lines.end(), more.begin(), more.end());
+    }
+    std::sort(lines.begin(), lines.end());
+    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+    return lines;
 }
 
 } // namespace ffgpu::work

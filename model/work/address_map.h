@@ -1,7 +1,7 @@
 // AddressMap: gives textures and surfaces their places in the explored machine's address space, in
 // the layouts of the configuration. Places are handed out in the order of first use and never
-// reused; a texture level that the driver writes again gets a new place, so that its next reads are
-// compulsory misses, as they are on a real bus.
+// reused. Texels that are written to a level which has a place change where they lie, or the level
+// gets a new place: either way their next reads are misses, as they are on a real bus.
 
 #pragma once
 
@@ -32,10 +32,29 @@ public:
     // A colour or depth target, in the layout of its cache; a pixel's samples lie together.
     const PlacedLevel& surface(const Surface& surface, const CacheShape& cache);
 
-    // The driver wrote [at, at + bytes) of device memory.
-    void memory_written(std::uint64_t at, std::uint64_t bytes);
+    // [at, at + bytes) of device memory were written. `rewritten`: of the levels that were read
+    // before. Returns the lines of the texel cache that hold what changed in its place, each once,
+    // in rising order.
+    std::vector<std::uint64_t>
+    memory_written(std::uint64_t at, std::uint64_t bytes, RewrittenLevel rewritten);
+    // As the configuration has it.
+    std::vector<std::uint64_t> memory_written(std::uint64_t at, std::uint64_t bytes) {
+        return memory_written(at, bytes, texture_shape_.rewritten);
+    }
+
+    // A command draws into the targets, which may be levels of textures.
+    void drawn_into(const Targets& targets);
+    // Where the draw reads a texture that was drawn into: the lines of all those, as
+    // memory_written() returns them.
+    std::vector<std::uint64_t> take_drawn(const Registers& draw);
 
 private:
+    struct Range {
+        std::uint64_t begin = 0, end = 0;
+
+        bool overlaps(const Range& other) const { return begin < other.end && other.begin < end; }
+        bool operator==(const Range&) const = default;
+    };
     struct Texture : TextureLines {
         TextureImage image;
         std::uint64_t bytes = 0;
@@ -47,6 +66,7 @@ private:
 
     const TexelCacheShape texture_shape_;
     std::map<DeviceAddress, Texture> textures_;
+    std::vector<Range> drawn_; // of textures; no draw has read them since
     std::map<std::tuple<DeviceAddress, Format, std::uint32_t, std::uint32_t, std::uint32_t>,
              PlacedLevel>
         surfaces_;

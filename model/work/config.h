@@ -129,9 +129,14 @@ struct CacheShape {
 enum class TexelContents : std::uint8_t { Blocks, Texels };
 inline constexpr std::array<std::string_view, 2> TexelContentsNames{"blocks", "texels"};
 
+// Where the texels lie that are written to a level which was read before.
+enum class RewrittenLevel : std::uint8_t { InPlace, NewPlace };
+inline constexpr std::array<std::string_view, 2> RewrittenLevelNames{"in_place", "new_place"};
+
 struct TexelCacheShape : CacheShape {
     TexelContents contents = TexelContents::Blocks;
     std::uint32_t superblock_width = 32;
+    RewrittenLevel rewritten = RewrittenLevel::InPlace;
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
@@ -150,6 +155,14 @@ struct TexelCacheShape : CacheShape {
                    "expanded at each read; texels: lines hold texels of 4 bytes, expanded "
                    "when the line is filled, which reads the blocks",
                .choices = TexelContentsNames});
+        field("rewritten",
+              self.rewritten,
+              {.meaning =
+                   "texels of a level that was read before; in_place: the lines that hold them "
+                   "are thrown out of the caches before the next draw, whose quads wait for "
+                   "those before them; new_place: the level moves, as a driver does that waits "
+                   "for nobody, and none of its lines is there any more",
+               .choices = RewrittenLevelNames});
     }
 };
 

@@ -8,6 +8,7 @@
 #include "model/work/texel_line.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace ffgpu::work {
 
@@ -37,8 +38,17 @@ public:
         }
     }
     void flush(LookupClient client) override { out_.flush(client); }
+    // Lines of expanded texels follow each other as their blocks do.
     void overwritten(LookupClient client, std::span<const OverwrittenLine> lines) override {
-        out_.overwritten(client, lines);
+        if (client != LookupClient::Texel) return out_.overwritten(client, lines);
+        std::vector<OverwrittenLine> behind;
+        for (const OverwrittenLine& overwritten : lines) {
+            if (TagArray::Line* const line = tags_.find(overwritten.line)) tags_.drop(*line);
+            const std::uint64_t address = line_source(overwritten.line, line_bytes_).address;
+            const std::uint64_t number = quotient(address, line_bytes_);
+            if (behind.empty() || behind.back().line != number) behind.push_back({number, true});
+        }
+        out_.overwritten(client, behind);
     }
     void end_frame(std::uint32_t frame) override { out_.end_frame(frame); }
 

@@ -99,7 +99,7 @@ void LookupWalk::texels(const PreparedScene& scene, const PreparedQuad& quad) {
 
 void LookupWalk::depths(const PreparedScene& scene, const PreparedQuad& quad) {
     const PreparedDraw& draw = scene.draws[quad.draw];
-    if (!draw.uses_depth) return;
+    if (!draw.uses_depth()) return;
     const auto lines = scene.depth_lines(quad);
     const std::uint32_t samples = lanes(quad.covered);
     if (draw.tests_twice) {
@@ -108,22 +108,19 @@ void LookupWalk::depths(const PreparedScene& scene, const PreparedQuad& quad) {
         tell(LookupClient::Depth, quad_place_, samples);
         if (quad.after_early_depth == 0) return;
     }
-    const bool writes = draw.writes_depth && quad.after_depth != 0;
-    for (const std::uint64_t line : lines)
-        lines_.push_back(
-            {line, writes && quad_bytes(draw.depth_place, depth_grain_, quad, line).touched != 0});
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const bool writes = scene.depth_bytes(quad, i).touched != 0;
+        if (draw.reads_depth || writes) lines_.push_back({lines[i], writes});
+    }
     tell(LookupClient::Depth, quad_place_, samples);
 }
 
 void LookupWalk::colors(const PreparedScene& scene, const PreparedQuad& quad) {
     const PreparedDraw& draw = scene.draws[quad.draw];
     if (!draw.writes_color) return;
-    for (const std::uint64_t line : scene.color_lines(quad)) {
-        bool write = draw.color_places.front().samples == 1; // Each line has a written pixel.
-        for (const PlacedLevel& place : draw.color_places)
-            write = write || quad_bytes(place, color_grain_, quad, line).touched != 0;
-        lines_.push_back({line, write});
-    }
+    const auto lines = scene.color_lines(quad);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        lines_.push_back({lines[i], scene.color_bytes(quad, i).touched != 0});
     tell(LookupClient::Color, quad_place_, lanes(quad.after_depth));
 }
 
@@ -148,7 +145,7 @@ void LookupWalk::transfer(PreparedTransfer&& transfer) {
 }
 
 // The driver reads what the caches have written back. What it writes goes past them; vertices are
-// looked up where the driver wrote them, textures move to new places.
+// looked up where the driver wrote them; of texels texels_rewritten() tells.
 void LookupWalk::host_transfer(const HostTransfer& transfer) {
     if (!transfer.is_write) return flush_targets();
     if (transfer.bytes == 0) return;
@@ -157,6 +154,10 @@ void LookupWalk::host_transfer(const HostTransfer& transfer) {
     for (std::uint64_t line = quotient(transfer.at, vertex_.line_bytes); line <= last; ++line)
         lines.push_back({line, false});
     out_.overwritten(LookupClient::Vertex, lines);
+}
+
+void LookupWalk::texels_rewritten(std::vector<std::uint64_t>&& lines) {
+    tell_rewritten(lines, out_);
 }
 
 void LookupWalk::end_frame(std::uint32_t frame) {

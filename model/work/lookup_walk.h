@@ -29,6 +29,7 @@ public:
     void scene(PreparedScene&& scene) override;
     void transfer(PreparedTransfer&& transfer) override;
     void host_transfer(const HostTransfer& transfer) override;
+    void texels_rewritten(std::vector<std::uint64_t>&& lines) override;
     void end_frame(std::uint32_t frame) override;
 
 private:

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace ffgpu::work {
 
@@ -74,5 +75,15 @@ public:
     virtual void overwritten(LookupClient client, std::span<const OverwrittenLine> lines) = 0;
     virtual void end_frame(std::uint32_t frame) = 0;
 };
+
+// The texels of these lines changed, which are in rising order: caches only read them, and forget
+// them whole.
+inline void tell_rewritten(std::span<const std::uint64_t> lines, LookupSink& sink) {
+    std::vector<OverwrittenLine> overwritten;
+    overwritten.reserve(lines.size());
+    for (const std::uint64_t line : lines)
+        overwritten.push_back({line, true});
+    if (!overwritten.empty()) sink.overwritten(LookupClient::Texel, overwritten);
+}
 
 } // namespace ffgpu::work

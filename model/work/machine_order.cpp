@@ -79,16 +79,18 @@ void MachineOrder::command(std::shared_ptr<const WholeCommand> command) {
     switch (draw.kind) {
     case WorkKind::Draw:
     case WorkKind::Image: {
+        texels_drawn(draw);
         PreparedScene scene;
         append(*command, config_, addresses_, scene);
         return out_.scene(std::move(scene));
     }
     case WorkKind::Clear:
+        texels_drawn(draw);
         return clear(draw);
     case WorkKind::Copy:
         if (tiles_.resolve(draw)) {
             end_scene();
-            return destination_written(draw.copy);
+            return memory_written(draw.copy.destination.address, draw.copy.destination.bytes());
         }
         end_scene();
         return copy(draw);
@@ -99,6 +101,7 @@ void MachineOrder::gather(const WholeCommand& command) {
     const WorkDraw& draw = command.draw;
     const Targets targets = draw.state ? draw.state->targets : Targets{};
     if (!(targets == tiles_.targets()) || reads_scene(command)) end_scene();
+    texels_drawn(draw);
     for_each_read(command,
                   [&](std::uint64_t at, std::uint64_t bytes) { deferred_.need_range(at, bytes); });
     if (draw.kind == WorkKind::Clear) {
@@ -143,7 +146,7 @@ void MachineOrder::host_transfer(const HostTransfer& transfer) {
     if (scene_draws_into(transfer.at, transfer.bytes)) end_scene();
     deferred_.need_range(transfer.at, transfer.bytes);
     store_due();
-    if (transfer.is_write) addresses_.memory_written(transfer.at, transfer.bytes);
+    if (transfer.is_write) memory_written(transfer.at, transfer.bytes);
     access(transfer);
     out_.host_transfer(transfer);
 }
@@ -240,12 +243,26 @@ void MachineOrder::copy(const WorkDraw& draw) {
             lines(copy.source.plane(i), copy.source_x, copy.source_y), depth, false, transfer);
     add_lines(
         lines(copy.destination, copy.destination_x, copy.destination_y), depth, true, transfer);
-    destination_written(copy);
+    memory_written(copy.destination.address, copy.destination.bytes());
     out_.transfer(std::move(transfer));
 }
 
-void MachineOrder::destination_written(const CopyRectangleCommand& copy) {
-    addresses_.memory_written(copy.destination.address, copy.destination.bytes());
+// What the draw reads of textures that were drawn into before; what it draws into itself.
+void MachineOrder::texels_drawn(const WorkDraw& draw) {
+    if (!draw.state) return;
+    if (draw.kind != WorkKind::Clear) tell_rewritten(addresses_.take_drawn(*draw.state));
+    addresses_.drawn_into(draw.state->targets);
+}
+
+void MachineOrder::tell_rewritten(std::vector<std::uint64_t>&& lines) {
+    if (!lines.empty()) out_.texels_rewritten(std::move(lines));
+}
+
+// A scene that is still gathered may read the former texels: the driver leaves them where they are.
+void MachineOrder::memory_written(std::uint64_t at, std::uint64_t bytes) {
+    const RewrittenLevel rewritten =
+        tiles_.empty() ? config_.texel_cache.rewritten : RewrittenLevel::NewPlace;
+    tell_rewritten(addresses_.memory_written(at, bytes, rewritten));
 }
 
 } // namespace ffgpu::work

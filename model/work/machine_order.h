@@ -57,6 +57,8 @@ public:
     virtual void transfer(PreparedTransfer&& transfer) = 0;
     virtual void host_transfer(const HostTransfer& transfer) = 0;
     virtual void end_frame(std::uint32_t frame) = 0;
+    // Texels changed where they lie: those of these lines of the texel cache, in rising order.
+    virtual void texels_rewritten(std::vector<std::uint64_t>&& /*lines*/) {}
     virtual void content(PreparedContent&& /*content*/) {}
     // The host reads or writes these lines of targets whose content was told.
     virtual void host_access(std::vector<TransferLine>&& /*lines*/) {}
@@ -93,7 +95,9 @@ private:
     void gather(const WholeCommand& command);
     void clear(const WorkDraw& draw);
     void copy(const WorkDraw& draw);
-    void destination_written(const CopyRectangleCommand& copy);
+    void texels_drawn(const WorkDraw& draw);
+    void memory_written(std::uint64_t at, std::uint64_t bytes);
+    void tell_rewritten(std::vector<std::uint64_t>&& lines);
     void end_scene();
     void access(const HostTransfer& transfer);
     const CacheShape& shape(bool depth) const {

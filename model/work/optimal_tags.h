@@ -32,6 +32,8 @@ public:
     void use(std::uint64_t line);
     void replace(std::uint64_t line, std::uint64_t fill);
 
+    // Forgets a line: its next look-up misses.
+    void drop(std::uint64_t line) { lines_.erase(line); }
     void clear();
 
 private:

@@ -5,6 +5,7 @@
 #include "model/work/depth_test_masks.h"
 #include "model/work/draw_places.h"
 #include "model/work/surface_lines.h"
+#include "model/work/target_access.h"
 #include "model/work/texel_lookups.h"
 #include "model/work/tile_lines.h"
 #include "model/work/traversal.h"
@@ -19,8 +20,13 @@ namespace ffgpu::work {
 namespace {
 
 struct DrawPlaces {
+    struct Color {
+        const PlacedLevel* place = nullptr;
+        PixelBytes written; // of a pixel
+    };
     const PlacedLevel* depth = nullptr;
-    std::vector<const PlacedLevel*> colors;
+    DepthAccess depth_access;
+    std::vector<Color> colors;
 };
 
 ImageMemory image_memory(const DrawImageCommand& image) {
@@ -121,19 +127,20 @@ private:
             to.texels_.place(unit, texture);
         }
         void depth(const PlacedLevel& place) const {
-            to.draw_.uses_depth = state.depth.test_enable || state.stencil.enable;
-            to.draw_.writes_depth = state.depth.write_enable || state.stencil.enable;
             to.places_.depth = &place;
+            to.places_.depth_access = depth_access(state);
+            to.draw_.reads_depth = to.places_.depth_access.reads();
+            to.draw_.writes_depth = to.places_.depth_access.writes();
             to.draw_.depth_place = place;
         }
         void color(std::uint8_t target, const PlacedLevel& place) const {
-            const Blend& blend = state.blend;
+            const ColorAccess access = color_access(state, target);
+            const PixelBytes whole = whole_pixel(state.targets.color[target].format);
             to.draw_.color_targets.push_back(target);
-            to.draw_.writes_color = blend.write_mask != 0;
-            to.draw_.reads_color =
-                to.draw_.writes_color &&
-                (blend.enable || blend.logic_op_enable || blend.write_mask != 0xf);
-            to.places_.colors.push_back(&place);
+            to.draw_.reads_color |= access.reads;
+            to.draw_.writes_color |= access.written.touched != 0;
+            to.draw_.masks_color |= access.written.covered != whole.covered;
+            to.places_.colors.push_back({&place, access.written});
             to.draw_.color_places.push_back(place);
         }
     };
@@ -282,25 +289,45 @@ private:
         if (places_.depth)
             quad.depth_line_count = add_surface_lines(
                 *places_.depth, config_.depth_cache.line_bytes, quad, test_.tested(from));
-        for (const PlacedLevel* const color : places_.colors)
+        for (const DrawPlaces::Color& color : places_.colors)
             quad.color_line_count = static_cast<std::uint8_t>(
                 quad.color_line_count +
-                add_surface_lines(*color, config_.color_cache.line_bytes, quad, quad.after_depth));
-        add_target_bytes(quad);
+                add_surface_lines(
+                    *color.place, config_.color_cache.line_bytes, quad, quad.after_depth));
+        out_.target_bytes.resize(out_.target_lines.size());
+        add_depth_bytes(from, quad);
+        add_color_bytes(quad);
     }
 
-    // Of the lines that were added last.
-    void add_target_bytes(const PreparedQuad& quad) {
-        out_.target_bytes.resize(out_.target_lines.size());
-        std::size_t at = quad.target_lines_begin;
-        if (quad.after_depth == 0) return;
-        for (unsigned i = 0; i < quad.depth_line_count; ++i, ++at)
-            out_.target_bytes[at] =
-                quad_bytes(*places_.depth, depth_grain_, quad, out_.target_lines[at]);
-        for (unsigned i = 0; i < quad.color_line_count; ++i, ++at)
-            for (const PlacedLevel* const color : places_.colors)
+    // Of the lines that were added last: depths, and stencil values by how the tests ended.
+    void add_depth_bytes(const WorkQuad& from, const PreparedQuad& quad) {
+        const DepthAccess& access = places_.depth_access;
+        const auto add = [&](const PreparedQuad& written, PixelBytes bytes) {
+            if (written.after_depth == 0 || bytes.touched == 0) return;
+            for (std::size_t i = 0; i < quad.depth_line_count; ++i) {
+                const std::size_t at = quad.target_lines_begin + i;
                 out_.target_bytes[at] |=
-                    quad_bytes(*color, color_grain_, quad, out_.target_lines[at]);
+                    quad_bytes(*places_.depth, depth_grain_, written, out_.target_lines[at], bytes);
+            }
+        };
+        add(quad,
+            {access.depth.touched | access.passed.touched,
+             access.depth.covered | access.passed.covered});
+        if ((access.depth_failed.touched | access.stencil_failed.touched) == 0) return;
+        PreparedQuad failed = quad;
+        failed.after_depth = static_cast<std::uint8_t>(quad.after_stencil & ~quad.after_depth);
+        add(failed, access.depth_failed);
+        failed.after_depth = static_cast<std::uint8_t>(test_.tested(from) & ~quad.after_stencil);
+        add(failed, access.stencil_failed);
+    }
+
+    void add_color_bytes(const PreparedQuad& quad) {
+        if (quad.after_depth == 0) return;
+        const std::size_t begin = quad.target_lines_begin + quad.depth_line_count;
+        for (std::size_t at = begin; at < begin + quad.color_line_count; ++at)
+            for (const DrawPlaces::Color& color : places_.colors)
+                out_.target_bytes[at] |= quad_bytes(
+                    *color.place, color_grain_, quad, out_.target_lines[at], color.written);
     }
 
     // The lines that hold the samples of `lanes`, each once, in the order of the lanes; returns

@@ -89,14 +89,16 @@ struct PreparedDraw {
     PlacedLevel depth_place;                 // of its target, if it has one
     std::vector<PlacedLevel> color_places;   // of its colour targets
     std::vector<std::uint8_t> color_targets; // their numbers
-    bool uses_depth = false;
-    bool writes_depth = false;
-    bool reads_color = false; // blending, logic op or a partial mask
-    bool writes_color = false;
-    bool has_values = false; // Its quads have.
+    // As its state has it (target_access.h).
+    bool reads_depth = false, writes_depth = false;
+    bool reads_color = false, writes_color = false;
+    bool masks_color = false; // leaves bytes of pixels that it writes as they are
+    bool has_values = false;  // Its quads have.
     QuadValueKinds value_kinds;
     DrawShape shape;
     std::shared_ptr<const Registers> state;
+
+    bool uses_depth() const { return reads_depth || writes_depth; }
 };
 
 // What streams through a machine's pipe in one go: one draw of an immediate machine; of a

@@ -61,7 +61,7 @@ private:
 
 } // namespace
 
-PixelBytes cleared_color_bytes(Format format, unsigned write_mask) {
+PixelBytes written_color_bytes(Format format, unsigned write_mask) {
     switch (format) {
     case Format::Rgba8:
         return all_bytes(write_mask & AllChannels);
@@ -97,18 +97,27 @@ PixelBytes whole_pixel(Format format) {
 WrittenBytes quad_bytes(const PlacedLevel& place,
                         const LineGrain& grain,
                         const PreparedQuad& quad,
-                        std::uint64_t number) {
+                        std::uint64_t number,
+                        PixelBytes bytes) {
     const std::uint64_t line_begin = number * grain.line_bytes();
     const std::uint64_t line_end = line_begin + grain.line_bytes();
     const std::uint32_t sample = place.layout.element_bytes / place.samples;
+    const bool whole = bytes.covered == (1u << sample) - 1;
     WrittenBytes written;
+    if (bytes.touched == 0) return written;
+    const auto add = [&](std::uint64_t first, std::uint64_t last, bool covered) {
+        if (std::max(first, line_begin) >= std::min(last, line_end)) return;
+        const auto from = static_cast<std::uint32_t>(std::max(first, line_begin) - line_begin);
+        const auto to = static_cast<std::uint32_t>(std::min(last, line_end) - line_begin);
+        written.touched |= grain.touched(from, to);
+        if (covered) written.covered |= grain.covered(from, to);
+    };
     std::uint64_t begin = 0, end = 0; // a run of written samples that lie together
     const auto close = [&] {
-        if (std::max(begin, line_begin) >= std::min(end, line_end)) return;
-        const auto from = static_cast<std::uint32_t>(std::max(begin, line_begin) - line_begin);
-        const auto to = static_cast<std::uint32_t>(std::min(end, line_end) - line_begin);
-        written.touched |= grain.touched(from, to);
-        written.covered |= grain.covered(from, to);
+        if (whole) return add(begin, end, true);
+        for (std::uint64_t at = begin; at < end; ++at)
+            if (const auto byte = remainder(at - begin, sample); bytes.touched >> byte & 1)
+                add(at, at + 1, bytes.covered >> byte & 1);
     };
     const std::array addresses = place.quad_addresses(quad.x, quad.y);
     for (unsigned lane = 0; lane < 4; ++lane) {

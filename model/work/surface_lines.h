@@ -25,16 +25,17 @@ struct PixelBytes {
     std::uint32_t covered = 0;
 };
 
-// What a clear writes of a pixel, under the write masks.
-PixelBytes cleared_color_bytes(Format format, unsigned write_mask);
+// What is written of a pixel under the write masks: by a draw or a clear; by a clear.
+PixelBytes written_color_bytes(Format format, unsigned write_mask);
 PixelBytes cleared_depth_bytes(Format format, const ClearCommand& clear, unsigned stencil_mask);
 PixelBytes whole_pixel(Format format);
 
-// What a quad writes of line `number`: the samples that passed all tests.
+// What a quad writes of line `number`: `bytes` of each sample that passed all tests.
 WrittenBytes quad_bytes(const PlacedLevel& place,
                         const LineGrain& grain,
                         const PreparedQuad& quad,
-                        std::uint64_t number);
+                        std::uint64_t number,
+                        PixelBytes bytes);
 
 // The lines of which the rectangle's pixels write something, in ascending order. The rectangle is
 // cut to the surface.

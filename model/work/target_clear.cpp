@@ -29,7 +29,7 @@ std::vector<TargetClear> target_clears(const WorkDraw& draw) {
         const Surface& target = state.targets.color[i];
         TargetClear* const color = add(target, false);
         if (!color || !draw.clear.color) continue;
-        color->bytes = cleared_color_bytes(target.format, state.blend.write_mask);
+        color->bytes = written_color_bytes(target.format, state.blend.write_mask);
         color->fill = color_fill(
             state, target.format, cleared_color(state.fragment, i, draw.clear.color_value));
         color->fill.rectangle = rectangle;

@@ -62,7 +62,11 @@ bool TexelScan::begin(const WorkDraw& draw) {
     static const TextureLines nothing;
     textures_.fill(&nothing);
     const Places places{*this};
-    if (draw.state) place_draw(*draw.state, config_, addresses_, places);
+    if (draw.state) {
+        tell_rewritten(addresses_.take_drawn(*draw.state), out_);
+        addresses_.drawn_into(draw.state->targets);
+        place_draw(*draw.state, config_, addresses_, places);
+    }
     test_ = depth_test_place(draw, config_.depth_test);
     quads_.clear();
     lines_.clear();
@@ -77,6 +81,7 @@ void TexelScan::place_others(const WorkDraw& draw) {
         return depth ? config_.depth_cache : config_.color_cache;
     };
     if (draw.kind == WorkKind::Clear) {
+        if (draw.state) addresses_.drawn_into(draw.state->targets);
         for (const TargetClear& of : target_clears(draw))
             if (is_asked_for(draw.clear, of.depth)) addresses_.surface(of.target, shape(of.depth));
         return;
@@ -87,7 +92,8 @@ void TexelScan::place_others(const WorkDraw& draw) {
     for (unsigned i = 1; i < copy.pictures; ++i)
         addresses_.surface(copy.source.plane(i), cache);
     addresses_.surface(copy.destination, cache);
-    addresses_.memory_written(copy.destination.address, copy.destination.bytes());
+    tell_rewritten(addresses_.memory_written(copy.destination.address, copy.destination.bytes()),
+                   out_);
 }
 
 void TexelScan::content(const std::shared_ptr<const SurfaceContent>& content) {
@@ -97,7 +103,8 @@ void TexelScan::content(const std::shared_ptr<const SurfaceContent>& content) {
 }
 
 void TexelScan::host_transfer(const HostTransfer& transfer) {
-    if (transfer.is_write) addresses_.memory_written(transfer.at, transfer.bytes);
+    if (transfer.is_write)
+        tell_rewritten(addresses_.memory_written(transfer.at, transfer.bytes), out_);
 }
 
 void TexelScan::end_frame(std::uint32_t frame) {

@@ -1,5 +1,6 @@
 #include "model/work/tile_scene.h"
 
+#include "model/work/target_access.h"
 #include "model/work/tile_planner.h"
 
 #include <algorithm>
@@ -27,21 +28,21 @@ void TileScene::draw(const WholeCommand& command) {
     append(command, config_, addresses_, scene_);
     const PreparedDraw& draw = scene_.draws.back();
     TileCommand& added = commands_.emplace_back();
-    added.reads_color = draw.reads_color;
+    added.reads_color = draw.reads_color || draw.masks_color;
     added.writes_color = draw.writes_color;
-    if (!state || !draw.uses_depth) return;
+    if (!state || !draw.uses_depth()) return;
     const Format format = state->targets.depth.format;
-    const ClearCommand depth{.depth = true}, stencil{.stencil = true};
-    if (state->depth.test_enable) {
-        added.depth_read |= cleared_depth_bytes(format, depth, 0).covered;
-        if (state->depth.write_enable) added.depth_written |= added.depth_read;
-    }
-    if (state->stencil.enable) {
-        const std::uint32_t bytes = cleared_depth_bytes(format, stencil, 0xff).covered;
-        added.depth_read |= bytes;
-        added.depth_written |= bytes;
-        added.stencil_written = bytes;
-    }
+    const DepthAccess access = depth_access(*state);
+    const PixelBytes depth = cleared_depth_bytes(format, {.depth = true}, 0);
+    const PixelBytes stencil = cleared_depth_bytes(format, {.stencil = true}, 0xff);
+    const PixelBytes failed{access.depth_failed.touched | access.stencil_failed.touched,
+                            access.depth_failed.covered & access.stencil_failed.covered};
+    added.depth_written = access.depth.touched | access.passed.touched;
+    added.stencil_written = failed.touched;
+    if (access.tests_depth) added.depth_read |= depth.covered;
+    if (access.tests_stencil || (access.passed.touched & ~access.passed.covered) != 0 ||
+        (failed.touched & ~failed.covered) != 0)
+        added.depth_read |= stencil.covered;
 }
 
 // A command that has no quads: one primitive takes it through the geometry units.

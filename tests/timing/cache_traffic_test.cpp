@@ -274,6 +274,7 @@ TEST_CASE("a fully associative cache has no conflict miss in the frame after a f
     config.color_cache.ways = 64;
     auto state = targets(32, 32);
     state->blend.enable = true;
+    state->blend.rgb_destination = BlendFactor::One;
     GpuTiming timing(config);
     work::CommandAssembler assembler(timing);
     WorkBin bin;

@@ -251,6 +251,7 @@ TEST_CASE("Colour is loaded where it is blended or kept, not where it is overwri
     const auto loaded = [](bool detects, bool blend, const std::vector<Box>& boxes) {
         TileBench bench(64, 64);
         bench.state.blend.enable = blend;
+        bench.state.blend.rgb_destination = BlendFactor::SourceAlpha;
         bench.draw(boxes);
         bench.end_frame();
         TimingConfig config = tile_based(32);

@@ -103,6 +103,7 @@ private:
         state->targets.depth = target(1 << 27, Format::Depth24Stencil8);
         state->depth = {.test_enable = true, .write_enable = false};
         state->blend.enable = true;
+        state->blend.rgb_destination = state->blend.alpha_destination = BlendFactor::One;
         WorkDraw& draw = bin.draws.emplace_back();
         draw.state = state;
         draw.early_depth = early_;

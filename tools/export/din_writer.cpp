@@ -48,13 +48,15 @@ void DinWriter::overwritten(work::LookupClient client,
                             std::span<const work::OverwrittenLine> lines) {
     if (client != client_) return;
     for (const work::OverwrittenLine& line : lines) {
-        if (touched_.erase(line.line) == 0) continue;
+        const bool texel = client == work::LookupClient::Texel;
+        if (!texel && touched_.erase(line.line) == 0) continue;
         if (!extended_)
             throw InputError(
                 fmt::format("--format din: frame {} overwrites lines of the {} cache "
-                            "past it, which din has no word for: xdin has",
+                            "past it, which din has no word for: xdin has{}",
                             frame_,
-                            work::LookupClientNames[static_cast<std::size_t>(client)]));
+                            work::LookupClientNames[static_cast<std::size_t>(client)],
+                            texel ? "; or --set texel_cache.rewritten=new_place" : ""));
         const std::uint64_t at = address(line.line);
         if (!line.whole) out_.print(FMT_COMPILE("c {:x} {:x}\n"), at, line_bytes_);
         out_.print(FMT_COMPILE("v {:x} {:x}\n"), at, line_bytes_);

@@ -42,7 +42,8 @@ private:
     TextWriter& out_;
     std::uint64_t records_ = 0;
     std::uint32_t frame_ = 0;
-    // Since the last flush: what a cache may hold. Textures are never overwritten.
+    // Since the last flush: what a cache may hold. Of texels it is not asked: those that are
+    // overwritten have been read, or lie beside such.
     std::unordered_set<std::uint64_t> touched_;
 };
 

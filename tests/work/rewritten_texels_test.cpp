@@ -1,0 +1,225 @@
+// Texels that are written to a level that has been read: which lines of the texel cache change, by
+// hand from the coordinates; and when a machine is told.
+
+#include "model/device/layout/texture_layout.h"
+#include "model/work/address_map.h"
+#include "model/work/machine_order.h"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::work {
+namespace {
+
+using Lines = std::vector<std::uint64_t>;
+
+constexpr DeviceAddress TextureAt = 1 << 24;
+
+TextureImage image_of(Format format, std::uint32_t size, std::uint32_t levels) {
+    TextureImage image;
+    image.shape = {TextureKind::TwoD, format, size, size, 1, levels, 0};
+    image.address = TextureAt;
+    return image;
+}
+
+TexelCacheShape cache_of(Layout layout, std::uint32_t line_bytes) {
+    TexelCacheShape cache;
+    cache.layout = layout;
+    cache.line_bytes = line_bytes;
+    return cache;
+}
+
+// Texel (x, y) of a level of Rgba8 texels `size` wide, in device memory.
+DeviceAddress texel_at(std::uint64_t level, std::uint32_t size, std::uint32_t x, std::uint32_t y) {
+    return static_cast<DeviceAddress>(TextureAt + level + (y * size + x) * 4);
+}
+
+Lines from(std::uint64_t base, Lines lines) {
+    for (std::uint64_t& line : lines)
+        line += base;
+    return lines;
+}
+
+TEST_CASE("Rewritten texels change the lines that hold them", "[rewritten]") {
+    const TextureImage image = image_of(Format::Rgba8, 16, 5);
+    SECTION("of rows") { // A row of 16 texels is a line of 64 bytes.
+        AddressMap addresses(cache_of(Layout::Linear, 64));
+        const std::uint64_t base = addresses.texture(image)[0].base / 64;
+        CHECK(addresses.memory_written(texel_at(0, 16, 15, 3), 4) == from(base, {3}));
+        CHECK(addresses.memory_written(texel_at(0, 16, 15, 3), 8) == from(base, {3, 4}));
+        CHECK(addresses.memory_written(texel_at(0, 16, 15, 3), 4 + 64 + 1) ==
+              from(base, {3, 4, 5}));
+        CHECK(addresses.memory_written(texel_at(0, 16, 0, 0), 16 * 64).size() == 16);
+        CHECK(addresses.memory_written(TextureAt - 4, 4).empty());
+        CHECK(addresses.memory_written(TextureAt - 4, 5) == from(base, {0}));
+    }
+    SECTION("of blocks") { // Of 4x4 texels: four in a row of blocks.
+        AddressMap addresses(cache_of(Layout::Blocked, 64));
+        const std::uint64_t base = addresses.texture(image)[0].base / 64;
+        CHECK(addresses.memory_written(texel_at(0, 16, 5, 10), 4) == from(base, {4 * 2 + 1}));
+        CHECK(addresses.memory_written(texel_at(0, 16, 2, 7), 3 * 4) == from(base, {4, 5}));
+        CHECK(addresses.memory_written(texel_at(0, 16, 0, 4), 64) == from(base, {4, 5, 6, 7}));
+    }
+    SECTION("of the level that is written, and of no other") {
+        AddressMap addresses(cache_of(Layout::Linear, 64));
+        const std::vector<PlacedLevel> levels = addresses.texture(image);
+        const std::uint64_t second = level_layout(image.shape, 1).offset;
+        CHECK(addresses.memory_written(texel_at(second, 8, 0, 2), 4) ==
+              from(levels[1].base / 64, {1})); // Two rows of 8 texels are a line.
+    }
+    SECTION("of a texture that has no place") {
+        AddressMap addresses(cache_of(Layout::Linear, 64));
+        CHECK(addresses.memory_written(TextureAt, 4).empty());
+    }
+    SECTION("of compressed blocks, as they lie and expanded") {
+        const TextureImage dxt1 = image_of(Format::Dxt1Rgb, 16, 1); // 4x4 blocks of 8 bytes
+        AddressMap blocks(cache_of(Layout::Linear, 16));
+        const std::uint64_t base = blocks.texture(dxt1)[0].base / 16;
+        CHECK(blocks.memory_written(TextureAt + 5 * 8, 8) == from(base, {2}));
+        TexelCacheShape cache = cache_of(Layout::Linear, 16);
+        cache.contents = TexelContents::Texels; // 64 bytes a block: four lines
+        AddressMap texels(cache);
+        const PlacedLevel level = texels.texture(dxt1)[0];
+        Lines expected;
+        for (std::uint32_t y = 4; y < 8; ++y)
+            expected.push_back(level.line(4, y, 0, 16));
+        CHECK(texels.memory_written(TextureAt + 5 * 8, 8) == expected);
+    }
+}
+
+TEST_CASE("A rewritten level stays where it is, or moves as the configuration has it",
+          "[rewritten]") {
+    const TextureImage image = image_of(Format::Rgba8, 16, 5);
+    TexelCacheShape cache = cache_of(Layout::Linear, 64);
+    for (const RewrittenLevel rewritten : {RewrittenLevel::InPlace, RewrittenLevel::NewPlace}) {
+        const bool stays = rewritten == RewrittenLevel::InPlace;
+        cache.rewritten = rewritten;
+        AddressMap addresses(cache);
+        const std::vector<PlacedLevel> before = addresses.texture(image);
+        CHECK(addresses.memory_written(texel_at(0, 16, 1, 1), 4).empty() == !stays);
+        const std::vector<PlacedLevel> after = addresses.texture(image);
+        CHECK((after[0].base == before[0].base) == stays);
+        for (std::size_t level = 1; level < before.size(); ++level)
+            CHECK(after[level].base == before[level].base);
+    }
+}
+
+// --- When a machine is told ----------------------------------------------------------------------
+
+// A letter for each thing that the machine is to do, and the lines.
+class Log : public MachineSink {
+public:
+    void scene(PreparedScene&& scene) override {
+        text += std::to_string(scene.draws.size()) + ' ';
+        lines = scene.texel_lines;
+    }
+    void transfer(PreparedTransfer&&) override { text += "transfer "; }
+    void host_transfer(const HostTransfer&) override { text += "host "; }
+    void end_frame(std::uint32_t) override { text += "end "; }
+    void texels_rewritten(Lines&& told) override {
+        text += "rewritten ";
+        rewritten = std::move(told);
+    }
+
+    std::string text;
+    Lines lines, rewritten;
+};
+
+struct Machine {
+    Log log;
+    MachineOrder order;
+    Registers registers;
+
+    explicit Machine(Architecture architecture)
+        : order(
+              [architecture] {
+                  WorkConfig config;
+                  config.raster.architecture = architecture;
+                  return config;
+              }(),
+              log) {
+        registers.targets.color[0] = {1 << 20, Format::Rgba8, 64, 64, 64 * 4};
+        registers.scissor.width = registers.scissor.height = 64;
+        registers.images[0] = image_of(Format::Rgba8, 64, 1);
+    }
+
+    // A quad of which one fragment reads texel (x, y).
+    void draw(std::uint16_t x, std::uint16_t y) {
+        auto command = std::make_shared<WholeCommand>();
+        command->draw.state = std::make_shared<const Registers>(registers);
+        command->quads.push_back({.primitive = 0,
+                                  .x = 0,
+                                  .y = 0,
+                                  .covered = 1,
+                                  .after_early_depth = 1,
+                                  .after_coverage = 1,
+                                  .after_alpha = 1,
+                                  .after_stencil = 1,
+                                  .after_depth = 1});
+        command->units = {0};
+        TexelAccess access{};
+        access.x0 = x;
+        access.y0 = y;
+        command->accesses = {access};
+        command->access_begin = {0, 1};
+        order.command(std::move(command));
+    }
+    void write(std::uint32_t x, std::uint32_t y) {
+        order.host_transfer({.is_write = true, .at = texel_at(0, 64, x, y), .bytes = 4});
+    }
+};
+
+TEST_CASE("A machine is told of a rewritten line before the draw that reads it", "[rewritten]") {
+    Machine machine(Architecture::Immediate);
+    machine.draw(9, 9);
+    const Lines read = machine.log.lines;
+    REQUIRE(read.size() == 1);
+    machine.write(9, 9);
+    CHECK(machine.log.rewritten == read);
+    machine.draw(9, 9);
+    CHECK(machine.log.lines == read);
+    CHECK(machine.log.text == "1 rewritten host 1 ");
+}
+
+TEST_CASE("A scene that is still gathered keeps the texels that it reads", "[rewritten]") {
+    Machine machine(Architecture::TileBased);
+    machine.draw(9, 9);
+    machine.write(9, 9);
+    machine.draw(9, 9);
+    machine.order.end_frame(0);
+    CHECK(machine.log.text == "host 2 end ");
+    REQUIRE(machine.log.lines.size() == 2);
+    CHECK(machine.log.lines[0] != machine.log.lines[1]);
+    machine.write(9, 9); // Between scenes nobody reads them any more.
+    CHECK(machine.log.text == "host 2 end rewritten host ");
+    CHECK(machine.log.rewritten == Lines{machine.log.lines[1]});
+}
+
+TEST_CASE("What was drawn into a texture is new to who reads it", "[rewritten]") {
+    for (const Architecture architecture : {Architecture::Immediate, Architecture::TileBased}) {
+        Machine machine(architecture);
+        machine.draw(9, 9);
+        machine.order.end_frame(0);
+        const Lines read = machine.log.lines;
+        machine.log.text.clear();
+        const Surface window = machine.registers.targets.color[0];
+        machine.registers.targets.color[0].address = TextureAt;
+        machine.registers.images[0].shape.kind = TextureKind::None;
+        machine.draw(0, 0); // draws into it and reads nothing
+        machine.registers.targets.color[0] = window;
+        machine.registers.images[0] = image_of(Format::Rgba8, 64, 1);
+        machine.draw(9, 9);
+        machine.draw(9, 9); // It has been told of.
+        machine.order.end_frame(1);
+        CHECK(machine.log.text == (architecture == Architecture::Immediate ? "1 rewritten 1 1 end "
+                                                                           : "1 rewritten 2 end "));
+        CHECK(std::count(machine.log.rewritten.begin(), machine.log.rewritten.end(), read[0]) == 1);
+        CHECK(machine.log.rewritten.size() == 64 * 64 * 4 / 64);
+    }
+}
+
+} // namespace
+} // namespace ffgpu::work
