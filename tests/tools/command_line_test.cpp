@@ -286,6 +286,17 @@ TEST_CASE("A wrong parameter is named with what was expected") {
     CHECK_THAT(error("[texel_cache\n"), Contains(":1"));
 }
 
+TEST_CASE("A switch is true or false, or on or off") {
+    Configuration configuration;
+    for (const auto& [word, is_on] : {std::pair{"off", false}, {"on", true}, {"false", false}}) {
+        apply_setting(std::string("bottlenecks.enable=") + word, configuration);
+        CHECK(configuration.timing.bottlenecks.enable == is_on);
+    }
+    for (const char* wrong : {"no", "1", "\"true\""})
+        CHECK_THROWS_AS(
+            apply_setting(std::string("bottlenecks.enable=") + wrong, configuration), InputError);
+}
+
 TEST_CASE("Frame ranges are A-B, A or A-") {
     CHECK(parse_frame_range("3-7") == FrameRange{3, 7});
     CHECK(parse_frame_range("3") == FrameRange{3, 3});

@@ -71,9 +71,14 @@ void set_field(Field& field,
                const ParameterInfo& info,
                const std::string& where) {
     if constexpr (std::is_same_v<Field, bool>) {
-        const auto* const value = node.as_boolean();
-        if (!value) throw InputError(where + ": expected true or false");
-        field = value->get();
+        if (const auto* const value = node.as_boolean()) {
+            field = value->get();
+            return;
+        }
+        const auto* const word = node.as_string();
+        if (!word || (word->get() != "on" && word->get() != "off"))
+            throw InputError(where + ": expected true or false, or on or off");
+        field = word->get() == "on";
     } else if constexpr (std::is_enum_v<Field>) {
         set_choice(field, node, info, where);
     } else {
