@@ -1,7 +1,7 @@
 // The resource that is named as a bottleneck is one: of all that a configuration can have without
 // limit, the machine gains most from it.
 
-#include "model/timing/memory_controller.h"
+#include "model/timing/without_limit.h"
 #include "tests/timing/machine_figures.h"
 #include "tests/timing/random_work.h"
 
@@ -13,83 +13,6 @@
 
 namespace ffgpu::timing {
 namespace {
-
-// A machine in which the resource is as fast as the configuration has it.
-using Unlimited = std::function<void(TimingConfig&)>;
-
-const std::map<Resource, Unlimited>& unlimited() {
-    static const std::map<Resource, Unlimited> all{
-        {Resource::Host, [](TimingConfig& config) { config.host.bytes_per_cycle = 0; }},
-        {Resource::CommandProcessor,
-         [](TimingConfig& config) {
-             config.command_processor.draw_cycles = 1;
-             config.command_processor.lines_per_cycle = 64;
-         }},
-        {Resource::VertexFetch,
-         [](TimingConfig& config) {
-             config.vertex.vertices_per_cycle = 16;
-             config.vertex.fetch_bytes_per_cycle = 0;
-         }},
-        {Resource::Geometry,
-         [](TimingConfig& config) {
-             config.vertex.units = 16;
-             config.vertex.order_entries = 4096;
-             config.vertex.transform_cycles = 1;
-             config.vertex.light_cycles = 0;
-         }},
-        {Resource::Clip, [](TimingConfig& config) { config.clip.plane_cycles = 0; }},
-        {Resource::Setup,
-         [](TimingConfig& config) {
-             config.setup.units = 16;
-             config.setup.triangle_cycles = config.setup.reject_cycles = 1;
-             config.setup.attribute_cycles = 0;
-         }},
-        {Resource::Raster,
-         [](TimingConfig& config) {
-             config.raster.tile_cycles = config.raster.empty_tile_cycles = 0;
-         }},
-        {Resource::Depth, [](TimingConfig& config) { config.depth_cache.lookups_per_cycle = 64; }},
-        {Resource::Texture,
-         [](TimingConfig& config) {
-             config.texel_cache.lookups_per_cycle = 64;
-             config.texel_cache.bilinear_quads_per_cycle = 16;
-             config.texel_cache.ports = 0;
-             config.texel_cache.decompress_cycles = 0;
-             config.texture.miss_cycles = 0;
-         }},
-        {Resource::TexelL2,
-         [](TimingConfig& config) {
-             config.texel_l2.lookups_per_cycle = 64;
-             config.texel_l2.latency = 1;
-             config.texel_l2.bytes_per_cycle = 512;
-             config.texel_l2.ports = 0;
-         }},
-        {Resource::Fragment,
-         [](TimingConfig& config) {
-             config.fragment.quad_cycles = 1;
-             config.fragment.combiner_cycles = 1;
-             config.fragment.combiners = 8;
-         }},
-        {Resource::Color, [](TimingConfig& config) { config.color_cache.lookups_per_cycle = 64; }},
-        {Resource::MemoryBandwidth,
-         [](TimingConfig& config) {
-             const std::uint32_t latency = config.memory.latency;
-             config.memory.profile = MemoryProfile::Ideal;
-             config.memory.apply_profile();
-             config.memory.latency = latency;
-             config.memory.channels = 16;
-             config.memory.bytes_per_cycle = 256;
-             config.memory.memory_clocks = config.memory.core_clocks = 1;
-         }},
-        {Resource::MemoryLatency, [](TimingConfig& config) { config.memory.latency = 0; }},
-        {Resource::Links, [](TimingConfig& config) {
-             const std::uint32_t width =
-                 std::max(config.vertex.vertices_per_cycle, config.setup.units);
-             config.clip.queue += (config.vertex.latency - 1) * width;
-             config.vertex.latency = config.fragment.latency = 1;
-         }}};
-    return all;
-}
 
 struct Outcome {
     std::uint64_t cycles = 0;
@@ -117,7 +40,7 @@ constexpr Case case_of(Population population, std::uint64_t seed) {
 
 // A memory and caches that hold up nobody, and a front end slow in all its parts, or in one.
 void bind_to_front_end(TimingConfig& config, RandomWork& random) {
-    unlimited().at(Resource::MemoryBandwidth)(config);
+    config = without_limit(config, Resource::MemoryBandwidth);
     config.memory.latency = random.below(20);
     config.vertex.outstanding_lines = 64;
     config.vertex.cache_sets = 64;
@@ -174,14 +97,6 @@ Outcome run_commands(GpuTiming& timing, const std::function<void()>& tell) {
     return outcome;
 }
 
-// A memory that holds as many requests as one of this latency does.
-MakeMemory as_deep_as(std::uint32_t latency) {
-    return [latency](const Clock& clock, const MemoryConfig& config) {
-        const std::size_t there = 1 + latency / 2, nearer = 1 + config.latency / 2;
-        return std::make_unique<MemoryController>("memory", clock, config, 2 * there - nearer);
-    };
-}
-
 Outcome run_frame(const TimingConfig& config,
                   Case kind,
                   std::uint64_t seed,
@@ -217,11 +132,12 @@ struct Measured {
 Measured measure(Case kind, std::uint64_t seed) {
     const TimingConfig config = machine_of(kind, seed);
     Measured gains{run_frame(config, kind, seed), {}};
-    for (const auto& [resource, remove_limit] : unlimited()) {
-        TimingConfig faster = config;
-        remove_limit(faster);
-        const MakeMemory as_deep = as_deep_as(config.memory.latency);
-        const std::uint64_t cycles = run_frame(faster, kind, seed, as_deep).cycles;
+    for (std::size_t i = 0; i < Resources; ++i) {
+        const auto resource = static_cast<Resource>(i);
+        if (!has_limit(config, resource)) continue;
+        const TimingConfig faster = without_limit(config, resource);
+        const std::uint64_t cycles =
+            run_frame(faster, kind, seed, memory_as_deep_as(config)).cycles;
         gains.of[resource] =
             static_cast<std::int64_t>(gains.base.cycles) - static_cast<std::int64_t>(cycles);
     }
@@ -267,9 +183,11 @@ TEST_CASE("no resource without limit gains more than the named one, within 1 % o
     CHECK(right * 100 >= cases * 95);
 }
 
+using Slow = std::function<void(TimingConfig&)>;
+
 // A frame of one draw that keeps `unit` alone busy: so many items of so many cycles each.
 TEST_CASE("a unit that is far slower than all others is the bottleneck") {
-    const auto [slow, resource] = GENERATE(table<Unlimited, Resource>(
+    const auto [slow, resource] = GENERATE(table<Slow, Resource>(
         {{[](TimingConfig& config) { config.vertex.transform_cycles = 900; }, Resource::Geometry},
          {[](TimingConfig& config) { config.setup.triangle_cycles = 900; }, Resource::Setup},
          {[](TimingConfig& config) { config.raster.tile_cycles = 64; }, Resource::Raster},
@@ -279,7 +197,7 @@ TEST_CASE("a unit that is far slower than all others is the bottleneck") {
          {[](TimingConfig& config) { config.memory.latency = 4000; }, Resource::MemoryLatency}}));
     TimingConfig config;
     config.depth_cache.outstanding_lines = 1;
-    unlimited().at(Resource::MemoryBandwidth)(config);
+    config = without_limit(config, Resource::MemoryBandwidth);
     slow(config);
     GpuTiming timing(config);
     const Outcome outcome = run_commands(timing, [&] {

@@ -293,8 +293,8 @@ TEST_CASE("A switch is true or false, or on or off") {
         CHECK(configuration.timing.bottlenecks.enable == is_on);
     }
     for (const char* wrong : {"no", "1", "\"true\""})
-        CHECK_THROWS_AS(
-            apply_setting(std::string("bottlenecks.enable=") + wrong, configuration), InputError);
+        CHECK_THROWS_AS(apply_setting(std::string("bottlenecks.enable=") + wrong, configuration),
+                        InputError);
 }
 
 TEST_CASE("Frame ranges are A-B, A or A-") {

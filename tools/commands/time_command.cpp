@@ -28,6 +28,9 @@ void add_time_command(CLI::App& application, Run& run) {
         ->type_name("DIR");
     verb->add_option("--totals", arguments->time.totals, "Only the sums over all frames, as JSON")
         ->type_name("FILE");
+    verb->add_flag("--measure-gains",
+                   arguments->time.measure_gains,
+                   "gains.csv: cycles without the limits of each resource, from a run for each");
     verb->add_option("--config", arguments->config, "Parameters; ffgpu config prints them")
         ->type_name("F.toml|preset:NAME");
     add_settings_option(*verb, arguments->settings);
@@ -36,6 +39,8 @@ void add_time_command(CLI::App& application, Run& run) {
         run = [arguments] {
             if (arguments->time.output.empty() && arguments->time.totals.empty())
                 throw InputError("time: nothing to do: expected -o DIR or --totals FILE");
+            if (arguments->time.measure_gains && arguments->time.output.empty())
+                throw InputError("time: --measure-gains writes gains.csv: expected -o DIR");
             Configuration& configuration = arguments->time.configuration;
             if (!arguments->config.empty()) read_config_file(arguments->config, configuration);
             for (const std::string& setting : arguments->settings)

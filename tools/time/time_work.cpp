@@ -7,6 +7,7 @@
 #include "tools/report/frame_meter.h"
 #include "tools/report/series_file.h"
 #include "tools/report/statistics_file.h"
+#include "tools/time/measured_gains.h"
 
 #include <optional>
 #include <stdexcept>
@@ -42,7 +43,11 @@ std::string time_work(const TimeOptions& options) {
     }
     write();
     write_totals_file(report, options.totals, false);
-    return report.summary();
+    if (!options.measure_gains) return report.summary();
+    const std::vector<FrameGains> gains =
+        measure_gains(options.input, options.configuration.timing);
+    write_gains_file(gains, options.output);
+    return report.summary() + gains_summary(gains);
 }
 
 } // namespace ffgpu::tools

@@ -13,6 +13,8 @@ struct TimeOptions {
     std::string output; // a folder; empty: none
     Configuration configuration;
     std::string totals = {}; // a file for the sums over all frames; empty: none
+    bool measure_gains =
+        false; // gains.csv, too; it takes as many times longer as there are resources
 };
 
 // Returns a summary for people. Throws InputError; what was finished before is written.
