@@ -236,7 +236,11 @@ std::span<const Dependence> Bottlenecks::dependences(const Place& place, const M
     // Look-ups are of what is taken; other work holds up all.
     const float work = place.work;
     const bool looks_up = place.stage.lookups_per_cycle > 0;
-    found.add({&place.last, looks_up ? 0 : work, {place.stage.resource, looks_up ? 0 : work}});
+    // What is taken does not wait for what is given beside it.
+    const bool beside = moved.given == 0 && moved.taken > 0 && place.taken.at < place.last.at &&
+                        (looks_up || work == 0);
+    if (!beside)
+        found.add({&place.last, looks_up ? 0 : work, {place.stage.resource, looks_up ? 0 : work}});
     if (looks_up && moved.taken > 0) found.add({&place.taken, work, {place.stage.resource, work}});
     find_port(place.stage, place.taken, moved.taken);
     find_port(place.stage, place.given, moved.given);
@@ -267,7 +271,8 @@ std::span<const Dependence> Bottlenecks::dependences(const Place& place, const M
     }
     if (gives && place.stage.lookups_per_cycle == 0)
         found.add({&place.taken, place.busy, {place.stage.resource, place.busy}});
-    if (place.on_memory)
+    // Of a unit with two ways through it, it is not known which of them waits.
+    if (place.on_memory && !place.stage.input)
         found.add({place.stage.unit == &parts_.drain ? &memory_.all() : place.memory, 1});
     if (place.drains) {
         const Place* last = nullptr;
@@ -275,14 +280,14 @@ std::span<const Dependence> Bottlenecks::dependences(const Place& place, const M
             if (&other > &place && (!last || other.last.at >= last->last.at)) last = &other;
         if (last && last->last.at < now) found.add({&last->last, 1});
     }
-    explain(place);
+    explain(place, moved);
     return std::span(found.all).first(found.count);
 }
 
 // What none of them explains was waited for behind the last of them, or behind an answer of the
 // memory that came meanwhile: a unit that still does something else does not say that it waits for
 // it.
-void Bottlenecks::explain(const Place& place) {
+void Bottlenecks::explain(const Place& place, const Moved& moved) {
     const Cycle now = clock_.now();
     const auto last = [&]() -> Dependence& {
         const std::span<Dependence> all = std::span(found_.all).first(found_.count);
@@ -297,6 +302,10 @@ void Bottlenecks::explain(const Place& place) {
     }
     const float more = slack(last(), now);
     if (more == 0) return;
+    if (moved.taken > 0 && place.given.at + 1 == now) { // A place inside it came free with that.
+        found_.add({&place.given, 1});
+        return;
+    }
     const Dependence answer{place.memory, 1};
     if (slack(answer, now) < more) found_.add(answer);
     last().takes += slack(last(), now);

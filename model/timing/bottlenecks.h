@@ -156,7 +156,7 @@ private:
     // Until the next call.
     std::span<const Dependence> dependences(const Place& place, const Moved& moved);
     void find_port(const Stage& stage, const Moment& before, std::uint64_t items);
-    void explain(const Place& place);
+    void explain(const Place& place, const Moved& moved);
     void pass_on(Place& place);
     void take_requests();
     void collect_paths();

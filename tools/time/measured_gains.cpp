@@ -62,12 +62,10 @@ std::vector<FrameGains> measure_gains(const std::string& work, const timing::Tim
         timing::TimingConfig faster = timing::without_limit(config, limited[i]);
         faster.bottlenecks.enable = false;
         std::size_t frame = 0;
-        play(work,
-             faster,
-             timing::memory_as_deep_as(config),
-             [&](const timing::FrameTiming& timed) {
-                 frames.at(frame++).without[i].cycles = timed.cycles;
-             });
+        play(
+            work, faster, timing::memory_as_deep_as(config), [&](const timing::FrameTiming& timed) {
+                frames.at(frame++).without[i].cycles = timed.cycles;
+            });
     }
     return frames;
 }

@@ -22,7 +22,7 @@ struct FrameGains {
     };
 
     std::uint32_t frame = 0;
-    std::uint64_t cycles = 0; // with all limits
+    std::uint64_t cycles = 0;     // with all limits
     std::vector<Without> without; // in the order of the resources; those alone that have limits
 };
 
