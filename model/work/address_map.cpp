@@ -9,6 +9,12 @@ namespace {
 
 constexpr std::uint64_t LevelAlignment = 512; // bytes: the longest line
 
+// In rising order, each once.
+void sort_lines(std::vector<std::uint64_t>& lines) {
+    std::sort(lines.begin(), lines.end());
+    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+}
+
 // The lines of an element, a texel or a block.
 void add_element_lines(const PlacedLevel& level,
                        std::uint64_t at,
@@ -139,8 +145,27 @@ AddressMap::memory_written(std::uint64_t at, std::uint64_t bytes, RewrittenLevel
                                 lines);
         }
     }
-    std::sort(lines.begin(), lines.end());
-    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+    sort_lines(lines);
+    return lines;
+}
+
+std::vector<std::uint64_t> AddressMap::copied(const CopyRectangleCommand& copy,
+                                              RewrittenLevel rewritten) {
+    std::vector<std::uint64_t> lines;
+    if (copy.width == 0 || copy.height == 0) return lines;
+    const Surface& to = copy.destination;
+    const std::uint32_t pixel = format_info(to.format).block_bytes;
+    const std::uint64_t first = to.address + std::uint64_t{copy.destination_y} * to.stride +
+                                std::uint64_t{copy.destination_x} * pixel;
+    const std::uint64_t row = std::uint64_t{copy.width} * pixel;
+    if (rewritten == RewrittenLevel::NewPlace)
+        return memory_written(
+            first, (copy.height - 1u) * std::uint64_t{to.stride} + row, rewritten);
+    for (std::uint32_t y = 0; y < copy.height; ++y) {
+        const auto more = memory_written(first + std::uint64_t{y} * to.stride, row, rewritten);
+        lines.insert(lines.end(), more.begin(), more.end());
+    }
+    sort_lines(lines);
     return lines;
 }
 
@@ -173,8 +198,7 @@ std::vector<std::uint64_t> AddressMap::take_drawn(const Registers& draw) {
         const auto more = memory_written(drawn.begin, drawn.end - drawn.begin);
         lines.insert(lines.end(), more.begin(), more.end());
     }
-    std::sort(lines.begin(), lines.end());
-    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+    sort_lines(lines);
     return lines;
 }
 

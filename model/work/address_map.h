@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "model/device/commands.h"
 #include "model/device/registers.h"
 #include "model/work/config.h"
 #include "model/work/level_lines.h"
@@ -40,6 +41,11 @@ public:
     // As the configuration has it.
     std::vector<std::uint64_t> memory_written(std::uint64_t at, std::uint64_t bytes) {
         return memory_written(at, bytes, texture_shape_.rewritten);
+    }
+    // The same of the pixels that a copy writes.
+    std::vector<std::uint64_t> copied(const CopyRectangleCommand& copy, RewrittenLevel rewritten);
+    std::vector<std::uint64_t> copied(const CopyRectangleCommand& copy) {
+        return copied(copy, texture_shape_.rewritten);
     }
 
     // A command draws into the targets, which may be levels of textures.

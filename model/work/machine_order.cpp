@@ -90,7 +90,7 @@ void MachineOrder::command(std::shared_ptr<const WholeCommand> command) {
     case WorkKind::Copy:
         if (tiles_.resolve(draw)) {
             end_scene();
-            return memory_written(draw.copy.destination.address, draw.copy.destination.bytes());
+            return tell_rewritten(addresses_.copied(draw.copy, rewritten()));
         }
         end_scene();
         return copy(draw);
@@ -146,7 +146,8 @@ void MachineOrder::host_transfer(const HostTransfer& transfer) {
     if (scene_draws_into(transfer.at, transfer.bytes)) end_scene();
     deferred_.need_range(transfer.at, transfer.bytes);
     store_due();
-    if (transfer.is_write) memory_written(transfer.at, transfer.bytes);
+    if (transfer.is_write)
+        tell_rewritten(addresses_.memory_written(transfer.at, transfer.bytes, rewritten()));
     access(transfer);
     out_.host_transfer(transfer);
 }
@@ -243,7 +244,7 @@ void MachineOrder::copy(const WorkDraw& draw) {
             lines(copy.source.plane(i), copy.source_x, copy.source_y), depth, false, transfer);
     add_lines(
         lines(copy.destination, copy.destination_x, copy.destination_y), depth, true, transfer);
-    memory_written(copy.destination.address, copy.destination.bytes());
+    tell_rewritten(addresses_.copied(copy, rewritten()));
     out_.transfer(std::move(transfer));
 }
 
@@ -259,10 +260,8 @@ void MachineOrder::tell_rewritten(std::vector<std::uint64_t>&& lines) {
 }
 
 // A scene that is still gathered may read the former texels: the driver leaves them where they are.
-void MachineOrder::memory_written(std::uint64_t at, std::uint64_t bytes) {
-    const RewrittenLevel rewritten =
-        tiles_.empty() ? config_.texel_cache.rewritten : RewrittenLevel::NewPlace;
-    tell_rewritten(addresses_.memory_written(at, bytes, rewritten));
+RewrittenLevel MachineOrder::rewritten() const {
+    return tiles_.empty() ? config_.texel_cache.rewritten : RewrittenLevel::NewPlace;
 }
 
 } // namespace ffgpu::work

@@ -96,7 +96,7 @@ private:
     void clear(const WorkDraw& draw);
     void copy(const WorkDraw& draw);
     void texels_drawn(const WorkDraw& draw);
-    void memory_written(std::uint64_t at, std::uint64_t bytes);
+    RewrittenLevel rewritten() const;
     void tell_rewritten(std::vector<std::uint64_t>&& lines);
     void end_scene();
     void access(const HostTransfer& transfer);

@@ -92,8 +92,7 @@ void TexelScan::place_others(const WorkDraw& draw) {
     for (unsigned i = 1; i < copy.pictures; ++i)
         addresses_.surface(copy.source.plane(i), cache);
     addresses_.surface(copy.destination, cache);
-    tell_rewritten(addresses_.memory_written(copy.destination.address, copy.destination.bytes()),
-                   out_);
+    tell_rewritten(addresses_.copied(copy), out_);
 }
 
 void TexelScan::content(const std::shared_ptr<const SurfaceContent>& content) {

@@ -63,6 +63,20 @@ TEST_CASE("Rewritten texels change the lines that hold them", "[rewritten]") {
         CHECK(addresses.memory_written(texel_at(0, 16, 2, 7), 3 * 4) == from(base, {4, 5}));
         CHECK(addresses.memory_written(texel_at(0, 16, 0, 4), 64) == from(base, {4, 5, 6, 7}));
     }
+    SECTION("of a copied rectangle") { // Of blocks 1 to 2 across and 2 to 3 up.
+        AddressMap addresses(cache_of(Layout::Blocked, 64));
+        const std::uint64_t base = addresses.texture(image)[0].base / 64;
+        CopyRectangleCommand copy;
+        copy.destination = {TextureAt, Format::Rgba8, 16, 16, 16 * 4};
+        copy.destination_x = 6;
+        copy.destination_y = 9;
+        copy.width = 3;
+        copy.height = 5;
+        CHECK(addresses.copied(copy) == from(base, {9, 10, 13, 14}));
+        const std::vector<PlacedLevel> before = addresses.texture(image);
+        CHECK(addresses.copied(copy, RewrittenLevel::NewPlace).empty());
+        CHECK(addresses.texture(image)[0].base != before[0].base);
+    }
     SECTION("of the level that is written, and of no other") {
         AddressMap addresses(cache_of(Layout::Linear, 64));
         const std::vector<PlacedLevel> levels = addresses.texture(image);
