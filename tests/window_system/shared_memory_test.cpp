@@ -1,8 +1,8 @@
 // The memory that pictures reach the X server through, as the kernel lists it.
 
 // clang-format off: before the macros of X.
-#include "tests/window_system/run_program.h"
 #include "tests/window_system/glx_fixture.h"
+#include "tests/window_system/run_program.h"
 // clang-format on
 
 #include <fstream>

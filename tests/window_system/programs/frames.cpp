@@ -2,6 +2,7 @@
 // they are written children that call exit(). "killed": ten frames, another one later, then
 // SIGKILL. "endless": frames until somebody ends it. "later": asks for contexts of OpenGL 3.3 and
 // 2.1, and draws a frame on an older one. "leak WHAT": endless, and loses a little of WHAT.
+// "abandon": a frame, then _exit(4). "become": a frame, then this program again as "abandon".
 // "attach": tells its process, and is killed where the server is to share memory for a frame.
 
 // glXCreateContextAttribsARB is declared only then.
@@ -95,6 +96,18 @@ void later() {
     Drawing().frame(1);
 }
 
+void abandon() {
+    Drawing().frame(0);
+    ::_exit(4);
+}
+
+void become(char* self) {
+    Drawing().frame(0);
+    char mode[] = "abandon";
+    char* const arguments[] = {self, mode, nullptr};
+    ::execv(self, arguments);
+}
+
 bool dies_attaching = false;
 
 void attach() {
@@ -121,6 +134,8 @@ int main(int count, char** arguments) {
     if (mode == "killed") killed();
     if (mode == "endless") endless();
     if (mode == "later") later();
+    if (mode == "abandon") abandon();
+    if (mode == "become") become(arguments[0]);
     if (mode == "attach") attach();
     if (mode == "leak" && count > 2) leak(arguments[2]);
     return EXIT_SUCCESS;
