@@ -74,8 +74,8 @@ public:
         , recording_(std::in_place, options_)
         , device_(recording_->device(), [this](const InputError& error) { fail(error); }) {
         recording_->before_frame(0);
-        catch_signal(SIGINT);
-        catch_signal(SIGTERM);
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+            catch_signal(signal);
         thread_without_signals([this] {
             signal_came.acquire();
             std::this_thread::sleep_for(Patience);
