@@ -19,9 +19,15 @@ namespace {
 
 constexpr int BadInput = 2;
 
+// Why has been said.
+[[noreturn]] void end_without_recorder() {
+    RunMark::leave_complete();
+    std::_Exit(BadInput);
+}
+
 [[noreturn]] void fail(const std::string& message) {
     std::fprintf(stderr, "ffgpu: %s\n", message.c_str());
-    std::_Exit(BadInput);
+    end_without_recorder();
 }
 
 template <class Function>
@@ -79,7 +85,7 @@ std::unique_ptr<Recorder> open_recorder() {
     const auto open = find_function<OpenRecorder>(library, "ffgpu_open_recorder");
     recorder = open(text.substr(colon + 1).c_str(),
                     {.in_turn = in_turn, .files_complete = RunMark::leave_complete});
-    if (!recorder) std::_Exit(BadInput);
+    if (!recorder) end_without_recorder();
     std::atexit(finish_recorder);
     return std::unique_ptr<Recorder>(recorder);
 }

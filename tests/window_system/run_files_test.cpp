@@ -126,6 +126,15 @@ TEST_CASE("a file that finds no room ends the run with its name and status 2") {
     CHECK(files_in(out.path) <= 1);
 }
 
+TEST_CASE("a folder that cannot be made ends the run with its name, and nothing else is told") {
+    if (!has_display()) return;
+    const Outcome run = ffgpu_run("-o /proc/none -- " FFGPU_FORKS);
+    INFO(run.text);
+    CHECK(run.status == 2);
+    CHECK(count_of(run.text, "/proc/none: cannot be made: No such file or directory") == 1);
+    CHECK(count_of(run.text, "\n") == 1);
+}
+
 TEST_CASE("frames that a program never draws are told of, and pictures of an older run") {
     if (!has_display()) return;
     const OutputFolder out;
