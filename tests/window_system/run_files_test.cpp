@@ -126,6 +126,16 @@ TEST_CASE("a file that finds no room ends the run with its name and status 2") {
     CHECK(files_in(out.path) <= 1);
 }
 
+TEST_CASE("no file takes the place of a standard stream that is closed") {
+    const OutputFolder out;
+    const Outcome run =
+        shell("(" FFGPU_BINARY " replay " FFGPU_SOURCE_DIR
+              "/traces/corridor.trace --reference --timing -o " +
+              out.path.string() + " <&- >&- 2>&- & until [ -e " + out.path.string() +
+              "/frame_0000.png ]; do sleep 0.01; done; readlink /proc/$!/fd/[012]; kill $!)");
+    CHECK(run.text == "/dev/null\n/dev/null\n/dev/null\n");
+}
+
 TEST_CASE("a folder that cannot be made ends the run with its name, and nothing else is told") {
     if (!has_display()) return;
     const Outcome run = ffgpu_run("-o /proc/none -- " FFGPU_FORKS);
