@@ -2,6 +2,7 @@
 
 #include "driver/objects/buffer_object.h"
 #include "driver/vertex/component.h"
+#include "model/base/check.h"
 
 #include <algorithm>
 #include <cstring>
@@ -112,6 +113,7 @@ void ArrayGather::add(Attribute attribute, const VertexArray& array) {
                   .convert = attribute == Attribute::EdgeFlag ? convert_flag : convert_of(array),
                   .offset = element.offset,
                   .components = element.components};
+    check(source.stride != 0, "an array of a type without a size");
     if (array.buffer) {
         mapped_ = mapped_ || array.buffer->mapped;
         const auto offset = reinterpret_cast<std::size_t>(array.pointer);

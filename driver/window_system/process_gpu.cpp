@@ -34,6 +34,12 @@ std::unique_ptr<Device> make_gpu() {
     return std::make_unique<FunctionalGpu>(FunctionalGpu::Config{.threads = thread_count()});
 }
 
+// A recorder that cannot start ends the process: by then `ffgpu run` knows that it draws.
+std::unique_ptr<Recorder> announce_and_open_recorder() {
+    RunMark::leave();
+    return open_recorder();
+}
+
 } // namespace
 
 ProcessGpu& ProcessGpu::instance() {
@@ -42,12 +48,10 @@ ProcessGpu& ProcessGpu::instance() {
 }
 
 ProcessGpu::ProcessGpu()
-    : recorder_(open_recorder())
+    : recorder_(announce_and_open_recorder())
     , gpu_(recorder_ ? nullptr : make_gpu())
     , device_(recorder_ ? &recorder_->device() : gpu_.get())
-    , memory_(std::make_shared<MemoryAllocator>(0, device_->memory_size())) {
-    RunMark::leave();
-}
+    , memory_(std::make_shared<MemoryAllocator>(0, device_->memory_size())) {}
 
 ControlPanel ProcessGpu::control_panel() {
     ControlPanel panel;

@@ -19,9 +19,15 @@ namespace {
 
 constexpr int BadInput = 2;
 
+// Why has been said.
+[[noreturn]] void end_without_recorder() {
+    RunMark::leave_complete();
+    std::_Exit(BadInput);
+}
+
 [[noreturn]] void fail(const std::string& message) {
     std::fprintf(stderr, "ffgpu: %s\n", message.c_str());
-    std::_Exit(BadInput);
+    end_without_recorder();
 }
 
 template <class Function>
@@ -49,7 +55,16 @@ std::unique_ptr<Recorder> open_recorder() {
     const char* const wanted = std::getenv("FFGPU_RECORD");
     if (!wanted || !*wanted) return nullptr;
     const std::string text = wanted;
-    ::unsetenv("FFGPU_RECORD"); // The program's own children would write the same files.
+    // The program's own children would write the same files; those of a run find that it is taken.
+    if (!RunMark::is_there()) ::unsetenv("FFGPU_RECORD");
+    if (RunMark::is_over()) {
+        std::fprintf(stderr,
+                     "ffgpu: warning: %s (process %d) draws when the ffgpu that started it has "
+                     "ended, and is not recorded\n",
+                     ::program_invocation_short_name,
+                     static_cast<int>(::getpid()));
+        return nullptr;
+    }
     if (!RunMark::claim()) {
         std::fprintf(stderr,
                      "ffgpu: warning: %s (process %d) draws too, and is not recorded: another "
@@ -68,8 +83,9 @@ std::unique_ptr<Recorder> open_recorder() {
     if (std::strcmp(recorder_id(), build_id()) != 0)
         fail(path + " and the library that loads it are of different builds: build both anew");
     const auto open = find_function<OpenRecorder>(library, "ffgpu_open_recorder");
-    recorder = open(text.substr(colon + 1).c_str(), in_turn);
-    if (!recorder) std::_Exit(BadInput);
+    recorder = open(text.substr(colon + 1).c_str(),
+                    {.in_turn = in_turn, .files_complete = RunMark::leave_complete});
+    if (!recorder) end_without_recorder();
     std::atexit(finish_recorder);
     return std::unique_ptr<Recorder>(recorder);
 }

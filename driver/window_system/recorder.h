@@ -32,9 +32,15 @@ public:
 // that has something to do while the program draws nothing.
 using InTurn = void (*)(const std::function<void()>& call);
 
+// What the library does for its recorder.
+struct RecorderHost {
+    InTurn in_turn;
+    void (*files_complete)(); // to be called then; or why they are not has been said
+};
+
 // What the shared object exports under the name "ffgpu_open_recorder". Null: it could not, and has
 // said why on stderr.
-using OpenRecorder = Recorder* (*)(const char* settings_path, InTurn in_turn);
+using OpenRecorder = Recorder* (*)(const char* settings_path, const RecorderHost& host);
 
 // Exported under the name "ffgpu_recorder_build_id": build_id() of the recorder.
 using RecorderBuildId = const char* (*)();

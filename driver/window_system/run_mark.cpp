@@ -1,17 +1,27 @@
 #include "driver/window_system/run_mark.h"
 
+#include <array>
 #include <cstdlib>
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 namespace ffgpu::gl {
 namespace {
 
 constexpr const char* Variable = "FFGPU_MARK";
-constexpr off_t DrawsAt = 0, FrameAt = 1;
+constexpr off_t DrawsAt = 0, FrameAt = 1, BegunAt = 2, CompleteAt = 3;
+
+// Those of the file's bytes that say yes; none where it cannot be read.
+std::array<bool, 4> said(int file) {
+    std::array<char, 4> bytes{};
+    if (::pread(file, bytes.data(), bytes.size(), 0) < 0) bytes = {};
+    std::array<bool, 4> yes{};
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        yes[i] = bytes[i] == '1';
+    return yes;
+}
 
 int claimed = -1; // The file, open as long as the process lives: it has the lock.
 
@@ -21,8 +31,8 @@ int open_mark() {
 }
 
 // Where the file is gone nobody wants to know.
-void write_at(int file, off_t at) {
-    if (::pwrite(file, "1", 1, at) != 1) return;
+void write_at(int file, off_t at, const char* byte = "1") {
+    if (::pwrite(file, byte, 1, at) != 1) return;
 }
 
 } // namespace
@@ -41,10 +51,11 @@ void RunMark::leave() {
 bool RunMark::claim() {
     const int file = open_mark();
     if (file < 0) return true;
-    struct stat status {};
     const bool locked = ::flock(file, LOCK_EX | LOCK_NB) == 0;
-    if (locked && ::fstat(file, &status) == 0 && status.st_size <= FrameAt) {
+    if (locked && !said(file)[FrameAt]) {
         claimed = file;
+        write_at(file, BegunAt);
+        write_at(file, CompleteAt, "0"); // Another's, who ended without a frame.
         return true;
     }
     ::close(file);
@@ -53,6 +64,26 @@ bool RunMark::claim() {
 
 void RunMark::leave_frame() {
     if (claimed >= 0) write_at(claimed, FrameAt);
+}
+
+void RunMark::leave_complete() {
+    if (claimed >= 0) write_at(claimed, CompleteAt);
+}
+
+bool RunMark::is_over() {
+    const char* const path = std::getenv(Variable);
+    return path && ::access(path, F_OK) != 0;
+}
+
+RunMark::State RunMark::read(const std::string& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return {};
+    const auto yes = said(file);
+    const State state{.draws = yes[DrawsAt],
+                      .complete = yes[CompleteAt] || !yes[BegunAt],
+                      .goes_on = ::flock(file, LOCK_SH | LOCK_NB) != 0};
+    ::close(file);
+    return state;
 }
 
 } // namespace ffgpu::gl

@@ -1,8 +1,10 @@
 // RunMark: the file that FFGPU_MARK names, by which the processes of one `ffgpu run` know of each
 // other and `ffgpu run` of them: who draws leaves a byte in it; who is recorded holds its lock, and
-// leaves another with the first frame.
+// leaves another with the first frame and one when its files are complete.
 
 #pragma once
+
+#include <string>
 
 namespace ffgpu::gl {
 
@@ -18,8 +20,22 @@ public:
     // FFGPU_MARK there is nobody else.
     static bool claim();
 
+    // `ffgpu run` has started this process, and has ended since.
+    static bool is_over();
+
     // The process that claimed has a frame.
     static void leave_frame();
+
+    // Its files are complete, or why they are not has been said.
+    static void leave_complete();
+
+    // What the file says to `ffgpu run`.
+    struct State {
+        bool draws = false;    // somebody
+        bool complete = false; // who is recorded; so also where nobody is
+        bool goes_on = false;  // who is recorded still lives
+    };
+    static State read(const std::string& path);
 };
 
 } // namespace ffgpu::gl

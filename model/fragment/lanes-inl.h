@@ -8,6 +8,7 @@
 #define FFGPU_FRAGMENT_LANES_INL_H_
 #endif
 
+#include "model/arith/lanes/mask_bits-inl.h"
 #include "model/fragment/unorm8.h"
 #include "model/packets/fragment_batch.h"
 
@@ -84,15 +85,6 @@ HWY_INLINE hn::Mask<D> mask_from_bits(D d, std::uint64_t bits) {
     std::uint8_t bytes[8];
     std::memcpy(bytes, &bits, sizeof bytes);
     return hn::LoadMaskBits(d, bytes);
-}
-
-template <class D>
-HWY_INLINE std::uint64_t bits_from_mask(D d, hn::Mask<D> mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, mask, bytes);
-    std::uint64_t bits;
-    std::memcpy(&bits, bytes, sizeof bits);
-    return bits;
 }
 
 } // namespace

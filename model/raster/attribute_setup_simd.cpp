@@ -14,6 +14,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // clang-format off: after foreach_target.h
+#include "model/arith/lanes/mask_bits-inl.h"
 #include "model/raster/attribute_lanes-inl.h"
 // clang-format on
 
@@ -77,9 +78,7 @@ SetUpPlanes(const AttributeValues& values, const AttributeFrame& frame, StoredPl
     for (unsigned i = 0; i < count; i += static_cast<unsigned>(hn::Lanes(Doubles()))) {
         const PlaneLanes plane = plane_lanes(load_values(values, i), base, constants);
         store(plane, planes + i);
-        std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(Doubles(), hn::Not(plane.sure), bits);
-        left |= std::uint64_t{bits[0]} << i;
+        left |= bits_from_mask(Doubles(), hn::Not(plane.sure)) << i;
     }
     return left & ((std::uint64_t{1} << count) - 1);
 }

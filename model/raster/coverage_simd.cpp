@@ -8,14 +8,14 @@
 #include "model/raster/tile_walk.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdlib>
-#include <cstring>
-#include <type_traits>
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+// clang-format off: after foreach_target.h
+#include "model/arith/lanes/mask_bits-inl.h"
+// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace ffgpu {
@@ -51,9 +51,7 @@ void prepare_offsets(const TileWalk& walk, EdgeOffsets& offsets) {
 // A bit a lane.
 std::uint32_t negative_lanes(hn::Vec<Lanes> values) {
     const Lanes d;
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, hn::Lt(values, hn::Zero(d)), bytes);
-    return static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8);
+    return static_cast<std::uint32_t>(bits_from_mask(d, hn::Lt(values, hn::Zero(d))));
 }
 
 // The pixels of the block at (x, y) that lie inside all edges.
@@ -160,14 +158,7 @@ bool has_small_steps(const TileWalk& walk) {
 
 // A bit a lane.
 HWY_INLINE BlockMask negative_narrow(hn::Vec<Narrow> values) {
-    std::array<std::uint8_t, NarrowLanes / 8> bytes;
-    hn::StoreMaskBits(Narrow(), hn::Lt(values, hn::Zero(Narrow())), bytes.data());
-    std::conditional_t<NarrowLanes == 32,
-                       std::uint32_t,
-                       std::conditional_t<NarrowLanes == 16, std::uint16_t, std::uint8_t>>
-        bits;
-    std::memcpy(&bits, bytes.data(), sizeof bits);
-    return bits;
+    return bits_from_mask(Narrow(), hn::Lt(values, hn::Zero(Narrow())));
 }
 
 // Three edges over 8x8 pixels at a time, from the lower left pixel of the first. An edge that is

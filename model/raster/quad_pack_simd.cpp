@@ -8,10 +8,14 @@
 #include "model/raster/quad_pack.h"
 
 #include <array>
+#include <bit>
 #include <cstring>
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+// clang-format off: after foreach_target.h
+#include "model/arith/lanes/mask_bits-inl.h"
+// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace ffgpu {
@@ -80,7 +84,7 @@ PackedQuads Pack(const BlockCoverage& block, std::uint16_t* x, std::uint16_t* y)
     for (std::size_t first = 0; first < BlockQuads; first += hn::Lanes(d)) {
         const V lanes = lanes_of(block.mask, first);
         const auto covered = hn::Ne(lanes, hn::Zero(d));
-        const std::size_t count = hn::CountTrue(d, covered);
+        const auto count = static_cast<std::size_t>(std::popcount(bits_from_mask(d, covered)));
         const V places = hn::Compress(hn::Add(corner, hn::Load(d, Places + first)), covered);
         hn::StoreU(hn::TruncateTo(halves, places), halves, x + packed.count);
         hn::StoreU(hn::TruncateTo(halves, hn::ShiftRight<16>(places)), halves, y + packed.count);

@@ -17,6 +17,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // clang-format off: after foreach_target.h
+#include "model/arith/lanes/mask_bits-inl.h"
 #include "model/raster/attribute_lanes-inl.h"
 // clang-format on
 
@@ -98,9 +99,7 @@ HWY_INLINE void store_narrow(VD integers, TriangleGroup::Each<T>& to, std::size_
 }
 
 HWY_INLINE TriangleGroup::Bits bits_from(MaskD mask, std::size_t lane) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(Doubles(), mask, bits);
-    return static_cast<TriangleGroup::Bits>(bits[0] << lane);
+    return static_cast<TriangleGroup::Bits>(bits_from_mask(Doubles(), mask) << lane);
 }
 
 template <class Operation>

@@ -217,6 +217,8 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--part", action="append", choices=PARTS, help="this one only")
     options = parser.parse_args()
+    # A shell's background job ignores SIGINT, and so would the programs that are interrupted here.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     with tempfile.TemporaryDirectory() as folder:
         soak = Soak(options, pathlib.Path(folder))
         for name in options.part or PARTS:

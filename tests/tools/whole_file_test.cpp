@@ -2,6 +2,7 @@
 
 #include "model/base/input_error.h"
 #include "model/base/whole_file.h"
+#include "tests/tools/tool.h"
 #include "tools/image/image.h"
 #include "tools/image/image_writer.h"
 #include "tools/image/png_file.h"
@@ -24,6 +25,7 @@ namespace ffgpu::tools {
 namespace {
 
 using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
 namespace fs = std::filesystem;
 
 struct Folder {
@@ -157,6 +159,25 @@ TEST_CASE("behind a picture that cannot be written none is") {
     CHECK_THROWS_AS(writer.add((folder.path / "e.png").string(), noise(8)), InputError);
     CHECK(fs::exists(folder.path / "a.png"));
     CHECK(folder.files() == 1);
+}
+
+TEST_CASE("what cannot be written in the middle of a frame ends the replay of a trace") {
+    const Folder folder;
+    const std::string trace = FFGPU_SOURCE_DIR "/traces/corridor.trace";
+    const auto replay = [&](std::vector<std::string> more) {
+        std::vector<std::string> words{"replay", trace, "--frames", "0-0"};
+        words.insert(words.end(), more.begin(), more.end());
+        return printed(stderr, [&] {
+            const FileSizeLimit limit(4096);
+            CHECK(run(words) == 2);
+        });
+    };
+    const std::string capture = (folder.path / "all.ffc").string();
+    CHECK_THAT(replay({"--capture", capture}), Contains(capture + ": cannot be written"));
+    const std::string out = (folder.path / "out").string();
+    CHECK_THAT(replay({"--steps", "1", "-o", out}),
+               StartsWith("ffgpu: " + out) && Contains(".png: cannot be written"));
+    CHECK(folder.files() == 1); // the folder itself
 }
 
 TEST_CASE("a file in a folder that is not there is an error with its name") {

@@ -24,6 +24,8 @@ std::size_t files_in(const fs::path& folder) {
         std::distance(fs::directory_iterator(folder, missing), fs::directory_iterator()));
 }
 
+constexpr const char* NotComplete = "what was recorded ended without completing its files";
+
 TEST_CASE("children that end while a picture is written leave it whole") {
     if (!has_display()) return;
     const OutputFolder out;
@@ -44,6 +46,49 @@ TEST_CASE("a program that is killed leaves statistics that are a second old at m
     INFO(run.text);
     CHECK(run.status == 128 + SIGKILL);
     CHECK(count_of(statistics_in(out), "\"frame_count\": 11,") == 1);
+    CHECK(count_of(run.text, NotComplete) == 1);
+}
+
+TEST_CASE("a program that leaves by _exit or becomes another is told of") {
+    if (!has_display()) return;
+    const auto run = [](const std::string& mode) {
+        const OutputFolder out;
+        Outcome outcome = ffgpu_run("-o " + out.path.string() + " -- " FFGPU_FRAMES " " + mode);
+        CHECK(outcome.status == 4);
+        return outcome.text;
+    };
+    CHECK(count_of(run("abandon"), NotComplete) == 1);
+    const std::string become = run("become");
+    INFO(become);
+    CHECK(count_of(become, NotComplete) == 1);
+    CHECK(count_of(become, "draws too, and is not recorded") == 1);
+    CHECK(count_of(ffgpu_run("-- " FFGPU_FRAMES " abandon").text, "warning") == 0);
+}
+
+TEST_CASE("a program that its script leaves behind is told of, and completes its files") {
+    if (!has_display()) return;
+    const OutputFolder out;
+    const std::string folder = out.path.string();
+    const Outcome run =
+        ffgpu_run("-o " + folder + " -- sh -c 'timeout 4 " FFGPU_FRAMES " endless & until [ -e " +
+                  folder + "/frame_0003.png ]; do sleep 0.05; done'");
+    INFO(run.text);
+    CHECK(run.status == 0);
+    CHECK(count_of(run.text, "what is recorded goes on without it") == 1);
+    CHECK(count_of(run.text, " frames, ") == 1); // its own summary, when it was ended
+    CHECK(count_of(statistics_in(out), "\"frame_count\"") == 1);
+}
+
+TEST_CASE("a program that draws when ffgpu has ended draws, and tells why nothing is recorded") {
+    if (!has_display()) return;
+    const OutputFolder out;
+    const Outcome run =
+        ffgpu_run("-o " + out.path.string() + " -- sh -c '(sleep 1; " FFGPU_FORKS ") & exit 0'");
+    INFO(run.text);
+    CHECK(run.status == 0);
+    CHECK(count_of(run.text, "sh made no OpenGL context on ffgpu") == 1);
+    CHECK(count_of(run.text, "when the ffgpu that started it has ended") == 1);
+    CHECK(files_in(out.path) == 0);
 }
 
 TEST_CASE("a program that a script has started ends where ffgpu was killed") {
@@ -79,6 +124,25 @@ TEST_CASE("a file that finds no room ends the run with its name and status 2") {
     CHECK(capture.status == 2);
     CHECK(count_of(capture.text, "c.ffc: cannot be written: File too large") == 1);
     CHECK(files_in(out.path) <= 1);
+}
+
+TEST_CASE("no file takes the place of a standard stream that is closed") {
+    const OutputFolder out;
+    const Outcome run =
+        shell("(" FFGPU_BINARY " replay " FFGPU_SOURCE_DIR
+              "/traces/corridor.trace --reference --timing -o " +
+              out.path.string() + " <&- >&- 2>&- & until [ -e " + out.path.string() +
+              "/frame_0000.png ]; do sleep 0.01; done; readlink /proc/$!/fd/[012]; kill $!)");
+    CHECK(run.text == "/dev/null\n/dev/null\n/dev/null\n");
+}
+
+TEST_CASE("a folder that cannot be made ends the run with its name, and nothing else is told") {
+    if (!has_display()) return;
+    const Outcome run = ffgpu_run("-o /proc/none -- " FFGPU_FORKS);
+    INFO(run.text);
+    CHECK(run.status == 2);
+    CHECK(count_of(run.text, "/proc/none: cannot be made: No such file or directory") == 1);
+    CHECK(count_of(run.text, "\n") == 1);
 }
 
 TEST_CASE("frames that a program never draws are told of, and pictures of an older run") {

@@ -90,18 +90,20 @@ TEST_CASE("a signal to ffgpu and its program at once keeps the statistics") {
     Display* const display = tests::XServer::display();
     if (!display) return;
     ::setenv("DISPLAY", DisplayString(display), 1);
+    const int signal = GENERATE(SIGTERM, SIGHUP);
     const OutputFolder out;
     const pid_t group = start({"ffgpu", "run", "-o", out.path.string(), "--", FFGPU_FORKS, "wait"});
     CHECK(comes_true([&] { return fs::exists(out.path / "frame_0009.png"); }));
-    ::kill(-group, SIGTERM);
+    ::kill(-group, signal);
     const int status = wait_status(group);
     CHECK(WIFEXITED(status));
-    CHECK(WEXITSTATUS(status) == 128 + SIGTERM);
+    CHECK(WEXITSTATUS(status) == 128 + signal);
     CHECK(count_of(statistics_in(out), "\"frame_count\": 10") == 1);
 }
 #endif
 
-TEST_CASE("Ctrl-C ends a replay behind a frame, with its statistics") {
+TEST_CASE("Ctrl-C or its terminal's end ends a replay behind a frame, with its statistics") {
+    const int signal = GENERATE(SIGINT, SIGHUP);
     const OutputFolder out;
     const pid_t replay = start({"ffgpu",
                                 "replay",
@@ -113,12 +115,24 @@ TEST_CASE("Ctrl-C ends a replay behind a frame, with its statistics") {
                                 "-o",
                                 out.path.string()});
     const bool drew = comes_true([&] { return fs::exists(out.path / "frame_0000.png"); });
-    ::kill(replay, SIGINT);
+    ::kill(replay, signal);
     const int status = wait_status(replay);
     CHECK(drew);
     CHECK(WIFEXITED(status));
-    CHECK(WEXITSTATUS(status) == 128 + SIGINT);
+    CHECK(WEXITSTATUS(status) == 128 + signal);
     CHECK(fs::exists(out.path / "stats.json"));
+}
+
+TEST_CASE("a replay under nohup outlives its terminal") {
+    const OutputFolder out;
+    const std::string folder = out.path.string();
+    const Outcome run = shell("trap '' HUP; " FFGPU_BINARY " replay " FFGPU_SOURCE_DIR
+                              "/traces/corridor.trace -o " +
+                              folder + " & until [ -e " + folder +
+                              "/frame_0000.png ]; do sleep 0.01; done; kill -HUP $!; wait $!");
+    INFO(run.text);
+    CHECK(run.status == 0);
+    CHECK(count_of(statistics_in(out), "\"frame_count\": 8,") == 1);
 }
 
 TEST_CASE("a program that never drew on ffgpu is told of") {

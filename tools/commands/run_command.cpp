@@ -1,5 +1,6 @@
 #include "tools/commands/run_command.h"
 
+#include "driver/window_system/run_mark.h"
 #include "model/base/input_error.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/unused_reason.h"
@@ -113,6 +114,20 @@ void add_panel(const gl::ControlPanel& panel, std::vector<Environment>& environm
         environment.push_back({"FFGPU_SUPERSAMPLING", std::to_string(panel.supersampling)});
 }
 
+void warn_of_loss(const std::string& program, const std::string& mark, bool is_recorded) {
+    const gl::RunMark::State state = gl::RunMark::read(mark);
+    if (!state.draws) warn(unused_reason(program));
+    if (!state.draws || !is_recorded || state.complete) return;
+    if (state.goes_on)
+        warn(program +
+             " has ended, and what is recorded goes on without it: the files are complete "
+             "when it ends");
+    else
+        warn("what was recorded ended without completing its files (killed, crashed, by _exit, or "
+             "it became another program): the last frames' pictures and statistics may be missing, "
+             "and a capture or work file keeps its .part name");
+}
+
 int run_run(const Arguments& arguments) {
     const fs::path folder = find_library_folder();
     std::vector<Environment> environment{
@@ -137,8 +152,7 @@ int run_run(const Arguments& arguments) {
         environment.push_back({"FFGPU_RECORD", recorder.string() + ":" + settings->path()});
     }
     const int status = run_program(arguments.command, environment);
-    if (status != CannotRun && fs::file_size(mark.path()) == 0)
-        warn(unused_reason(arguments.command[0]));
+    if (status != CannotRun) warn_of_loss(arguments.command[0], mark.path(), settings.has_value());
     return status;
 }
 

@@ -48,7 +48,7 @@ std::string reason(const fs::path& path) {
                "LD_LIBRARY_PATH; run a copy of it without the set-id bit";
     if (is_static(path)) return "it is linked statically";
     return "it draws otherwise than by OpenGL on GLX or EGL, or another program did that it "
-           "started without its environment";
+           "started without its environment, or not before its own end";
 }
 
 } // namespace

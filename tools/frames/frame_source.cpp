@@ -3,6 +3,7 @@
 #include "driver/trace/player/player.h"
 #include "model/base/input_error.h"
 #include "model/capture/capture_reader.h"
+#include "tools/frames/failure_keeper.h"
 
 #include <utility>
 
@@ -13,7 +14,8 @@ class TraceSource : public FrameSource {
 public:
     TraceSource(const std::string& path, Device& device, const FrameSourceOptions& options)
         : reader_(path)
-        , player_(device,
+        , device_(device)
+        , player_(device_,
                   reader_,
                   {.warn = options.warn,
                    .report_errors = options.report_errors,
@@ -26,13 +28,18 @@ public:
     std::optional<Frame> next() override {
         const std::uint64_t before = player_.calls_played();
         const auto shown = player_.play_frame();
+        device_.check_failure();
         if (!shown) return std::nullopt;
         return Frame{shown->number, shown->picture, player_.calls_played() - before};
     }
 
     bool has_calls() const override { return true; }
 
-    bool repeat_last() override { return player_.repeat_last_frame(); }
+    bool repeat_last() override {
+        const bool repeated = player_.repeat_last_frame();
+        device_.check_failure();
+        return repeated;
+    }
 
 private:
     static std::function<void(const trace::Call&)> pass_on(const FrameSourceOptions& options) {
@@ -42,6 +49,7 @@ private:
     }
 
     trace::TraceReader reader_;
+    FailureKeeper device_;
     trace::TracePlayer player_;
 };
 

@@ -26,6 +26,11 @@ void ImageWriter::add(std::string path, Image image) {
     changed_.notify_all();
 }
 
+void ImageWriter::check_failure() {
+    const std::lock_guard lock(mutex_);
+    throw_failure();
+}
+
 void ImageWriter::finish() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return jobs_.empty(); });

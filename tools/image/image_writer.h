@@ -24,6 +24,9 @@ public:
     // Throws what an earlier write has thrown; nothing is written behind that.
     void add(std::string path, Image image);
 
+    // Throws what an earlier write has thrown.
+    void check_failure();
+
     // Returns when everything is written; throws if something could not be.
     void finish();
 

@@ -72,8 +72,12 @@ void Recording::draw_done(std::uint32_t draw, const Targets& targets) {
     most_draws_ = std::max(most_draws_, ++draws_in_frame_);
     if (draws_in_frame_ % options_.steps != 0) return;
     gpu_.hide_from_work(true);
-    images_.add(folder_.picture(fmt::format("frame_{:04}_draw", frame_), draw),
-                read_surface(gpu_, targets.color[0]));
+    try {
+        images_.add(folder_.picture(fmt::format("frame_{:04}_draw", frame_), draw),
+                    read_surface(gpu_, targets.color[0]));
+    } catch (const InputError&) {
+        // No fault of the command that is under way: it comes again behind the frame.
+    }
     gpu_.hide_from_work(false);
 }
 
@@ -166,6 +170,7 @@ bool Recording::after_frame(const Frame& frame) {
                      .api_calls = frame.api_calls,
                      .functional = counted_.take(gpu_.statistics())},
                     frame.picture);
+    images_.check_failure();
     if (!options_.heat.maps.empty()) pipeline_.drain();
     // Looking at the picture is no work of the machine's.
     gpu_.hide_from_work(true);

@@ -68,17 +68,18 @@ void catch_signal(int signal) {
 
 class LiveRecorder final : public gl::Recorder {
 public:
-    LiveRecorder(const std::string& settings_path, gl::InTurn in_turn)
-        : options_(resolved(settings_path))
+    LiveRecorder(const std::string& settings_path, const gl::RecorderHost& host)
+        : host_(host)
+        , options_(resolved(settings_path))
         , recording_(std::in_place, options_)
         , device_(recording_->device(), [this](const InputError& error) { fail(error); }) {
         recording_->before_frame(0);
-        catch_signal(SIGINT);
-        catch_signal(SIGTERM);
-        thread_without_signals([this, in_turn] {
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+            catch_signal(signal);
+        thread_without_signals([this] {
             signal_came.acquire();
             std::this_thread::sleep_for(Patience);
-            in_turn([this] { end_by_signal(interrupted); });
+            host_.in_turn([this] { end_by_signal(interrupted); });
         }).detach(); // It and the recorder live as long as the process.
         on_lost_run(settings_path, [] {
             std::this_thread::sleep_for(Patience); // A signal may come as well: it goes first.
@@ -105,6 +106,7 @@ public:
         if (finished_ || !is_own_process()) return;
         finished_ = true;
         guarded([&] { recording_->finish(); });
+        host_.files_complete();
         std::fputs(recording_->summary().c_str(), stderr);
         const std::string missing =
             missing_frames(options_.frames, ::program_invocation_short_name, frames_);
@@ -138,6 +140,7 @@ private:
             if (!finished_) recording_->finish();
         } catch (const std::exception&) { // The first is what is told.
         }
+        host_.files_complete();
         recording_.reset();
         std::_Exit(status);
     }
@@ -163,6 +166,7 @@ private:
     bool is_own_process() const { return ::getpid() == process_; }
 
     const pid_t process_ = ::getpid();
+    const gl::RecorderHost host_;
     const RecordingOptions options_;
     std::optional<Recording> recording_;
     GuardedDevice device_;
@@ -174,9 +178,9 @@ private:
 } // namespace ffgpu::tools
 
 extern "C" __attribute__((visibility("default"))) ffgpu::gl::Recorder*
-ffgpu_open_recorder(const char* settings_path, ffgpu::gl::InTurn in_turn) {
+ffgpu_open_recorder(const char* settings_path, const ffgpu::gl::RecorderHost& host) {
     try {
-        return new ffgpu::tools::LiveRecorder(settings_path, in_turn);
+        return new ffgpu::tools::LiveRecorder(settings_path, host);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "ffgpu: %s\n", error.what());
         return nullptr;

@@ -1,10 +1,12 @@
 #include "tools/replay/interruption.h"
 
+#include <array>
 #include <csignal>
-#include <initializer_list>
 
 namespace ffgpu::tools {
 namespace {
+
+constexpr std::array Signals{SIGINT, SIGTERM, SIGHUP};
 
 volatile std::sig_atomic_t came = 0;
 
@@ -17,13 +19,14 @@ void interrupt(int signal) {
 
 Interruption::Interruption() {
     came = 0;
-    for (const int signal : {SIGINT, SIGTERM})
-        std::signal(signal, interrupt);
+    for (const int signal : Signals)
+        // What nohup, or a shell in the background, has ignored stays so.
+        if (std::signal(signal, interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
 Interruption::~Interruption() {
-    for (const int signal : {SIGINT, SIGTERM})
-        std::signal(signal, SIG_DFL);
+    for (const int signal : Signals)
+        if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
 int Interruption::signal() {

@@ -1,5 +1,5 @@
-// Interruption: Ctrl-C, or SIGTERM, while it lives: the frame that is being drawn is the last, and
-// what is there is completed. A second signal ends the process at once.
+// Interruption: Ctrl-C, SIGTERM or the terminal's end while it lives: the frame that is being drawn
+// is the last, and what is there is completed. A second signal ends the process at once.
 
 #pragma once
 

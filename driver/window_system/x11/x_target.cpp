@@ -88,21 +88,19 @@ struct XTarget::Pixels {
 
     bool attach() {
         void* const address = ::shmat(segment.shmid, nullptr, 0);
-        bool attached = false;
-        if (address != reinterpret_cast<void*>(-1)) {
-            segment.shmaddr = image->data = static_cast<char*>(address);
-            segment.readOnly = True;
-            const ErrorTrap trap(display);
-            attached = XShmAttach(display, &segment) != 0;
-            XSync(display, False);
-            attached = attached && !trap.caught();
-            if (!attached) {
-                ::shmdt(address);
-                image->data = nullptr;
-            }
-        }
-        ::shmctl(segment.shmid, IPC_RMID, nullptr); // It goes when both have let go.
-        return attached;
+        // From now on it goes with the last who lets go, whenever the program is killed. Linux lets
+        // the server in all the same; elsewhere pictures take the connection.
+        ::shmctl(segment.shmid, IPC_RMID, nullptr);
+        if (address == reinterpret_cast<void*>(-1)) return false;
+        segment.shmaddr = image->data = static_cast<char*>(address);
+        segment.readOnly = True;
+        const ErrorTrap trap(display);
+        const bool attached = XShmAttach(display, &segment) != 0;
+        XSync(display, False);
+        if (attached && !trap.caught()) return true;
+        ::shmdt(address);
+        image->data = nullptr;
+        return false;
     }
 
     void make_plain(Visual* visual, int depth, Size size) {

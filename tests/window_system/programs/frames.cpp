@@ -2,6 +2,8 @@
 // they are written children that call exit(). "killed": ten frames, another one later, then
 // SIGKILL. "endless": frames until somebody ends it. "later": asks for contexts of OpenGL 3.3 and
 // 2.1, and draws a frame on an older one. "leak WHAT": endless, and loses a little of WHAT.
+// "abandon": a frame, then _exit(4). "become": a frame, then this program again as "abandon".
+// "attach": tells its process, and is killed where the server is to share memory for a frame.
 
 // glXCreateContextAttribsARB is declared only then.
 #define GLX_GLXEXT_PROTOTYPES
@@ -10,11 +12,14 @@
 
 #include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
 #include <GL/glxext.h>
+#include <X11/extensions/XShm.h>
+#include <dlfcn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -91,7 +96,37 @@ void later() {
     Drawing().frame(1);
 }
 
+void abandon() {
+    Drawing().frame(0);
+    ::_exit(4);
+}
+
+void become(char* self) {
+    Drawing().frame(0);
+    char mode[] = "abandon";
+    char* const arguments[] = {self, mode, nullptr};
+    ::execv(self, arguments);
+}
+
+bool dies_attaching = false;
+
+void attach() {
+    const Drawing drawing;
+    std::printf("process %d\n", static_cast<int>(::getpid()));
+    std::fflush(stdout);
+    dies_attaching = true;
+    drawing.frame(0);
+}
+
 } // namespace
+
+// In front of libXext's.
+extern "C" __attribute__((visibility("default"))) int XShmAttach(Display* display,
+                                                                 XShmSegmentInfo* segment) {
+    if (dies_attaching) std::raise(SIGKILL);
+    using Attach = int (*)(Display*, XShmSegmentInfo*);
+    return reinterpret_cast<Attach>(::dlsym(RTLD_NEXT, "XShmAttach"))(display, segment);
+}
 
 int main(int count, char** arguments) {
     const std::string mode = count > 1 ? arguments[1] : "";
@@ -99,6 +134,9 @@ int main(int count, char** arguments) {
     if (mode == "killed") killed();
     if (mode == "endless") endless();
     if (mode == "later") later();
+    if (mode == "abandon") abandon();
+    if (mode == "become") become(arguments[0]);
+    if (mode == "attach") attach();
     if (mode == "leak" && count > 2) leak(arguments[2]);
     return EXIT_SUCCESS;
 }
