@@ -25,6 +25,8 @@ public:
         , first_(begin / grain.line_bytes())
         , lines_((end - 1) / grain.line_bytes() - first_ + 1) {}
 
+    const LineGrain& grain() const { return grain_; }
+
     // Bytes [begin, end) of memory.
     void add(std::uint64_t begin, std::uint64_t end, bool covered) {
         const std::uint64_t bytes = grain_.line_bytes();
@@ -150,6 +152,46 @@ bool is_one_run(const PlacedLevel& place, const LineGrain& grain, const Rectangl
            (layout.kind == Layout::Linear || remainder(row, grain.bytes()) == 0);
 }
 
+// Pixels [x0, x1) of row y0.
+template <class Add>
+void add_row(const PlacedLevel& place, const Rectangle& row, const Add& add) {
+    const auto x1 = static_cast<std::uint32_t>(row.x1);
+    std::uint64_t begin = 0, end = 0; // a run of pixels that lie together
+    std::uint32_t run = 0;            // of them in a block
+    for (auto x = static_cast<std::uint32_t>(row.x0); x < x1; x += run) {
+        run = std::min(place.layout.run(x), x1 - x);
+        const std::uint64_t at = place.address(x, static_cast<std::uint32_t>(row.y0), 0);
+        if (at != end) {
+            if (begin != end) add(begin, end);
+            begin = at;
+        }
+        end = at + std::uint64_t{run} * place.layout.element_bytes;
+    }
+    if (begin != end) add(begin, end);
+}
+
+// A row of blocks from row `y` of pixels on: those that lie wholly in the rectangle are one run of
+// bytes, where no bit of a line is of two rows of pixels. Returns the rows; none: not so.
+std::uint32_t
+add_blocks(const PlacedLevel& place, const Rectangle& cut, std::uint32_t y, Collector& lines) {
+    const ImageLayout& layout = place.layout;
+    const std::uint32_t block = layout.block;
+    if (layout.kind != Layout::Blocked || remainder(y, block) != 0) return 0;
+    if (y + block > static_cast<std::uint32_t>(cut.y1)) return 0;
+    if (remainder(block * layout.element_bytes, lines.grain().bytes()) != 0) return 0;
+    const auto x0 = static_cast<std::uint32_t>(cut.x0), x1 = static_cast<std::uint32_t>(cut.x1);
+    const std::uint32_t first = (x0 + block - 1) & ~(block - 1), last = x1 & ~(block - 1);
+    if (first >= last) return 0;
+    const std::uint64_t begin = place.address(first, y, 0);
+    lines.add(begin, begin + std::uint64_t{last - first} * block * layout.element_bytes, true);
+    const auto add = [&](std::uint64_t from, std::uint64_t to) { lines.add(from, to, true); };
+    for (auto row = static_cast<int>(y); row < static_cast<int>(y + block); ++row) {
+        add_row(place, {cut.x0, row, static_cast<int>(first), 0}, add);
+        add_row(place, {static_cast<int>(last), row, cut.x1, 0}, add);
+    }
+    return block;
+}
+
 } // namespace
 
 std::vector<WrittenLine> rectangle_lines(const PlacedLevel& place,
@@ -177,20 +219,11 @@ std::vector<WrittenLine> rectangle_lines(const PlacedLevel& place,
         add(place.base, place.base + place.layout.bytes());
         return lines.result();
     }
-    const auto x0 = static_cast<std::uint32_t>(cut.x0), x1 = static_cast<std::uint32_t>(cut.x1);
-    for (auto y = static_cast<std::uint32_t>(cut.y0); y < static_cast<std::uint32_t>(cut.y1); ++y) {
-        std::uint64_t begin = 0, end = 0; // a run of pixels that lie together
-        std::uint32_t run = 0;            // of them in a block
-        for (std::uint32_t x = x0; x < x1; x += run) {
-            run = std::min(place.layout.run(x), x1 - x);
-            const std::uint64_t at = place.address(x, y, 0);
-            if (at != end) {
-                if (begin != end) add(begin, end);
-                begin = at;
-            }
-            end = at + std::uint64_t{run} * element;
-        }
-        add(begin, end);
+    const auto y1 = static_cast<std::uint32_t>(cut.y1);
+    for (auto y = static_cast<std::uint32_t>(cut.y0); y < y1;) {
+        const std::uint32_t rows = whole ? add_blocks(place, cut, y, lines) : 0;
+        if (rows == 0) add_row(place, {cut.x0, static_cast<int>(y), cut.x1, 0}, add);
+        y += std::max(rows, 1u);
     }
     return lines.result();
 }
