@@ -1,6 +1,5 @@
 #include "model/timing/memory_arbiter.h"
 
-#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -23,23 +22,22 @@ MemoryArbiter::MemoryArbiter(sc_core::sc_module_name name,
 
 // Rounds over the ports, from the one whose turn it is: each sends one in a round.
 Activity MemoryArbiter::step() {
+    const Cycle cycle = now();
+    std::uint64_t wanting = 0; // ports with a request, a bit each
+    for (std::size_t port = 0; port < ports_.requests_in.size(); ++port)
+        wanting |= std::uint64_t{ports_.requests_in[port]->arrival() <= cycle} << port;
     std::uint32_t left = config_.channels;
-    while (left > 0) {
-        const std::uint32_t sent = send_round(left);
+    while (left > 0 && wanting != 0) {
+        const std::uint32_t sent = send_round(wanting, left);
         if (sent == 0) break;
         left -= sent;
     }
     if (left < config_.channels) return Activity::Busy;
-    const auto wants = [](const auto* port) { return port->can_pop(); };
-    return std::ranges::any_of(ports_.requests_in, wants) ? Activity::StalledOutput
-                                                          : Activity::Idle;
+    return wanting != 0 ? Activity::StalledOutput : Activity::Idle;
 }
 
-std::uint32_t MemoryArbiter::send_round(std::uint32_t most) {
-    std::uint64_t wanting = 0;
+std::uint32_t MemoryArbiter::send_round(std::uint64_t& wanting, std::uint32_t most) {
     const std::size_t ports = ports_.requests_in.size();
-    for (std::size_t port = 0; port < ports; ++port)
-        wanting |= std::uint64_t{ports_.requests_in[port]->can_pop()} << port;
     std::uint32_t sent = 0;
     const std::uint64_t before = (std::uint64_t{1} << next_port_) - 1;
     for (std::uint64_t turn : {wanting & ~before, wanting & before}) {
@@ -49,6 +47,7 @@ std::uint32_t MemoryArbiter::send_round(std::uint32_t most) {
             const std::uint32_t channel = memory_channel(config_, request.address);
             if (!is_free(channel)) continue;
             send(port, channel);
+            if (!ports_.requests_in[port]->can_pop()) wanting &= ~(turn & -turn);
             next_port_ = port + 1 < ports ? port + 1 : 0;
             ++sent;
         }
@@ -75,7 +74,7 @@ void MemoryArbiter::send(std::size_t port, std::uint32_t channel) {
 tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,
                                               tlm::tlm_phase& phase,
                                               sc_core::sc_time&) {
-    const MemoryRequest request = payload.get_extension<RequestTag>()->request;
+    const MemoryRequest& request = payload.get_extension<RequestTag>()->request;
     if (phase == tlm::END_REQ) {
         const std::uint32_t channel = memory_channel(config_, request.address);
         pending_[channel] = nullptr;

@@ -53,7 +53,8 @@ public:
 
 private:
     Activity step() override;
-    std::uint32_t send_round(std::uint32_t most);
+    // `wanting`: ports with a request, a bit each.
+    std::uint32_t send_round(std::uint64_t& wanting, std::uint32_t most);
     void send(std::size_t port, std::uint32_t channel);
     bool is_free(std::uint32_t channel) const {
         return !pending_[channel] && taken_at_[channel] < now();

@@ -65,12 +65,24 @@ void MemoryController::start(Lane& lane, MemoryCycle at) {
     lane.dram->push(to_dram(config_, *lane.arrivals->pop()), at);
 }
 
-void MemoryController::finish(Lane& lane) {
-    const Cycle back = config_.latency - config_.latency / 2;
-    const DramRequest& request = lane.dram->served().front().request;
-    lane.responses.push_back(
-        {now() + back, static_cast<tlm::tlm_generic_payload*>(request.payload)});
-    lane.dram->served().pop_front();
+// When a column has gone out all is known of its request: when the bus carries its data, and when
+// the answer is back.
+void MemoryController::answer(Lane& lane) {
+    Ring<ServedRequest>& served = lane.dram->served();
+    for (; !served.empty(); served.pop_front()) {
+        const auto& [request, data] = served.front();
+        const Cycle last = std::max(core_time(data.end), now());
+        carry(lane, {std::max(core_time(data.begin + 1), now()), last});
+        lane.responses.push_back(
+            {last + way_back(), static_cast<tlm::tlm_generic_payload*>(request.payload)});
+    }
+}
+
+void MemoryController::carry(Lane& lane, const Carrying& carrying) {
+    if (lane.carryings.empty() || lane.carryings.back().last + 1 < carrying.first)
+        lane.carryings.push_back(carrying);
+    else
+        lane.carryings.back().last = carrying.last;
 }
 
 void MemoryController::accept_arrivals(Lane& lane, MemoryCycle at) {
@@ -103,11 +115,11 @@ void MemoryController::step(Lane& lane) {
     if (lane.refused || (lane.arrivals->can_pop() && lane.dram->has_room()))
         accept_arrivals(lane, begin);
     lane.dram->advance(end);
-    Ring<ServedRequest>& served = lane.dram->served();
-    lane.moves = !served.empty() && served.front().data.begin < end;
-    while (!served.empty() && served.front().data.end <= end)
-        finish(lane);
-    lane.waits = lane.dram->has_waiting() || !served.empty() || lane.arrivals->can_pop();
+    answer(lane);
+    while (!lane.carryings.empty() && lane.carryings.front().last < now())
+        lane.carryings.pop_front();
+    lane.moves = !lane.carryings.empty() && lane.carryings.front().first <= now();
+    lane.waits = lane.dram->has_waiting() || !lane.carryings.empty() || lane.arrivals->can_pop();
     if (!lane.responses.empty() && lane.responses.front().at <= now()) deliver(lane);
     lane.due = next_work(lane);
 }
@@ -139,13 +151,10 @@ Cycle MemoryController::next_work(const Lane& lane) const {
     if (lane.refused && !lane.arrivals->is_full()) return now() + 1;
     Cycle next = lane.responses.empty() ? Never : lane.responses.front().at;
     if (lane.dram->has_waiting()) next = std::min(next, core_time(lane.dram->next_work() + 1));
-    bool moves = false;
-    if (!lane.dram->served().empty()) {
-        const DataBurst& data = lane.dram->served().front().data;
-        moves = data.begin < memory_time(now());
-        next = std::min(next, core_time(moves ? data.end : data.begin + 1));
+    if (!lane.carryings.empty()) { // to say that it carries data, or not any more
+        const Carrying& carrying = lane.carryings.front();
+        next = std::min(next, lane.moves ? carrying.last + 1 : carrying.first);
     }
-    if (lane.moves && !moves) next = now() + 1; // to say that it is not any more
     return std::max(next, now() + 1);
 }
 

@@ -44,17 +44,22 @@ private:
         Cycle at = 0;
         tlm::tlm_generic_payload* payload = nullptr;
     };
+    // Cycles of the core, from the first to the last, in each of which the bus carries data.
+    struct Carrying {
+        Cycle first = 0, last = 0;
+    };
     struct Lane {
         std::unique_ptr<Channel<tlm::tlm_generic_payload*>> arrivals;
         tlm::tlm_generic_payload* refused = nullptr; // BEGIN_REQ that found no place
         std::unique_ptr<DramChannel> dram;
         Ring<Response> responses; // in the order of their data
+        Ring<Carrying> carryings; // from the one of this cycle on, gaps between them
         // What the last look at the lane said, and when it has to be looked at again.
         bool moves = false, waits = false;
         Cycle due = 0;
 
         bool is_due(Cycle now) const {
-            return due <= now || (arrivals->can_pop() && (!waits || dram->has_room()));
+            return due <= now || (arrivals->can_pop() && dram->has_room());
         }
     };
 
@@ -66,7 +71,9 @@ private:
     on_forward(tlm::tlm_generic_payload& payload, tlm::tlm_phase& phase, sc_core::sc_time& delay);
     void send(Lane& lane, tlm::tlm_generic_payload& payload);
     void start(Lane& lane, MemoryCycle at);
-    void finish(Lane& lane);
+    void answer(Lane& lane);
+    Cycle way_back() const { return config_.latency - config_.latency / 2; }
+    static void carry(Lane& lane, const Carrying& carrying);
     void accept_arrivals(Lane& lane, MemoryCycle at);
     void deliver(Lane& lane);
     // Memory cycles that are over when core cycle `now` is.

@@ -53,8 +53,9 @@ inline float slack(const Dependence& dependence, Cycle at) {
 }
 // The dependence that was over last; of several the first.
 const Dependence& last_of(std::span<const Dependence> all, Cycle at);
-// `last`: last_of() them.
+// `last`: last_of() them. By vectors; the plain form is what it must equal.
 Saved saved_after(std::span<const Dependence> all, const Dependence& last, Cycle at);
+Saved saved_after_plainly(std::span<const Dependence> all, const Dependence& last, Cycle at);
 inline Saved saved_after(std::span<const Dependence> all, Cycle at) {
     return saved_after(all, last_of(all, at), at);
 }

@@ -182,14 +182,17 @@ std::string MemoryController::state() const {
     std::string text;
     for (std::size_t number = 0; number < lanes_.size(); ++number) {
         const Lane& lane = lanes_[number];
+        std::size_t carried = 0; // whose data are on the bus, or will be
+        for (std::size_t i = 0; i < lane.responses.size(); ++i)
+            carried += lane.responses[i].at > now() + way_back();
         text += fmt::format("{}channel {}: {} arrive, {} wait for a bank, {} on the bus, {} on "
                             "their way back",
                             number == 0 ? "" : "; ",
                             number,
                             lane.arrivals->items(),
                             lane.dram->waiting(),
-                            lane.dram->served().size(),
-                            lane.responses.size());
+                            carried,
+                            lane.responses.size() - carried);
     }
     return text;
 }

@@ -10,18 +10,6 @@ WaitPaths::Path WaitPaths::restart(Cycle now) {
     return 0;
 }
 
-WaitPaths::Path WaitPaths::extend(Path path, Resource resource, Cycle end) {
-    Node& last = nodes_[path];
-    if (end <= last.end) return path;
-    const bool goes_on = last.resource == resource && path != 0;
-    if (goes_on && !last.shared) {
-        last.end = end;
-        return path;
-    }
-    nodes_.push_back({end, goes_on ? last.before : path, resource, false});
-    return static_cast<Path>(nodes_.size() - 1);
-}
-
 std::vector<WaitPaths::Run> WaitPaths::runs(Path path) const {
     std::vector<Run> runs;
     for (; path != 0; path = nodes_[path].before)

@@ -35,7 +35,14 @@ public:
         return path;
     }
     // On to cycle `end`, by waiting for `resource`. A path that was shared stays as it is.
-    Path extend(Path path, Resource resource, Cycle end);
+    Path extend(Path path, Resource resource, Cycle end) {
+        Node& last = nodes_[path];
+        if (end <= last.end) return path;
+        const bool goes_on = last.resource == resource && path != 0;
+        if (!goes_on || last.shared) return add({end, goes_on ? last.before : path, resource});
+        last.end = end;
+        return path;
+    }
 
     Cycle end(Path path) const { return nodes_[path].end; }
     // From the frame's begin.
@@ -55,6 +62,11 @@ private:
         Resource resource = Resource::Links;
         bool shared = false;
     };
+
+    Path add(const Node& node) {
+        nodes_.push_back(node);
+        return static_cast<Path>(nodes_.size() - 1);
+    }
 
     std::vector<Node> nodes_;
     std::vector<Path> moved_; // while it collects

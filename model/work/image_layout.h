@@ -75,6 +75,15 @@ struct ImageLayout {
         return std::uint64_t{element_bytes} * y * width;
     }
 
+    // Whether (x + 1, y) lies beside (x, y), and (x, y + 1) `row_step()` bytes behind it: in a
+    // block where x and y are even.
+    bool has_square_at(std::uint32_t x, std::uint32_t y) const {
+        return kind == Layout::Linear || (block > 1 && remainder(x | y, 2) == 0);
+    }
+    std::uint64_t row_step() const {
+        return std::uint64_t{element_bytes} * (kind == Layout::Linear ? width : block);
+    }
+
     // Elements of a row from x on that lie side by side.
     std::uint32_t run(std::uint32_t x) const {
         return kind == Layout::Linear ? width - x : block - remainder(x, block);

@@ -37,6 +37,12 @@ struct PlacedLevel {
 
     // Of the pixels of the quad whose first is (x, y).
     std::array<std::uint64_t, 4> quad_addresses(std::uint32_t x, std::uint32_t y) const {
+        if (block_width == 1 && layout.has_square_at(x, y)) { // Most do.
+            const std::uint64_t lower = base + layout.offset(x, y);
+            const std::uint64_t upper = lower + layout.row_step();
+            const std::uint64_t pixel = layout.element_bytes;
+            return {lower, lower + pixel, upper, upper + pixel};
+        }
         const std::uint64_t left = base + column_offset(x), right = base + column_offset(x + 1);
         const std::uint64_t lower = row_offset(y), upper = row_offset(y + 1);
         return {left + lower, right + lower, left + upper, right + upper};

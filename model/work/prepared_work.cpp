@@ -343,6 +343,12 @@ private:
                 out_.target_lines.push_back(line);
         };
         const std::array addresses = place.quad_addresses(quad.x, quad.y);
+        const std::uint64_t last = addresses[3] + place.layout.element_bytes - 1;
+        if (quotient(addresses[0], line_bytes) == quotient(last, line_bytes)) {
+            if (lanes == 0) return 0;
+            out_.target_lines.push_back(quotient(last, line_bytes));
+            return 1;
+        }
         for (unsigned lane = 0; lane < 4; ++lane) {
             if ((lanes >> lane & 1) == 0) continue;
             const std::uint64_t at = addresses[lane];

@@ -1,6 +1,7 @@
 #include "model/work/surface_lines.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace ffgpu::work {
 namespace {
@@ -27,19 +28,27 @@ public:
 
     // Bytes [begin, end) of memory.
     void add(std::uint64_t begin, std::uint64_t end, bool covered) {
+        add_masked(begin, end, {~LineMask{0}, covered ? ~LineMask{0} : 0});
+    }
+    // Of each line no other bits than these.
+    void add_masked(std::uint64_t begin, std::uint64_t end, WrittenBytes mask) {
         const std::uint64_t bytes = grain_.line_bytes();
         for (std::uint64_t line = quotient(begin, bytes); line * bytes < end; ++line) {
             const std::uint64_t at = line * bytes;
             const auto from = static_cast<std::uint32_t>(std::max(begin, at) - at);
             const auto to = static_cast<std::uint32_t>(std::min(end - at, bytes));
             WrittenBytes& written = lines_[line - first_];
-            written.touched |= grain_.touched(from, to);
-            if (covered) written.covered |= grain_.covered(from, to);
+            written.touched |= grain_.touched(from, to) & mask.touched;
+            written.covered |= grain_.covered(from, to) & mask.covered;
         }
     }
 
     // A run of pixels that lie together, of which only some bytes are written.
     void add_pixels(std::uint64_t begin, std::uint64_t end, std::uint32_t pixel, PixelBytes bytes) {
+        if (grain_.bytes() == 1 && std::has_single_bit(pixel) && pixel <= grain_.line_bytes() &&
+            remainder(begin, pixel) == 0)
+            return add_masked(
+                begin, end, {repeat(bytes.touched, pixel), repeat(bytes.covered, pixel)});
         for (std::uint64_t at = begin; at < end; at += pixel) {
             for (std::uint32_t i = 0; i < pixel; ++i)
                 if (bytes.touched >> i & 1) add(at + i, at + i + 1, bytes.covered >> i & 1);
@@ -54,6 +63,13 @@ public:
     }
 
 private:
+    // The bytes of one pixel for all of a line, with a bit a byte.
+    static LineMask repeat(LineMask bytes, std::uint32_t pixel) {
+        for (std::uint32_t bits = pixel; bits < LineMaskBits; bits *= 2)
+            bytes |= bytes << bits;
+        return bytes;
+    }
+
     const LineGrain& grain_;
     std::uint64_t first_;
     std::vector<WrittenBytes> lines_;
@@ -150,6 +166,45 @@ bool is_one_run(const PlacedLevel& place, const LineGrain& grain, const Rectangl
            (layout.kind == Layout::Linear || remainder(row, grain.bytes()) == 0);
 }
 
+// Pixels [x0, x1) of row y0.
+template <class Add>
+void add_row(const PlacedLevel& place, const Rectangle& row, const Add& add) {
+    const auto x1 = static_cast<std::uint32_t>(row.x1);
+    std::uint64_t begin = 0, end = 0; // a run of pixels that lie together
+    std::uint32_t run = 0;            // of them in a block
+    for (auto x = static_cast<std::uint32_t>(row.x0); x < x1; x += run) {
+        run = std::min(place.layout.run(x), x1 - x);
+        const std::uint64_t at = place.address(x, static_cast<std::uint32_t>(row.y0), 0);
+        if (at != end) {
+            if (begin != end) add(begin, end);
+            begin = at;
+        }
+        end = at + std::uint64_t{run} * place.layout.element_bytes;
+    }
+    if (begin != end) add(begin, end);
+}
+
+// A row of blocks from row y0 of the rectangle on: those that lie wholly in it are one run of
+// bytes. Returns the rows; none: not so.
+template <class Add>
+std::uint32_t add_blocks(const PlacedLevel& place, const Rectangle& cut, const Add& add) {
+    const ImageLayout& layout = place.layout;
+    const std::uint32_t block = layout.block;
+    const auto y = static_cast<std::uint32_t>(cut.y0);
+    if (layout.kind != Layout::Blocked || remainder(y, block) != 0) return 0;
+    if (y + block > static_cast<std::uint32_t>(cut.y1)) return 0;
+    const auto x0 = static_cast<std::uint32_t>(cut.x0), x1 = static_cast<std::uint32_t>(cut.x1);
+    const std::uint32_t first = (x0 + block - 1) & ~(block - 1), last = x1 & ~(block - 1);
+    if (first >= last) return 0;
+    const std::uint64_t begin = place.address(first, y, 0);
+    add(begin, begin + std::uint64_t{last - first} * block * layout.element_bytes);
+    for (int row = cut.y0; row < cut.y0 + static_cast<int>(block); ++row) {
+        add_row(place, {cut.x0, row, static_cast<int>(first), 0}, add);
+        add_row(place, {static_cast<int>(last), row, cut.x1, 0}, add);
+    }
+    return block;
+}
+
 } // namespace
 
 std::vector<WrittenLine> rectangle_lines(const PlacedLevel& place,
@@ -177,20 +232,12 @@ std::vector<WrittenLine> rectangle_lines(const PlacedLevel& place,
         add(place.base, place.base + place.layout.bytes());
         return lines.result();
     }
-    const auto x0 = static_cast<std::uint32_t>(cut.x0), x1 = static_cast<std::uint32_t>(cut.x1);
-    for (auto y = static_cast<std::uint32_t>(cut.y0); y < static_cast<std::uint32_t>(cut.y1); ++y) {
-        std::uint64_t begin = 0, end = 0; // a run of pixels that lie together
-        std::uint32_t run = 0;            // of them in a block
-        for (std::uint32_t x = x0; x < x1; x += run) {
-            run = std::min(place.layout.run(x), x1 - x);
-            const std::uint64_t at = place.address(x, y, 0);
-            if (at != end) {
-                if (begin != end) add(begin, end);
-                begin = at;
-            }
-            end = at + std::uint64_t{run} * element;
-        }
-        add(begin, end);
+    // No bit of a line is of two rows of pixels.
+    const bool by_blocks = remainder(place.layout.block * element, grain.bytes()) == 0;
+    for (Rectangle left = cut; left.y0 < left.y1;) {
+        const std::uint32_t rows = by_blocks ? add_blocks(place, left, add) : 0;
+        if (rows == 0) add_row(place, left, add);
+        left.y0 += static_cast<int>(std::max(rows, 1u));
     }
     return lines.result();
 }

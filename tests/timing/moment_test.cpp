@@ -113,6 +113,27 @@ TEST_CASE("a wait beyond all that a moment depends on is waited without any reso
     CHECK(saved_after(all, 32)[Resource::Clip] == 0);
 }
 
+TEST_CASE("vectors save what the plain form does, resource by resource") {
+    RandomWork random(1);
+    for (int round = 0; round < 2000; ++round) {
+        std::vector<Moment> moments(1 + random.below(12));
+        std::vector<Dependence> all;
+        const auto part = [&] {
+            return Dependence::Part{static_cast<Resource>(random.below(Resources)),
+                                    static_cast<float>(random.below(160)) / 16};
+        };
+        for (Moment& moment : moments) {
+            moment.at = random.below(100);
+            for (std::size_t i = 0; i < Resources; ++i)
+                moment.saved.cycles[i] = static_cast<float>(random.below(1600)) / 16;
+            all.push_back({&moment, static_cast<float>(random.below(30)), part(), part()});
+        }
+        const Cycle at = 100 + random.below(50);
+        const Dependence& last = last_of(all, at);
+        CHECK(saved_after(all, last, at).cycles == saved_after_plainly(all, last, at).cycles);
+    }
+}
+
 // --- The memory ---------------------------------------------------------------------------------
 
 // A read each `pace` cycles, answered `way` + 30 cycles later or `served` after the one before.

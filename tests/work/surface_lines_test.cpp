@@ -57,11 +57,19 @@ TEST_CASE("a cleared rectangle writes of each line the bytes of its pixels") {
         const LineGrain grain(it.line_bytes);
         // Of each line the written bytes of each bit.
         std::map<std::uint64_t, std::map<std::uint32_t, std::uint32_t>> expected;
-        for (const std::uint64_t byte : bytes_of(it))
-            ++expected[byte / it.line_bytes]
-                      [static_cast<std::uint32_t>(byte % it.line_bytes) / grain.bytes()];
-        const auto lines =
-            rectangle_lines(it.place, grain, it.rectangle, whole_pixel(Format::Rgba8));
+        // All bytes of a pixel or some, where a bit is a byte.
+        PixelBytes pixel = whole_pixel(Format::Rgba8);
+        if (run % 2 != 0 && grain.bytes() == 1) {
+            pixel.touched = 1 + static_cast<std::uint32_t>(random()) % 15;
+            pixel.covered = pixel.touched & static_cast<std::uint32_t>(random());
+        }
+        for (const std::uint64_t byte : bytes_of(it)) {
+            const std::uint64_t of_pixel = (byte - it.place.base) % 4;
+            if ((pixel.touched >> of_pixel & 1) == 0) continue;
+            expected[byte / it.line_bytes][static_cast<std::uint32_t>(byte % it.line_bytes) /
+                                           grain.bytes()] += pixel.covered >> of_pixel & 1;
+        }
+        const auto lines = rectangle_lines(it.place, grain, it.rectangle, pixel);
         CAPTURE(run, it.line_bytes);
         REQUIRE(lines.size() == expected.size());
         auto line = lines.begin();

@@ -23,21 +23,35 @@ DramChannel::DramChannel(const MemoryConfig& config,
 void DramChannel::push(const DramRequest& request, MemoryCycle now) {
     check(has_room(), "a request for a full DRAM channel");
     waiting_.push(request, device_.open_row(request.bank));
+    planned_at_ = NoCycle;
     next_work_ = std::min(next_work_, now);
 }
 
 // One cycle's command, or how long there will be none.
 void DramChannel::work(MemoryCycle now) {
     if (now >= refresh_due_) return work_on_refresh(now);
-    const DramCommand command = scheduler_.choose(waiting_, device_, now);
-    if (command.kind == DramCommand::Kind::None) {
-        causes_.note(now, command.cause);
-        if (close_idle_row(now)) return;
-        next_work_ = std::min({command.again_at, refresh_due_, next_row_to_close()});
-        return;
-    }
+    const DramCommand command =
+        planned_at_ == now ? planned_ : scheduler_.choose(waiting_, device_, now);
+    if (command.kind == DramCommand::Kind::None) return rest(command, now);
     issue(command, now);
-    next_work_ = now + 1;
+    look_ahead(now + 1);
+}
+
+void DramChannel::rest(const DramCommand& none, MemoryCycle now) {
+    causes_.note(now, none.cause);
+    next_work_ = std::min(none.again_at, refresh_due_);
+    if (config_.page_policy != PagePolicy::Timeout || close_idle_row(now)) return;
+    next_work_ = std::min(next_work_, next_row_to_close());
+}
+
+// Behind a command mostly nothing can go out, and nobody has to come back to see that. What is
+// pushed meanwhile has the cycle looked at again.
+void DramChannel::look_ahead(MemoryCycle next) {
+    next_work_ = next;
+    if (next >= refresh_due_ || config_.page_policy == PagePolicy::Timeout) return;
+    planned_ = scheduler_.choose(waiting_, device_, next);
+    planned_at_ = next;
+    if (planned_.kind == DramCommand::Kind::None) rest(planned_, next);
 }
 
 // Closes all rows, then refreshes.
@@ -163,7 +177,6 @@ bool DramChannel::is_wanted(std::uint32_t bank) const {
 }
 
 bool DramChannel::close_idle_row(MemoryCycle now) {
-    if (config_.page_policy != PagePolicy::Timeout) return false;
     for (std::uint32_t bank = 0; bank < config_.banks; ++bank) {
         if (device_.open_row(bank) == DramDevice::NoRow || is_wanted(bank)) continue;
         if (policy_.closes_at(device_.last_column(bank)) > now) continue;
@@ -177,7 +190,6 @@ bool DramChannel::close_idle_row(MemoryCycle now) {
 
 MemoryCycle DramChannel::next_row_to_close() const {
     MemoryCycle next = NoCycle;
-    if (config_.page_policy != PagePolicy::Timeout) return next;
     for (std::uint32_t bank = 0; bank < config_.banks; ++bank) {
         if (device_.open_row(bank) == DramDevice::NoRow || is_wanted(bank)) continue;
         next = std::min(next,

@@ -46,6 +46,8 @@ public:
 
 private:
     void work(MemoryCycle now);
+    void rest(const DramCommand& none, MemoryCycle now);
+    void look_ahead(MemoryCycle next);
     void work_on_refresh(MemoryCycle now);
     bool close_idle_row(MemoryCycle now);
     void issue(const DramCommand& command, MemoryCycle now);
@@ -77,6 +79,8 @@ private:
     MemoryCycle told_ = 0;      // and up to here the observer knows
     Ring<Charge> untold_;       // from told_ to charged_
     MemoryCycle next_work_ = 0; // nothing happens before
+    DramCommand planned_;       // what goes out in cycle planned_at_, unless something comes
+    MemoryCycle planned_at_ = NoCycle;
     MemoryCycle refresh_due_;
 };
 

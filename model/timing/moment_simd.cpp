@@ -1,0 +1,74 @@
+// saved_after() by vectors: sixteen resources in as few as the processor has, and four in one more.
+
+#include "model/base/simd_targets.h"
+#include "model/timing/moment.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "model/timing/moment_simd.cpp"
+#include "hwy/foreach_target.h" // must come first
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ffgpu::timing::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr std::size_t WideLanes = 16;
+static_assert(Saved::Lanes == WideLanes + 4);
+
+// `cycles` in the lane of the part's resource, nothing in the others.
+template <class D>
+HWY_INLINE hn::Vec<D> lanes_of(D d, std::size_t first, const Dependence::Part& part) {
+    const hn::RebindToSigned<D> numbers;
+    const auto lane = hn::Iota(numbers, static_cast<std::int32_t>(first));
+    const auto own = hn::Eq(lane, hn::Set(numbers, static_cast<std::int32_t>(part.resource)));
+    return hn::IfThenElseZero(hn::RebindMask(d, own), hn::Set(d, part.cycles));
+}
+
+// Lanes from `first` on of what one dependence allows.
+template <class D>
+HWY_INLINE hn::Vec<D> allowed(D d, std::size_t first, const Dependence& by, float more) {
+    const auto before = hn::LoadU(d, by.moment->saved.cycles.data() + first);
+    const auto with_first = hn::Add(before, lanes_of(d, first, by.first));
+    return hn::Add(hn::Add(with_first, lanes_of(d, first, by.then)), hn::Set(d, more));
+}
+
+Saved saved_after_lanes(std::span<const Dependence> all, const Dependence& last, Cycle at) {
+    const hn::CappedTag<float, WideLanes> wide;
+    const hn::CappedTag<float, 4> narrow;
+    constexpr std::size_t Step = hn::MaxLanes(wide), Vectors = WideLanes / Step;
+    const float least = slack(last, at);
+    std::array<hn::Vec<decltype(wide)>, Vectors> saved;
+    for (std::size_t i = 0; i < Vectors; ++i)
+        saved[i] = allowed(wide, i * Step, last, 0);
+    auto rest = allowed(narrow, WideLanes, last, 0);
+    for (const Dependence& each : all) {
+        if (&each == &last) continue;
+        const float more = slack(each, at) - least;
+        for (std::size_t i = 0; i < Vectors; ++i)
+            saved[i] = hn::Min(allowed(wide, i * Step, each, more), saved[i]);
+        rest = hn::Min(allowed(narrow, WideLanes, each, more), rest);
+    }
+    Saved result;
+    for (std::size_t i = 0; i < Vectors; ++i)
+        hn::StoreU(saved[i], wide, result.cycles.data() + i * Step);
+    hn::StoreU(rest, narrow, result.cycles.data() + WideLanes);
+    return result;
+}
+
+} // namespace
+} // namespace ffgpu::timing::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ffgpu::timing {
+
+HWY_EXPORT(saved_after_lanes);
+
+Saved saved_after(std::span<const Dependence> all, const Dependence& last, Cycle at) {
+    return HWY_DYNAMIC_DISPATCH(saved_after_lanes)(all, last, at);
+}
+
+} // namespace ffgpu::timing
+#endif
