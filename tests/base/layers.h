@@ -108,6 +108,7 @@ inline const std::map<std::string, Layers> Allowed = {
       "driver/device_context",
       "driver/feedback",
       "driver/raster_position",
+      "model/base",
       "model/device"}},
     {"driver/evaluators", {"driver", "driver/state", "driver/vertex", "model/device"}},
     {"driver/lists",
