@@ -30,10 +30,16 @@ std::vector<float> complete_words(const VertexBlock& block, const CurrentState& 
 
 bool make_resident(VertexContext& context, VertexBlock& block) {
     if (block.memory) return true;
-    const auto bytes = std::as_bytes(std::span(block.words));
-    block.memory = DeviceBlock::allocate(context.shared().memory, bytes.size());
+    const VertexRun run = block.run();
+    const auto words = std::as_bytes(run.words);
+    const std::size_t count = block.indices.size();
+    block.memory = DeviceBlock::allocate(
+        context.shared().memory, count == 0 ? words.size() : DrawPath::indexed_bytes(run, count));
     if (!block.memory) return false;
-    context.device().write_memory(block.memory.address(), bytes);
+    if (count == 0)
+        context.device().write_memory(block.memory.address(), words);
+    else
+        context.draw_path().write_indexed(run, block.indices, block.memory.address());
     return true;
 }
 
@@ -50,7 +56,8 @@ void replay(VertexContext& context, const VertexBlock& block) {
     };
     for (const RunPrimitive& primitive : block.primitives) {
         to.begin(static_cast<GLenum>(primitive.type));
-        for (std::size_t i = primitive.first; i < primitive.first + primitive.count; ++i) {
+        for (std::size_t at = primitive.first; at < primitive.first + primitive.count; ++at) {
+            const std::size_t i = block.indices.empty() ? at : block.indices[at];
             for (std::size_t a = 1; a < Attributes; ++a) {
                 const VertexElement element = block.format.elements[a];
                 if (element.components != 0)
@@ -83,7 +90,10 @@ void execute_block(VertexContext& context, VertexBlock& block) {
         path.draw({block.format, words, block.primitives});
     } else {
         if (!make_resident(context, block)) return replay(context, block);
-        path.draw_resident(block.run(), block.memory.address());
+        if (block.indices.empty())
+            path.draw_resident(block.run(), block.memory.address());
+        else
+            path.draw_resident_indexed(block.run(), block.memory.address());
     }
     if (block.sets == 0) return;
     for (std::size_t a = 1; a < Attributes; ++a) {

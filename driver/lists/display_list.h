@@ -20,6 +20,8 @@ struct VertexBlock {
     VertexFormat format;
     std::vector<float> words;
     std::vector<RunPrimitive> primitives;
+    // Of an array draw with indices: its only primitive's, into the words.
+    std::vector<std::uint32_t> indices;
 
     // The attributes that the calls set (one bit each), as the last of them left them: they become
     // current.
@@ -35,7 +37,7 @@ struct VertexBlock {
     // too, but the vertices behind it are not. They set no attribute for what follows.
     bool is_array_draw = false;
 
-    DeviceBlock memory; // the words, once the block was drawn
+    DeviceBlock memory; // the words and indices, once the block was drawn
 
     VertexRun run() const { return {format, words, primitives}; }
 };

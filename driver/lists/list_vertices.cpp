@@ -75,6 +75,20 @@ bool ListVertices::begin_array_draw() {
     return !refused;
 }
 
+void ListVertices::indexed(const VertexRun& run, std::span<const std::uint32_t> indices) {
+    if (!primitives_.empty()) { // of the same call, taken apart
+        settle();
+        array_draws_ = true;
+    }
+    auto block = std::make_unique<VertexBlock>();
+    block->format = run.format;
+    block->words.assign(run.words.begin(), run.words.end());
+    block->primitives.assign(run.primitives.begin(), run.primitives.end());
+    block->indices.assign(indices.begin(), indices.end());
+    block->is_array_draw = true;
+    add_block(std::move(block));
+}
+
 void ListVertices::settle() {
     if (inside_) spill();
     seal_block(format_, pending_values());
@@ -107,12 +121,16 @@ void ListVertices::seal_block(const VertexFormat& set, const Values& last) {
             block->last[a] = last[a];
             known_[a] = last[a];
         }
-        RecordWriter record(list_->code, Operation::DrawBlock);
-        record.value(reinterpret_cast<std::uintptr_t>(block.get())).commit();
-        list_->blocks.push_back(std::move(block));
+        add_block(std::move(block));
     }
     inherited_.fill(0);
     reset_run();
+}
+
+void ListVertices::add_block(std::unique_ptr<VertexBlock> block) {
+    RecordWriter record(list_->code, Operation::DrawBlock);
+    record.value(reinterpret_cast<std::uintptr_t>(block.get())).commit();
+    list_->blocks.push_back(std::move(block));
 }
 
 void ListVertices::record_attributes(const VertexFormat& set, const Values& values) {

@@ -20,6 +20,8 @@ public:
     void end() override;
     void restart() override;
     void set_color_index(float value) override;
+    // Of an array draw: vertices that it uses again stay shared.
+    void indexed(const VertexRun& run, std::span<const std::uint32_t> indices) override;
 
     // Before an array draw is taken apart. False, and an error is in the list: it is in the midst
     // of a primitive.
@@ -46,6 +48,7 @@ private:
     using Values = std::array<Vec4, Attributes>;
     Values pending_values() const;
     void seal_block(const VertexFormat& set, const Values& last);
+    void add_block(std::unique_ptr<VertexBlock> block);
     void record_attributes(const VertexFormat& set, const Values& values);
     void spill();
     void record_begin(GLenum mode);

@@ -86,19 +86,21 @@ void draw_indexed(VertexContext& context,
 
     const bool is_dense = range <= 2 * std::uint64_t{size} + 16;
     const std::uint64_t vertices = is_dense ? range : size;
-    if (is_compiling(context) || vertices * stride > path.max_words() || size > path.max_words())
+    const bool compiling = is_compiling(context);
+    const bool fits = vertices * stride <= path.max_words() && size <= path.max_words();
+    if (compiling ? !is_dense : !fits)
         return feed_primitive(context, arrays, mode, size, [&](auto i) { return indices[i]; });
 
     const std::span<float> words = path.scratch(vertices * stride);
+    const RunPrimitive whole{.type = type, .first = 0, .count = size};
     if (!is_dense) {
         arrays.indexed(indices, words.data());
-        const RunPrimitive whole{.type = type, .first = 0, .count = size};
         return path.draw({arrays.format(), words, {&whole, 1}});
     }
     arrays.range(first, static_cast<std::uint32_t>(range), words.data());
     for (std::uint32_t& i : indices)
         i -= first;
-    path.draw_indexed({arrays.format(), words, {}}, type, indices);
+    context.vertices().indexed({arrays.format(), words, {&whole, 1}}, indices);
 }
 
 } // namespace

@@ -3,10 +3,24 @@
 #include "driver/feedback/render_modes.h"
 #include "driver/objects/shared_objects.h"
 #include "driver/vertex/vertex_context.h"
+#include "model/device/extents.h"
 
 #include <algorithm>
 
 namespace ffgpu::gl {
+
+namespace {
+
+IndexType index_type(const VertexRun& run) {
+    return run.vertex_count() <= 0x10000 ? IndexType::U16 : IndexType::U32;
+}
+
+// From the run's words to the indices behind them.
+std::size_t index_offset(const VertexRun& run) {
+    return (run.words.size_bytes() + 63) / 64 * 64;
+}
+
+} // namespace
 
 DrawPath::DrawPath(VertexContext& context)
     : context_(context)
@@ -42,35 +56,44 @@ void DrawPath::draw_resident(const VertexRun& run, DeviceAddress address) {
     submit();
 }
 
-void DrawPath::draw_indexed(const VertexRun& run,
-                            PrimitiveType type,
-                            std::span<const std::uint32_t> indices) {
-    const bool fits_16_bits = run.vertex_count() <= 0x10000;
-    std::span<const std::byte> index_bytes = std::as_bytes(indices);
-    if (fits_16_bits) {
+void DrawPath::draw_indexed(const VertexRun& run, std::span<const std::uint32_t> indices) {
+    // Both in one place: the second may not push the first out of the ring.
+    const auto address = ring_.place(indexed_bytes(run, indices.size()));
+    if (!address) return context_.error(GL_OUT_OF_MEMORY);
+    write_indexed(run, indices, *address);
+    draw_resident_indexed(run, *address);
+}
+
+std::size_t DrawPath::indexed_bytes(const VertexRun& run, std::size_t count) {
+    return index_offset(run) + count * ffgpu::index_bytes(index_type(run));
+}
+
+void DrawPath::write_indexed(const VertexRun& run,
+                             std::span<const std::uint32_t> indices,
+                             DeviceAddress address) {
+    std::span<const std::byte> bytes = std::as_bytes(indices);
+    if (index_type(run) == IndexType::U16) {
         short_indices_.resize(indices.size());
         std::transform(indices.begin(), indices.end(), short_indices_.begin(), [](std::uint32_t i) {
             return static_cast<std::uint16_t>(i);
         });
-        index_bytes = std::as_bytes(std::span(short_indices_));
+        bytes = std::as_bytes(std::span(short_indices_));
     }
-    // Both in one place: the second may not push the first out of the ring.
-    const std::size_t vertex_bytes = (run.words.size_bytes() + 63) / 64 * 64;
-    const auto address = ring_.place(vertex_bytes + index_bytes.size());
-    if (!address) return context_.error(GL_OUT_OF_MEMORY);
-    const auto index_address = static_cast<DeviceAddress>(*address + vertex_bytes);
-    context_.device().write_memory(*address, std::as_bytes(run.words));
-    context_.device().write_memory(index_address, index_bytes);
+    context_.device().write_memory(address, std::as_bytes(run.words));
+    context_.device().write_memory(static_cast<DeviceAddress>(address + index_offset(run)), bytes);
+}
 
+void DrawPath::draw_resident_indexed(const VertexRun& run, DeviceAddress address) {
     if (!prepare(run.format)) return;
+    const RunPrimitive& whole = run.primitives.front();
     draws_.clear();
-    draws_.push_back({.primitive = type,
-                      .index_type = fits_16_bits ? IndexType::U16 : IndexType::U32,
+    draws_.push_back({.primitive = whole.type,
+                      .index_type = index_type(run),
                       .first = 0,
-                      .count = static_cast<std::uint32_t>(indices.size()),
+                      .count = whole.count,
                       .vertex_count = run.vertex_count(),
-                      .vertex_address = *address,
-                      .index_address = index_address});
+                      .vertex_address = address,
+                      .index_address = static_cast<DeviceAddress>(address + index_offset(run))});
     submit();
 }
 

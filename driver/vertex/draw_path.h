@@ -29,12 +29,18 @@ public:
     // Draws a run that lies in host memory.
     void draw(const VertexRun& run);
 
-    // One primitive whose vertices are run.words in the order of `indices` (each in range).
-    void
-    draw_indexed(const VertexRun& run, PrimitiveType type, std::span<const std::uint32_t> indices);
+    // The same with indices into the words (each in range), for the run's only primitive.
+    void draw_indexed(const VertexRun& run, std::span<const std::uint32_t> indices);
 
     // A run whose words are in device memory already.
     void draw_resident(const VertexRun& run, DeviceAddress address);
+
+    // The words of a run and `count` indices into it, in one place.
+    static std::size_t indexed_bytes(const VertexRun& run, std::size_t count);
+    void write_indexed(const VertexRun& run,
+                       std::span<const std::uint32_t> indices,
+                       DeviceAddress address);
+    void draw_resident_indexed(const VertexRun& run, DeviceAddress address);
 
 private:
     bool prepare(const VertexFormat& format);

@@ -65,10 +65,11 @@ public:
             return draw_polygon(primitive);
         }
         const bool is_quads = primitive.type >= PrimitiveType::Quads;
-        context_.draw_path().draw_indexed({format_, words_, {}},
-                                          is_quads ? PrimitiveType::Quads
-                                                   : PrimitiveType::Triangles,
-                                          indices_);
+        const RunPrimitive whole{
+            .type = is_quads ? PrimitiveType::Quads : PrimitiveType::Triangles,
+            .count = static_cast<std::uint32_t>(indices_.size()),
+        };
+        context_.draw_path().draw_indexed({format_, words_, {&whole, 1}}, indices_);
     }
 
 private:

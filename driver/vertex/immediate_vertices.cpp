@@ -43,6 +43,10 @@ void ImmediateVertices::set_color_index(float value) {
     context_.state.current.color_index = value;
 }
 
+void ImmediateVertices::indexed(const VertexRun& run, std::span<const std::uint32_t> indices) {
+    context_.draw_path().draw_indexed(run, indices);
+}
+
 void ImmediateVertices::flush() {
     if (!primitives_.empty()) draw_primitives();
     store_current();

@@ -21,6 +21,7 @@ public:
     void end() override;
     void restart() override;
     void set_color_index(float value) override;
+    void indexed(const VertexRun& run, std::span<const std::uint32_t> indices) override;
 
     // How many vertices wait.
     using VertexAssembler::count;

@@ -1,5 +1,7 @@
 #include "driver/vertex/vertex_assembler.h"
 
+#include "model/base/float_environment.h"
+
 #include <algorithm>
 
 namespace ffgpu::gl {
@@ -22,7 +24,10 @@ void VertexAssembler::vertex(unsigned components, const Vec4& p) {
     }
 }
 
+// The calls that only move numbers run in the application's floating-point mode; what waits may be
+// drawn here, and numbers are compared.
 void VertexAssembler::set_other(Attribute attribute, unsigned components, const Vec4& value) {
+    const FloatEnvironment environment;
     const VertexElement& element = format_.elements[attribute_index(attribute)];
     if (element.components < components) {
         if (!inside_ && count() == 0) return outside_attribute(attribute, components, value);
@@ -33,6 +38,7 @@ void VertexAssembler::set_other(Attribute attribute, unsigned components, const 
 }
 
 void VertexAssembler::other_vertex(unsigned components, const Vec4& position) {
+    const FloatEnvironment environment;
     if (!inside_) return outside_vertex(components, position);
     if (format_.elements[0].components < components) widen_format(Attribute::Position, components);
     if (room_ == 0) {

@@ -30,6 +30,8 @@ public:
     virtual void end() = 0;
     virtual void restart() = 0; // NV_primitive_restart: an end and a begin of the same mode
     virtual void set_color_index(float value) = 0;
+    // The run's only primitive, with indices into its words; nothing waits.
+    virtual void indexed(const VertexRun& run, std::span<const std::uint32_t> indices) = 0;
 
     // Sets the first N components of an attribute, the others to 0, 0, 1.
     template <unsigned N>

@@ -13,11 +13,6 @@
 
 namespace ffgpu::gl {
 
-namespace detail {
-TurnState turn_state;
-constinit thread_local bool owns_turn = false;
-} // namespace detail
-
 namespace {
 
 std::recursive_mutex mutex;
@@ -53,22 +48,29 @@ void enter_context() {
 
 } // namespace
 
-bool Turn::lock() {
+namespace detail {
+
+TurnState turn_state;
+constinit thread_local bool owns_turn = false;
+
+bool lock_turn() {
     mutex.lock();
-    if (!has_owner && !detail::turn_state.shared.load(std::memory_order_relaxed) && can_revoke()) {
-        has_owner = detail::owns_turn = true;
-        detail::turn_state.inside.store(1, std::memory_order_relaxed);
+    if (!has_owner && !turn_state.shared.load(std::memory_order_relaxed) && can_revoke()) {
+        has_owner = owns_turn = true;
+        turn_state.inside.store(1, std::memory_order_relaxed);
         mutex.unlock();
         return true;
     }
-    detail::owns_turn = false;
+    owns_turn = false;
     revoke_bias();
     enter_context();
     return false;
 }
 
-void Turn::unlock() {
+void unlock_turn() {
     mutex.unlock();
 }
+
+} // namespace detail
 
 } // namespace ffgpu::gl

@@ -27,12 +27,22 @@ extern TurnState turn_state __attribute__((visibility("hidden")));
 extern constinit thread_local bool owns_turn
     __attribute__((visibility("hidden"), tls_model("initial-exec")));
 
+bool lock_turn(); // True: by becoming the owner.
+void unlock_turn();
+
 } // namespace detail
 
-class Turn {
+// The caller's floating-point mode stays: for calls that only move numbers. To look at the mode
+// takes as long as all the rest of a glVertex.
+struct CallersMode {};
+
+// Environment: what the turn's holder computes in; the caller's mode comes back with the turn's
+// end.
+template <class Environment>
+class TurnIn {
 public:
     // In each of the exported functions: a call more would be a tenth of glVertex.
-    [[gnu::always_inline]] Turn() {
+    [[gnu::always_inline]] TurnIn() {
         if (detail::owns_turn) [[likely]] {
             const unsigned depth = detail::turn_state.inside.load(std::memory_order_relaxed);
             detail::turn_state.inside.store(depth + 1, std::memory_order_relaxed);
@@ -43,26 +53,24 @@ public:
                 return;
             detail::turn_state.inside.store(0, std::memory_order_release);
         }
-        biased_ = lock();
+        biased_ = detail::lock_turn();
     }
-    ~Turn() {
+    ~TurnIn() {
         if (biased_) [[likely]] {
             const unsigned depth = detail::turn_state.inside.load(std::memory_order_relaxed);
             detail::turn_state.inside.store(depth - 1, std::memory_order_release);
         } else {
-            unlock();
+            detail::unlock_turn();
         }
     }
-    Turn(const Turn&) = delete;
-    Turn& operator=(const Turn&) = delete;
+    TurnIn(const TurnIn&) = delete;
+    TurnIn& operator=(const TurnIn&) = delete;
 
 private:
-    static bool lock(); // True: by becoming the owner.
-    static void unlock();
-
-    const FloatEnvironment
-        environment_; // the library's; the caller's comes back with its turn's end
+    [[no_unique_address]] const Environment environment_{};
     bool biased_ = true;
 };
+
+using Turn = TurnIn<FloatEnvironment>;
 
 } // namespace ffgpu::gl

@@ -89,6 +89,45 @@ TEST_CASE_METHOD(DrawFixture, "vertex arrays are read when a list is compiled") 
     CHECK(names(all[0]) == std::vector<float>{0, 1, 2});
 }
 
+TEST_CASE_METHOD(DrawFixture, "an array draw with indices keeps them in a list") {
+    std::vector<GLfloat> positions;
+    for (int i = 0; i < 20; ++i)
+        positions.insert(positions.end(), {static_cast<float>(i), 0});
+    const GLubyte indices[] = {5, 7, 6, 6, 7, 8, 8, 7, 5};
+    const GLsizei counts[] = {6, 3};
+    const void* const parts[] = {indices, indices + 6};
+    entry::EnableClientState(GL_VERTEX_ARRAY);
+    entry::VertexPointer(2, GL_FLOAT, 0, positions.data());
+    entry::NewList(1, GL_COMPILE);
+    entry::MultiDrawElements(GL_TRIANGLES, counts, GL_UNSIGNED_BYTE, parts, 2);
+    entry::EndList();
+    positions.clear();
+    for (int call = 0; call < 2; ++call) {
+        entry::CallList(1);
+        const auto all = draws();
+        REQUIRE(all.size() == 2);
+        CHECK(names(all[0]) == std::vector<float>{5, 7, 6, 6, 7, 8});
+        CHECK(names(all[1]) == std::vector<float>{8, 7, 5});
+        for (const DrawCommand& draw : all) {
+            CHECK(draw.index_type == IndexType::U16);
+            CHECK(draw.vertex_count == 4);
+        }
+    }
+    CHECK(error() == GL_NO_ERROR);
+
+    // Far apart: drawn without, as outside of lists.
+    positions.assign(2000, 1);
+    const GLushort far[] = {0, 900, 450};
+    entry::VertexPointer(2, GL_FLOAT, 0, positions.data());
+    entry::NewList(2, GL_COMPILE);
+    entry::DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_SHORT, far);
+    entry::EndList();
+    entry::CallList(2);
+    const auto all = draws();
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].index_type == IndexType::None);
+}
+
 TEST_CASE_METHOD(DrawFixture, "an array draw in a list leaves the current attributes alone") {
     const GLfloat positions[] = {0, 0, 1, 0, 2, 0};
     const GLfloat colors[] = {1, 0, 0, 1, 0, 0, 1, 0, 0};

@@ -16,6 +16,40 @@ namespace {
 
 constexpr int Size = 64;
 
+struct StripVertex {
+    float x, y, z, green;
+};
+
+// More than the buffer of vertices takes. Made when no mode is set yet.
+const std::vector<StripVertex>& long_strip() {
+    static const std::vector<StripVertex> strip = [] {
+        std::vector<StripVertex> vertices;
+        for (int i = 0; i < 70000; ++i)
+            vertices.push_back({static_cast<float>(i % 997) / 90 - 5,
+                                static_cast<float>(i % 83) / 9 - 4,
+                                static_cast<float>(i % 7) / 3 - 9,
+                                static_cast<float>(i % 101) / 100});
+        return vertices;
+    }();
+    return strip;
+}
+
+// By calls that only move numbers, behind a matrix that is not in the device yet: one of them finds
+// the buffer full, and draws. A subnormal attribute enters late.
+void draw_long_strip(const std::function<void()>& between) {
+    glPushMatrix();
+    glRotatef(11.3f, 0.1f, 0.7f, 1);
+    glBegin(GL_TRIANGLE_STRIP);
+    for (const StripVertex& vertex : long_strip()) {
+        glColor3f(0.9f, vertex.green, 0.3f);
+        if (&vertex != long_strip().data()) glMultiTexCoord2fARB(GL_TEXTURE0, vertex.x, 1e-39f);
+        glVertex3f(vertex.x, vertex.y, vertex.z);
+    }
+    between();
+    glEnd();
+    glPopMatrix();
+}
+
 // Lights, a texture, fog, a slanted plane: most of what computes. Its inputs are constants.
 std::vector<GLubyte> draw_scene(const std::function<void()>& between) {
     static const GLubyte texels[] = {255, 0, 40, 90, 200, 10, 33, 177, 4, 99, 250, 128};
@@ -51,6 +85,7 @@ std::vector<GLubyte> draw_scene(const std::function<void()>& between) {
         glVertex3s(static_cast<GLshort>(x), static_cast<GLshort>(y), static_cast<GLshort>(i % 3));
     }
     glEnd();
+    draw_long_strip(between);
     std::vector<GLubyte> pixels(4 * Size * Size);
     glReadPixels(0, 0, Size, Size, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     CHECK(glGetError() == GL_NO_ERROR);
