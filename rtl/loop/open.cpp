@@ -1,5 +1,6 @@
 // The stages of chosen units as a table, and the library's one door.
 
+#include "rtl/bundles/waves.h"
 #include "rtl/loop/loop_log.h"
 #include "rtl/loop/loop_stages.h"
 
@@ -36,6 +37,7 @@ public:
         : options_(options) {
         loop_log() = {};
         loop_log().fault = options.fault;
+        loop_log().waves = options.waves;
         choose_raster_units();
         choose_fragment_units();
         if (has("level_of_detail") || has("texel_address") || has("texel_decode") ||
@@ -102,9 +104,13 @@ bool is_unit(const std::string& name) {
 extern "C" __attribute__((visibility("default"))) ffgpu::rtl::RtlStages*
 ffgpu_open_rtl_stages(const ffgpu::rtl::LoopOptions& options, std::string& why) {
     using namespace ffgpu::rtl;
+    if (!options.waves.empty() && !CanWriteWaves) {
+        why = NoWaves;
+        return nullptr;
+    }
     for (const std::string& name : options.units)
         if (!is_unit(name)) {
-            why = "there is no unit " + name + "; there are all";
+            why = "--rtl: there is no unit " + name + "; there are all";
             for (const std::string_view unit : Units)
                 why.append(", ").append(unit);
             return nullptr;

@@ -26,6 +26,7 @@ struct PlantedFault {
 struct LoopOptions {
     std::vector<std::string> units; // or "all"
     std::optional<PlantedFault> fault{};
+    std::string waves{}; // those of each unit go to FOLDER/UNIT.fst; empty: none
 };
 
 // Fragments that a stage has seen, by who worked on them.

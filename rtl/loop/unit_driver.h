@@ -9,6 +9,7 @@
 #include "model/base/check.h"
 #include "rtl/bundles/ports.h"
 #include "rtl/bundles/state.h"
+#include "rtl/bundles/waves.h"
 #include "rtl/loop/loop_log.h"
 
 #include <memory>
@@ -44,6 +45,7 @@ public:
             dut_->in_valid_i = taken < inputs.size();
             if (dut_->in_valid_i) drive(dut_->in_data_i, to_bits(inputs[taken]));
             dut_->eval();
+            waves_.settled();
             const bool takes = dut_->in_valid_i && dut_->in_ready_o;
             quiet = takes || dut_->out_valid_o || !dut_->in_ready_o ? 0 : quiet + 1;
             taken += takes;
@@ -86,11 +88,13 @@ private:
     void clock() {
         dut_->clk_i = 1;
         dut_->eval();
+        waves_.clocked();
         dut_->clk_i = 0;
     }
 
     std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
     std::unique_ptr<typename Unit::Dut> dut_ = std::make_unique<typename Unit::Dut>(context_.get());
+    Waves waves_{*dut_, loop_log().waves, Unit::Name};
     std::vector<Output> outputs_;
 };
 

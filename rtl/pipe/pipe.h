@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace ffgpu::rtl {
@@ -26,6 +27,8 @@ struct PipeOptions {
     // Cycles in which nothing moves at any port, after which the pipe is said to stand. A large
     // primitive without a live fragment may take millions.
     std::uint64_t quiet_cycles = 1 << 24;
+    // Waves of the pipe go to FOLDER/fragment_pipe.fst; empty: none.
+    std::string waves{};
     // Of this store of colours, counted from 0, each byte's lowest bit is wrong: how tests see that
     // it is told.
     std::optional<std::uint64_t> faulty_store{};
@@ -64,7 +67,8 @@ public:
     virtual double seconds() const = 0;        // of the host's, in which they were clocked
 };
 
-using OpenPipe = Pipe* (*)(const PipeOptions& options);
+// Null: `why` says so.
+using OpenPipe = Pipe* (*)(const PipeOptions& options, std::string& why);
 constexpr const char* OpenPipeName = "ffgpu_open_rtl_pipe";
 
 } // namespace ffgpu::rtl

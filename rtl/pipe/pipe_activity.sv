@@ -46,7 +46,8 @@ bind fragment_pipe pipe_activity u_activity (
   .targets_step_i({u_targets.u_color_read.u_interlock.enters ||
                    (u_targets.color_valid && u_targets.color_ready),
                    u_targets.u_depth_read.u_interlock.enters ||
-                   (u_targets.depth_valid && u_targets.depth_ready)}),
+                   (u_targets.depth_valid && u_targets.depth_ready) ||
+                   (u_targets.in_valid_i && !u_targets.lives)}),
   .targets_hold_i({u_targets.u_color_read.u_interlock.quad_valid ||
                    u_targets.u_color_read.quad_valid,
                    u_targets.u_depth_read.u_interlock.quad_valid ||

@@ -28,7 +28,8 @@ std::unique_ptr<VerilatedContext> powered_up(std::uint64_t seed) {
 VerilatedPipe::VerilatedPipe(const PipeOptions& options)
     : options_(options)
     , stalls_(options)
-    , context_(powered_up(options.seed)) {
+    , context_(powered_up(options.seed))
+    , waves_(*dut_, options.waves, "fragment_pipe") {
     reset();
 }
 
@@ -59,8 +60,10 @@ void VerilatedPipe::cycle() {
     drive_memory();
     dut_->clk_i = 0;
     dut_->eval();
+    waves_.settled();
     moved_ = false;
-    take_requests();
+    // Flops that wake up with a request in them lose it at the first edge in reset.
+    if (dut_->rst_ni) take_requests();
     count_activity();
     const bool depth_taken = dut_->depth_response_valid_i && dut_->depth_response_ready_o;
     const bool color_taken = dut_->color_response_valid_i && dut_->color_response_ready_o;
@@ -68,6 +71,7 @@ void VerilatedPipe::cycle() {
     record_taken_ = dut_->record_valid_i && dut_->record_ready_o;
     dut_->clk_i = 1;
     dut_->eval();
+    waves_.clocked();
     ++cycle_;
     if (depth_taken) take_back(depths_, dut_->depth_response_valid_i);
     if (color_taken) take_back(colors_, dut_->color_response_valid_i);
@@ -212,6 +216,10 @@ bool VerilatedPipe::finish() {
 } // namespace ffgpu::rtl
 
 extern "C" __attribute__((visibility("default"))) ffgpu::rtl::Pipe*
-ffgpu_open_rtl_pipe(const ffgpu::rtl::PipeOptions& options) {
+ffgpu_open_rtl_pipe(const ffgpu::rtl::PipeOptions& options, std::string& why) {
+    if (!options.waves.empty() && !ffgpu::rtl::CanWriteWaves) {
+        why = ffgpu::rtl::NoWaves;
+        return nullptr;
+    }
     return new ffgpu::rtl::VerilatedPipe(options);
 }

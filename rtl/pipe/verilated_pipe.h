@@ -4,6 +4,7 @@
 
 #include "Vfragment_pipe.h"
 #include "rtl/bundles/ports.h"
+#include "rtl/bundles/waves.h"
 #include "rtl/pipe/memory_ports.h"
 #include "rtl/pipe/pipe.h"
 
@@ -49,6 +50,7 @@ private:
     TargetPort depths_, colors_;
     std::unique_ptr<VerilatedContext> context_;
     std::unique_ptr<Vfragment_pipe> dut_ = std::make_unique<Vfragment_pipe>(context_.get());
+    Waves waves_;
     InterpolantLayout layout_; // of the draw that is added to
     std::uint32_t draw_ = 0;
     bool tag_ = false, moved_ = false, stands_ = false;

@@ -20,7 +20,7 @@ from verilated_tree import build_tree
 
 Root = Path(__file__).resolve().parents[2]
 Units = ["raster", "interpolator", "texture", "fragment", "depth", "color"]
-Traces = ["glxgears", "polyhedra", "chromium", "stairs", "corridor"]
+Traces = ["glxgears", "polyhedra", "chromium", "stairs", "corridor", "lattice", "chrome", "light_maps"]
 Total, Draw, Unit = 0.05, 0.10, 0.05
 Span = re.compile(r'\{"name":"([^"]+)","ph":"X","ts":(\d+),"dur":(\d+),"pid":(\d+),"tid":(\d+)\}')
 Name = re.compile(r'"name":"thread_name","ph":"M","pid":1,"tid":(\d+),"args":\{"name":"([^"]+)"\}')

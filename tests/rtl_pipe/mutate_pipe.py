@@ -54,7 +54,7 @@ def draw(count, seed):
 
 def write_sources(chosen):
     """The RTL with the mutants in it; [(number, module, line, kind, from, to)]."""
-    shutil.rmtree(Work, ignore_errors=True)
+    shutil.rmtree(Work / "rtl", ignore_errors=True)
     (Work / "rtl").mkdir(parents=True)
     for file in Rtl.glob("*.sv"):
         shutil.copy(file, Work / "rtl")
@@ -68,7 +68,7 @@ def write_sources(chosen):
     return numbered
 
 
-def is_equivalent(mutant):
+def is_equivalent(mutant, seconds):
     """Whether yosys proves that the mutant's module and the original compute the same."""
     number, module = mutant[:2]
     folder = Work / "proof" / str(number)
@@ -90,7 +90,7 @@ def is_equivalent(mutant):
               "equiv_make gold gate equiv; hierarchy -top equiv; opt -full; equiv_simple -undef; "
               "equiv_induct; equiv_status -assert")
     try:
-        return subprocess.run(["yosys", "-q", "-p", script], timeout=120,
+        return subprocess.run(["yosys", "-q", "-p", script], timeout=seconds,
                               capture_output=True).returncode == 0
     except (subprocess.TimeoutExpired, FileNotFoundError):
         return False
@@ -102,19 +102,26 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--mutants", type=int, default=60)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--proof-seconds", type=int, default=600, help="that yosys may take for one")
+    parser.add_argument("--keep", action="store_true", help="run what was built before, by the same seed")
     arguments = parser.parse_args()
+    if not arguments.keep:
+        shutil.rmtree(Work, ignore_errors=True)
     numbered = write_sources(draw(arguments.mutants, arguments.seed))
-    build_tree(Work, arguments.build, Work / "rtl",
-               ["--assert", "--x-assign", "unique", "--x-initial", "unique"],
-               [Root / "tests/rtl/unit_checker.sv", Work / "rtl/pipe_checks.sv"],
-               [Root / "tests/rtl/mutant.cpp"], "-O1")
+    if not arguments.keep:
+        build_tree(Work, arguments.build, Work / "rtl",
+                   ["--assert", "--x-assign", "unique", "--x-initial", "unique"],
+                   [Root / "tests/rtl/unit_checker.sv", Work / "rtl/pipe_checks.sv"],
+                   [Root / "tests/rtl/mutant.cpp"], "-O1")
     plant_faults.Work = Work
     if not plant_faults.run(0):
         sys.exit("the test fails without a mutant")
+    if plant_faults.run(0, "rtl_pipe_blind_test"):
+        sys.exit("the test passes with the comparison off")
 
     def tell(mutant):
         lives = plant_faults.run(mutant[0])
-        proved = lives and is_equivalent(mutant)
+        proved = lives and is_equivalent(mutant, arguments.proof_seconds)
         number, module, line, kind, before, after = mutant
         word = "the same" if proved else "SURVIVES" if lives else "killed"
         print(f"{word:8} {number:2} {kind:13} {module}.sv:{line}: {before}  ->  {after}", flush=True)

@@ -59,9 +59,8 @@ private:
     void vary_colors(Registers& registers) {
         registers.fragment.color_sum = chance(4);
         registers.fragment.dither = chance(2);
-        registers.current.values[static_cast<unsigned>(Attribute::SecondaryColor)] = {
-            0.3f, 0.1f, 0.4f, 0};
         registers.fog.mode = chance(2) ? FogMode::Off : any<FogMode>(4);
+        registers.fog.source = any<FogCoordinateSource>(4);
         registers.fog.color = bits() & 0xffffff;
         registers.fog.density = 0.7f;
         Blend& blend = registers.blend;

@@ -17,6 +17,7 @@ struct Arguments {
     DiffOptions diff;
     std::string input_b, frames, parts;
     std::optional<std::string> backend_b;
+    std::string fst;
     bool account = false;
 };
 
@@ -33,6 +34,17 @@ int run_account(const Arguments& arguments) {
     return 0;
 }
 
+// What the units in RTL do up to the end of the command that differs, drawn once more.
+void write_waves(const DiffOptions& options, std::uint64_t command, const std::string& folder) {
+    AccountQuestion question = options.question;
+    question.command = command;
+    const Backend backend(options.b.backend, folder);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> nowhere(std::fopen("/dev/null", "w"),
+                                                                  std::fclose);
+    write_account(options.b.input, backend.stages(), question, nowhere.get());
+    fmt::print("Waves, which end with command {}: {}\n", command, folder);
+}
+
 int run_diff(Arguments& arguments) {
     DiffOptions& options = arguments.diff;
     AccountQuestion& question = options.question;
@@ -45,6 +57,8 @@ int run_diff(Arguments& arguments) {
     const bool other_program = options.a.program != options.b.program;
     options.b.backend = arguments.backend_b.value_or(
         same_input && !other_program ? "reference" : options.a.backend);
+    if (!arguments.fst.empty() && (!options.b.backend.starts_with("rtl") || other_program))
+        throw InputError("--fst: B is drawn by no unit in RTL (--backend-b rtl:UNIT)");
     fmt::print("A: {}\nB: {}\n", side_text(options.a), side_text(options.b));
     const auto difference = find_difference(options);
     if (!difference) {
@@ -53,6 +67,7 @@ int run_diff(Arguments& arguments) {
         return 0;
     }
     fmt::print("{}", difference_text(options, *difference));
+    if (!arguments.fst.empty()) write_waves(options, difference->command, arguments.fst);
     return 1;
 }
 
@@ -83,6 +98,8 @@ void add_diff_command(CLI::App& application, Run& run) {
         ->type_name("N");
     verb->add_option("--most", options.most_entries, "Entries of that command to tell (default 1)")
         ->type_name("N");
+    verb->add_option("--fst", arguments->fst, "Waves of B's units in RTL: FOLDER/UNIT.fst")
+        ->type_name("FOLDER");
     add_samples_option(*verb, options.question.samples);
     add_swap_option(*verb, options.question.swap);
     // For the other side's program.

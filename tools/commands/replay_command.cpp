@@ -21,6 +21,7 @@ struct Arguments {
     ReplayOptions replay;
     std::vector<std::string> rtl;
     std::string rtl_cycles;
+    std::string fst;
     unsigned rtl_latency = rtl::PipeOptions{}.latency;
 };
 
@@ -35,14 +36,15 @@ int replay_and_compare(RtlDevice& comparison, ReplayOptions& options) {
 int replay_by_rtl(const Arguments& arguments, ReplayOptions& options) {
     const std::vector<std::string>& units = arguments.rtl;
     if (std::ranges::find(units, "fragment_pipe") == units.end()) {
-        RtlComparison comparison({.units = units});
+        RtlComparison comparison({.units = units, .waves = arguments.fst});
         options.stages = &comparison.stages();
         return replay_and_compare(comparison, options);
     }
     if (units.size() != 1) throw InputError("--rtl: fragment_pipe has all units, and stands alone");
-    PipeComparison comparison(
-        {.latency = arguments.rtl_latency, .jitters = arguments.rtl_cycles.empty()},
-        arguments.rtl_cycles);
+    PipeComparison comparison({.latency = arguments.rtl_latency,
+                               .jitters = arguments.rtl_cycles.empty(),
+                               .waves = arguments.fst},
+                              arguments.rtl_cycles);
     return replay_and_compare(comparison, options);
 }
 
@@ -89,6 +91,9 @@ void add_replay_command(CLI::App& application, Run& run) {
         ->needs(rtl);
     verb->add_option("--rtl-latency", arguments->rtl_latency, "Cycles of fragment_pipe's memory")
         ->check(CLI::Range(1u, 4096u))
+        ->needs(rtl);
+    verb->add_option("--fst", arguments->fst, "Waves of the units, for GTKWave: FOLDER/UNIT.fst")
+        ->type_name("FOLDER")
         ->needs(rtl);
     verb->add_option("--benchmark", options.benchmark, "Time it; repeat the last frame N times")
         ->type_name("N");

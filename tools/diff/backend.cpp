@@ -21,13 +21,13 @@ std::vector<std::string> units_of(const std::string& name) {
 
 } // namespace
 
-Backend::Backend(const std::string& name) {
+Backend::Backend(const std::string& name, const std::string& waves) {
     if (name == "functional") {
         stages_ = &FastStages;
     } else if (name == "reference") {
         stages_ = &ReferenceStages;
     } else if (name == Rtl || name.starts_with("rtl:")) {
-        rtl_ = open_rtl_stages({.units = units_of(name)});
+        rtl_ = open_rtl_stages({.units = units_of(name), .waves = waves});
         stages_ = &rtl_->table();
     } else {
         throw InputError("--backend " + name +

@@ -14,7 +14,8 @@ class Backend {
 public:
     // "functional", "reference"; "rtl": all Verilated units in the model's stages, "rtl:fog,blend":
     // these. Throws InputError where there is no such thing.
-    explicit Backend(const std::string& name);
+    // `waves`: a folder for those of the units; empty: none.
+    explicit Backend(const std::string& name, const std::string& waves = {});
 
     const Stages& stages() const { return *stages_; }
 

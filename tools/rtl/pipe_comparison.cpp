@@ -1,5 +1,6 @@
 #include "tools/rtl/pipe_comparison.h"
 
+#include "model/base/input_error.h"
 #include "model/device/command_reader.h"
 #include "tools/rtl/pipe_reasons.h"
 #include "tools/rtl/rtl_library.h"
@@ -15,9 +16,17 @@ void append(CommandStream& stream, const CommandReader& reader) {
 
 } // namespace
 
+std::unique_ptr<rtl::Pipe> open_rtl_pipe(const rtl::PipeOptions& options) {
+    const auto open =
+        reinterpret_cast<rtl::OpenPipe>(rtl_function("ffgpu_pipe.so", rtl::OpenPipeName));
+    std::string why;
+    rtl::Pipe* const pipe = open(options, why);
+    if (!pipe) throw InputError(why);
+    return std::unique_ptr<rtl::Pipe>(pipe);
+}
+
 PipeComparison::PipeComparison(const rtl::PipeOptions& options, const std::string& cycles)
-    : pipe_(reinterpret_cast<rtl::OpenPipe>(rtl_function("ffgpu_pipe.so", rtl::OpenPipeName))(
-          options)) {
+    : pipe_(open_rtl_pipe(options)) {
     if (!cycles.empty()) cycles_.emplace(cycles);
 }
 

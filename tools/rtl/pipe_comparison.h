@@ -23,6 +23,9 @@ struct PipeDifference {
     TargetDifference target{};
 };
 
+// Throws InputError where ffgpu was built without Verilator, or cannot do what is wanted.
+std::unique_ptr<rtl::Pipe> open_rtl_pipe(const rtl::PipeOptions& options);
+
 class PipeComparison final : public RtlDevice {
 public:
     // Throws InputError where ffgpu was built without Verilator, and where the file cannot be made

@@ -57,7 +57,7 @@ std::unique_ptr<rtl::RtlStages> open_rtl_stages(const rtl::LoopOptions& options)
         reinterpret_cast<rtl::OpenRtlStages>(rtl_function("ffgpu_rtl.so", rtl::OpenRtlStagesName));
     std::string why;
     auto* const stages = open(options, why);
-    if (!stages) throw InputError("--rtl: " + why);
+    if (!stages) throw InputError(why);
     return std::unique_ptr<rtl::RtlStages>(stages);
 }
 

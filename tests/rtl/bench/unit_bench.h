@@ -15,8 +15,10 @@
 
 #pragma once
 
+#include "model/base/check.h"
 #include "model/device/pipe_numbers.h"
 #include "rtl/bundles/ports.h"
+#include "rtl/bundles/waves.h"
 #include "tests/rtl/bench/random.h"
 #include "tests/rtl/bench/stalls.h"
 
@@ -83,6 +85,7 @@ public:
         dut_->out_ready_i = 0;
         dut_->rst_ni = 1; // An asynchronous reset is an edge.
         dut_->eval();
+        waves_ = waves_of_bench();
         reset();
     }
 
@@ -119,6 +122,7 @@ public:
             dut_->out_ready_i = stalls.takes();
             dut_->eval();
             if (probes_dependences && random.one_in(4)) probe();
+            waves_.settled();
             idle = exchange() || !dut_->out_ready_i ? 0 : idle + 1;
             if (idle > MostIdleCycles) return fail_stuck();
             clock();
@@ -135,9 +139,19 @@ private:
         std::uint64_t taken_at;
     };
 
+    // FFGPU_RTL_FST=FOLDER: into FOLDER/UNIT_N.fst, the program's N-th bench, from 1.
+    Waves waves_of_bench() {
+        static unsigned benches = 0;
+        const char* const folder = std::getenv("FFGPU_RTL_FST");
+        if (!folder) return {};
+        check(CanWriteWaves, NoWaves);
+        return {*dut_, folder, Unit::Name + ('_' + std::to_string(++benches))};
+    }
+
     void clock() {
         dut_->clk_i = 1;
         dut_->eval();
+        waves_.clocked();
         dut_->clk_i = 0;
         ++cycle_;
         context_->timeInc(1);
@@ -256,6 +270,7 @@ private:
     std::uint64_t cycle_ = 0;
     std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
     std::unique_ptr<Dut> dut_;
+    Waves waves_;
     unsigned tag_ = 0, reports_ = 0;
     std::array<unsigned, 2> inside_{};
     std::array<State, 2> states_{};
