@@ -229,7 +229,7 @@ void Bottlenecks::find_port(const Stage& stage, const Moment& before, std::uint6
     found_.add({&before, takes, {stage.resource, std::max(takes - free, 0.0F)}});
 }
 
-std::span<const Dependence> Bottlenecks::dependences(const Place& place, const Moved& moved) {
+void Bottlenecks::find_dependences(const Place& place, const Moved& moved) {
     const Cycle now = clock_.now();
     Dependences& found = found_;
     found.count = 0;
@@ -238,7 +238,7 @@ std::span<const Dependence> Bottlenecks::dependences(const Place& place, const M
     const bool looks_up = place.stage.lookups_per_cycle > 0;
     // What is taken does not wait for what is given beside it.
     const bool beside = moved.given == 0 && moved.taken > 0 && place.taken.at < place.last.at &&
-                        (looks_up || work == 0);
+                        place.stage.free_width > 0 && (looks_up || work == 0);
     if (!beside)
         found.add({&place.last, looks_up ? 0 : work, {place.stage.resource, looks_up ? 0 : work}});
     if (looks_up && moved.taken > 0) found.add({&place.taken, work, {place.stage.resource, work}});
@@ -280,41 +280,42 @@ std::span<const Dependence> Bottlenecks::dependences(const Place& place, const M
             if (&other > &place && (!last || other.last.at >= last->last.at)) last = &other;
         if (last && last->last.at < now) found.add({&last->last, 1});
     }
-    explain(place, moved);
-    return std::span(found.all).first(found.count);
 }
 
 // What none of them explains was waited for behind the last of them, or behind an answer of the
 // memory that came meanwhile: a unit that still does something else does not say that it waits for
 // it.
-void Bottlenecks::explain(const Place& place, const Moved& moved) {
+const Dependence& Bottlenecks::explain(const Place& place, const Moved& moved) {
     const Cycle now = clock_.now();
-    const auto last = [&]() -> Dependence& {
+    const auto find_last = [&] {
         const std::span<Dependence> all = std::span(found_.all).first(found_.count);
-        return all[static_cast<std::size_t>(&last_of(all, now) - all.data())];
+        return &all[static_cast<std::size_t>(&last_of(all, now) - all.data())];
     };
-    if (slack(last(), now) == 0) return;
+    Dependence* last = find_last();
+    if (slack(*last, now) == 0) return *last;
     if (place.stage.free_width == 0) { // It carries bytes between what it sends.
         Dependence& own = found_.all[0];
         const float carried = std::min(place.active, slack(own, now));
         own.takes += carried;
         own.first.cycles += carried;
+        last = find_last();
     }
-    const float more = slack(last(), now);
-    if (more == 0) return;
-    if (moved.taken > 0 && place.given.at + 1 == now) { // A place inside it came free with that.
-        found_.add({&place.given, 1});
-        return;
-    }
+    const float more = slack(*last, now);
+    if (more == 0) return *last;
+    // Either is over later than all others.
+    if (moved.taken > 0 && place.given.at + 1 == now) // A place inside it came free with that.
+        return found_.add({&place.given, 1});
     const Dependence answer{place.memory, 1};
-    if (slack(answer, now) < more) found_.add(answer);
-    last().takes += slack(last(), now);
+    if (slack(answer, now) < more) last = &found_.add(answer);
+    last->takes += slack(*last, now);
+    return *last;
 }
 
 void Bottlenecks::act(Place& place, const Moved& moved) {
     const Cycle now = clock_.now();
-    const std::span<const Dependence> all = dependences(place, moved);
-    const Dependence& last = last_of(all, now);
+    find_dependences(place, moved);
+    const Dependence& last = explain(place, moved);
+    const auto all = std::span<const Dependence>(found_.all).first(found_.count);
     WaitPaths::Path path = paths_.extend(last.moment->path, last.first.resource, now - 1);
     path = paths_.extend(path, place.stage.resource, now);
     saved_ = saved_after(all, last, now);

@@ -140,9 +140,9 @@ private:
     struct Dependences {
         std::array<Dependence, Most> all; // the first of them
         std::size_t count = 0;
-        void add(const Dependence& one) {
+        Dependence& add(const Dependence& one) {
             check(count < Most, "so many dependences at the most");
-            all[count++] = one;
+            return all[count++] = one;
         }
     };
 
@@ -153,10 +153,11 @@ private:
     void take_answers(Place& place);
     void count_work(Place& place, const Moved& moved);
     void act(Place& place, const Moved& moved);
-    // Until the next call.
-    std::span<const Dependence> dependences(const Place& place, const Moved& moved);
+    // All into found_.
+    void find_dependences(const Place& place, const Moved& moved);
     void find_port(const Stage& stage, const Moment& before, std::uint64_t items);
-    void explain(const Place& place, const Moved& moved);
+    // Returns the one that was over last.
+    const Dependence& explain(const Place& place, const Moved& moved);
     void pass_on(Place& place);
     void take_requests();
     void collect_paths();

@@ -48,8 +48,12 @@ public:
     }
 
     // The module as it stands with the inputs of a cycle, and after the edge that ends it.
-    void settled() { write(2 * cycle_); }
-    void clocked() { write(2 * cycle_++ + 1); }
+    void settled() {
+        write(2 * cycle_);
+    }
+    void clocked() {
+        write(2 * cycle_++ + 1);
+    }
 
 private:
     void write([[maybe_unused]] std::uint64_t time) {

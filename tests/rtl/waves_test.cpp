@@ -48,7 +48,8 @@ public:
         : reader_(fstReaderOpen(path.c_str())) {
         REQUIRE(reader_);
         while (const fstHier* const entry = fstReaderIterateHier(reader_)) {
-            if (entry->htyp == FST_HT_SCOPE) fstReaderPushScope(reader_, entry->u.scope.name, nullptr);
+            if (entry->htyp == FST_HT_SCOPE)
+                fstReaderPushScope(reader_, entry->u.scope.name, nullptr);
             if (entry->htyp == FST_HT_UPSCOPE) fstReaderPopScope(reader_);
             if (entry->htyp == FST_HT_VAR) add(entry->u.var);
         }

@@ -5,8 +5,7 @@
 
 namespace ffgpu::tools {
 
-TargetDifference
-TargetComparison::compare(const Targets&, FunctionalGpu&, FunctionalGpu&) {
+TargetDifference TargetComparison::compare(const Targets&, FunctionalGpu&, FunctionalGpu&) {
     return {};
 }
 
