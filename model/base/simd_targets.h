@@ -1,5 +1,7 @@
-// Which instruction sets Highway compiles for here; included before it. On x86-64: SSE4 (every
-// processor since 2009; Highway's own floor has vectors of one lane), AVX2 and AVX-512.
+// Which instruction sets the vector stages are compiled for; included before Highway. On x86-64:
+// SSE4 (every processor since 2009; Highway's own floor has vectors of one lane, which cannot be
+// halved and combined, and which quads of four do not fit), AVX2 and AVX-512. Vectors of the
+// fragment stages are 32 lanes of 16 bits at most.
 
 #pragma once
 

@@ -1,5 +1,5 @@
+#include "model/base/simd_targets.h"
 #include "model/fragment/alpha_test.h"
-#include "model/fragment/simd_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/fragment/alpha_test_simd.cpp"

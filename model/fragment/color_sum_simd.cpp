@@ -1,5 +1,5 @@
+#include "model/base/simd_targets.h"
 #include "model/fragment/color_sum.h"
-#include "model/fragment/simd_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/fragment/color_sum_simd.cpp"

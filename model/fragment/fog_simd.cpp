@@ -1,6 +1,6 @@
 #include "model/arith/exp2.h"
+#include "model/base/simd_targets.h"
 #include "model/fragment/fog.h"
-#include "model/fragment/simd_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/fragment/fog_simd.cpp"

@@ -1,5 +1,5 @@
+#include "model/base/simd_targets.h"
 #include "model/fragment/quad_rows.h"
-#include "model/fragment/simd_targets.h"
 
 #include <array>
 #include <type_traits>

@@ -1,4 +1,4 @@
-#include "model/fragment/simd_targets.h"
+#include "model/base/simd_targets.h"
 #include "model/fragment/stencil_depth.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -2,7 +2,7 @@
 // lanes for its operation. Products are kept in units of 1/65025; sums of them saturate at 65535,
 // beyond the clamp at 65025, so that 16 bits suffice for exact results.
 
-#include "model/fragment/simd_targets.h"
+#include "model/base/simd_targets.h"
 #include "model/fragment/texture_environment.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,6 +1,6 @@
 // The fast form of attribute_setup.cpp for one primitive: a lane an attribute.
 
-#include "model/raster/simd_targets.h"
+#include "model/base/simd_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/raster/attribute_setup_simd.cpp"

@@ -1,6 +1,6 @@
 // The SIMD form of cover_tile: one vector operation an edge and 4 to 16 pixels.
 
-#include "model/raster/simd_targets.h"
+#include "model/base/simd_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/raster/coverage_simd.cpp"

@@ -3,7 +3,7 @@
 // Runs go in ascending order and a vector may run over the end of its run: those lanes belong to
 // the next run, which writes them afterwards, or to nobody.
 
-#include "model/raster/simd_targets.h"
+#include "model/base/simd_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/raster/interpolator_simd.cpp"

@@ -1,6 +1,6 @@
 // The areas over vectors of pixels.
 
-#include "model/raster/simd_targets.h"
+#include "model/base/simd_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/raster/pixel_areas_simd.cpp"

@@ -1,6 +1,6 @@
 // The SIMD form of pack_quads: 4 to 16 quads at once, and no branch that hangs on the mask.
 
-#include "model/raster/simd_targets.h"
+#include "model/base/simd_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/raster/quad_pack_simd.cpp"

@@ -2,7 +2,7 @@
 // where all that are integers are exact. What follows from a division and is rounded is computed in
 // the same order of operations.
 
-#include "model/raster/simd_targets.h"
+#include "model/base/simd_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/raster/triangle_group_simd.cpp"
