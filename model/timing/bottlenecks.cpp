@@ -282,9 +282,9 @@ void Bottlenecks::find_dependences(const Place& place, const Moved& moved) {
     }
 }
 
-// What none of them explains was waited for behind the last of them, or behind an answer of the
-// memory that came meanwhile: a unit that still does something else does not say that it waits for
-// it.
+// What none of them explains was waited for behind what the stage gave in the cycle before, where
+// it takes, else behind the last of them, or behind an answer of the memory that came meanwhile: a
+// unit that still does something else does not say that it waits for it.
 const Dependence& Bottlenecks::explain(const Place& place, const Moved& moved) {
     const Cycle now = clock_.now();
     const auto find_last = [&] {

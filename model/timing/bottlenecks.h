@@ -3,15 +3,16 @@
 //
 // Each stage of the pipe has a moment, that in which it last took or sent anything (moment.h). It
 // depends on
-//   - the one before, and the work of its own since then,
+//   - the one before, and the work of its own since then; not where it only takes, has done no work
+//     meanwhile, and only gave before,
 //   - the last one in which it took, where it takes, and in which it gave, where it gives: a
-//   stage's
-//     way in and its way out are used side by side,
+//     stage's way in and its way out are used side by side,
 //   - the moment in which what it takes, or works on, was sent, and the way,
 //   - the moment in which a place came free for what it sends,
-//   - the memory's last answer, where it waited for the memory,
+//   - the memory's last answer, where it waited for the memory and is its unit's only stage,
 //   - the last moment of the stages behind it, where it waited until they are done.
-// What it waited for beyond all of these it waited for behind the last of them.
+// What it waited for beyond all of these it waited for behind what it gave in the cycle before,
+// which freed a place inside it, else behind the last of them.
 // The moment that is last, at the end of a frame, is the frame's.
 
 #pragma once

@@ -3,6 +3,7 @@
 
 #include "model/device/layout/texture_layout.h"
 #include "model/work/address_map.h"
+#include "model/work/first_level.h"
 #include "model/work/machine_order.h"
 
 #include <algorithm>
@@ -119,6 +120,40 @@ TEST_CASE("A rewritten level stays where it is, or moves as the configuration ha
         for (std::size_t level = 1; level < before.size(); ++level)
             CHECK(after[level].base == before[level].base);
     }
+}
+
+// The lines that it looks up.
+class Misses final : public LookupSink {
+public:
+    void lookups(LookupClient,
+                 const LookupPlace&,
+                 std::span<const LineLookup> looked_up,
+                 std::uint32_t) override {
+        for (const LineLookup& lookup : looked_up)
+            lines.push_back(lookup.line);
+    }
+    void flush(LookupClient) override {}
+    void overwritten(LookupClient, std::span<const OverwrittenLine> forgotten) override {
+        for (const OverwrittenLine& line : forgotten)
+            passed_on.push_back(line.line);
+    }
+    void end_frame(std::uint32_t) override {}
+
+    Lines lines, passed_on;
+};
+
+TEST_CASE("A first level misses what was rewritten, and tells the levels behind it",
+          "[rewritten]") {
+    Misses misses;
+    FirstLevel cache(1, 8, 64, misses);
+    const std::vector<LineLookup> wanted{{1}, {2}, {3}};
+    cache.lookups(LookupClient::Texel, {}, wanted, 3);
+    cache.lookups(LookupClient::Texel, {}, wanted, 3);
+    REQUIRE(misses.lines == Lines{1, 2, 3});
+    tell_rewritten(Lines{2, 7}, cache);
+    CHECK(misses.passed_on == Lines{2, 7});
+    cache.lookups(LookupClient::Texel, {}, wanted, 3);
+    CHECK(misses.lines == Lines{1, 2, 3, 2});
 }
 
 // --- When a machine is told ----------------------------------------------------------------------

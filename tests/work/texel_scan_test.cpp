@@ -10,7 +10,8 @@
 namespace ffgpu::work {
 namespace {
 
-// A quad's look-ups of texels, and how far back the ones before lie.
+// A quad's look-ups of texels, and how far back the ones before lie; or lines that were
+// overwritten, without reads.
 struct Told {
     std::vector<LineLookup> lines;
     std::uint32_t reads = 0;
@@ -31,16 +32,23 @@ public:
         last_ = place.number;
     }
     void flush(LookupClient) override {}
-    void overwritten(LookupClient, std::span<const OverwrittenLine>) override {}
+    void overwritten(LookupClient client, std::span<const OverwrittenLine> lines) override {
+        if (client != LookupClient::Texel) return;
+        Told& told = all.emplace_back();
+        for (const OverwrittenLine& line : lines)
+            told.lines.push_back({line.line, false});
+        ++rewrites;
+    }
     void end_frame(std::uint32_t) override {}
 
     std::vector<Told> all;
+    std::size_t rewrites = 0;
 
 private:
     std::uint64_t last_ = 0;
 };
 
-// Two frames; the second meets textures that the first one's transfers moved.
+// Two frames; the second meets textures that were rewritten.
 void draw(WorkSink& sink, const FunctionalGpu::Config& host) {
     test::Scene scene(150, 100, host);
     scene.gpu.set_work_sink(&sink);
@@ -57,6 +65,7 @@ std::vector<Told> by_walk(const WorkConfig& config) {
     MachineOrder order(config, walk);
     CommandAssembler assembler(order);
     draw(assembler, {.threads = 1});
+    CHECK(list.rewrites > 0);
     return list.all;
 }
 
