@@ -1,4 +1,5 @@
-// What the machine is told: work, which waits for its host's bus until there is enough of it to run.
+// What the machine is told: work, which waits for its host's bus until there is enough of it to
+// run.
 
 #include "model/timing/machine.h"
 
