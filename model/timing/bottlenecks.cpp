@@ -20,23 +20,10 @@ float part(std::uint64_t items, std::uint32_t in_a_cycle) {
 
 } // namespace
 
-BottleneckStatistics::BottleneckStatistics() {
-    for (std::size_t i = 0; i < Resources; ++i)
-        waited_[i] = &add("bottleneck_" + std::string(ResourceNames[i]) + "_cycles",
-                          "cycles",
-                          "in which the machine waited for it");
-    for (std::size_t i = 0; i < Resources; ++i)
-        gained_[i] = &add("gain_" + std::string(ResourceNames[i]) + "_cycles",
-                          "cycles",
-                          "that its frames would take less without its limits");
-}
-
-Bottlenecks::Bottlenecks(const Clock& clock, Parts parts)
-    : clock_(clock)
-    , parts_(std::move(parts))
-    , memory_(parts_.memory, parts_.memory_is_ours) {
-    check(parts_.stages.size() < 63, "a bit for each stage");
-    for (const Stage& stage : parts_.stages)
+Bottlenecks::Bottlenecks(const PipeParts& parts)
+    : parts_(parts)
+    , memory_(parts.memory, parts.memory_is_ours) {
+    for (const Stage& stage : parts.stages)
         places_.push_back({.stage = stage,
                            .in = {},
                            .out = {},
@@ -44,23 +31,13 @@ Bottlenecks::Bottlenecks(const Clock& clock, Parts parts)
                            .answered = {},
                            .last = {},
                            .memory = nullptr});
-}
-
-void Bottlenecks::attach() {
-    looks_ = true;
-    for (Place& place : places_) {
+    for (Place& place : places_)
         connect(place);
-        std::uint64_t bits = 0; // of all stages of its unit
-        for (std::size_t i = 0; i < places_.size(); ++i)
-            bits |= std::uint64_t{places_[i].stage.unit == place.stage.unit} << i;
-        place.stage.unit->show_calls_in(called_, bits);
-    }
-    parts_.arbiter.show_calls_in(called_, ArbiterBit);
-    for (const Link* const link : parts_.requests) {
+    for (const Link* const link : parts.requests) {
         requests_.push_back(&way_of(link));
         requests_.back()->to_memory = requests_.back()->of_stage;
     }
-    for (const Link* const link : parts_.responses)
+    for (const Link* const link : parts.responses)
         responses_.push_back(link ? &way_of(link) : nullptr);
     paths_.restart(0);
 }
@@ -80,19 +57,14 @@ Bottlenecks::Way& Bottlenecks::way_of(const Link* link) {
 }
 
 void Bottlenecks::connect(Place& place) {
+    const StageLinks links(place.stage);
+    for (const auto& [from, to] : {std::pair{&links.in, &place.in},
+                                   std::pair{&links.out, &place.out},
+                                   std::pair{&links.asked, &place.asked},
+                                   std::pair{&links.answered, &place.answered}})
+        for (const Link* const link : *from)
+            to->push_back(&way_of(link));
     const Unit* const unit = place.stage.unit;
-    for (const Link* const link : unit->inputs()) {
-        if (link->carries_answers())
-            place.answered.push_back(&way_of(link));
-        else if (!place.stage.input || place.stage.input == link)
-            place.in.push_back(&way_of(link));
-    }
-    for (const Link* const link : unit->outputs()) {
-        if (link->carries_requests())
-            place.asked.push_back(&way_of(link));
-        else if (!place.stage.output || place.stage.output == link)
-            place.out.push_back(&way_of(link));
-    }
     for (auto& [of, moment] : answers_)
         if (of == unit) place.memory = &moment;
     if (!place.memory) place.memory = &answers_.emplace_back(unit, Moment{}).second;
@@ -100,43 +72,66 @@ void Bottlenecks::connect(Place& place) {
 
 // --- Each cycle --------------------------------------------------------------------------------
 
-void Bottlenecks::end_cycle() {
-    const std::uint64_t called = std::exchange(called_, 0);
-    for (std::uint64_t left = called & ~ArbiterBit; left != 0; left &= left - 1)
-        look(places_[static_cast<std::size_t>(std::countr_zero(left))]);
-    if ((called & ArbiterBit) != 0 && parts_.arbiter.activity() == Activity::Busy) take_requests();
+void Bottlenecks::reckon(const PipeLog& log) {
+    Reader seen{log.answers.data(),
+                log.stages.data(),
+                log.links.data(),
+                log.arrivals.data(),
+                log.taken.data()};
+    for (const CycleSeen& cycle : log.cycles)
+        reckon(cycle, seen);
+}
+
+void Bottlenecks::reckon(const CycleSeen& cycle, Reader& seen) {
+    now_ = cycle.now;
+    for (std::uint32_t i = 0; i < cycle.answers; ++i)
+        answer(*seen.answers++);
+    for (std::uint32_t i = 0; i < cycle.stages; ++i) {
+        const StageSeen& stage = *seen.stages++;
+        Place& place = places_[stage.stage];
+        for (const auto* const ways : {&place.in, &place.out, &place.asked, &place.answered})
+            for (Way* const way : *ways)
+                way->see(*seen.links++);
+        for (Way* const way : place.in)
+            way->arrival = *seen.arrivals++;
+        look(place, stage);
+    }
+    for (std::uint32_t i = 0; i < cycle.taken; ++i)
+        take_requests(*seen.taken++);
+    if (cycle.charged != CommandLedger::Nobody) {
+        if (cycle.charged >= saved_by_.size()) saved_by_.resize(cycle.charged + 1);
+        charge(saved_by_[cycle.charged]);
+    }
     if (paths_.is_full()) collect_paths();
 }
 
-void Bottlenecks::look(Place& place) {
-    const Cycle now = clock_.now();
+// What was saved since the last charge.
+void Bottlenecks::charge(Saved& entry) {
+    for (std::size_t i = 0; i < Saved::Lanes; ++i)
+        entry.cycles[i] += saved_.cycles[i] - charged_.cycles[i];
+    charged_ = saved_;
+}
+
+void Bottlenecks::look(Place& place, const StageSeen& seen) {
     take_answers(place);
     std::uint64_t taken = 0, given = 0, asked = 0;
-    bool refused = false;
     for (const Way* const way : place.in)
-        if (way->link->popped_at() == now) taken += way->link->popped() - way->popped;
-    for (const Way* const way : place.out) {
-        if (way->link->pushed_at() == now) given += way->link->pushed() - way->pushed;
-        refused |= way->link->refused_at() == now;
-    }
+        taken += way->seen_popped - way->popped;
+    for (const Way* const way : place.out)
+        given += way->seen_pushed - way->pushed;
     for (const Way* const way : place.asked)
-        if (way->link->pushed_at() == now) asked += way->link->pushed() - way->pushed;
-    count_work(place, {taken, given, refused});
-    const auto refuses = [now](const Link* link) {
-        return !link->carries_requests() && link->refused_at() == now;
-    };
-    const bool unit_refused = std::ranges::any_of(place.stage.unit->outputs(), refuses);
+        asked += way->seen_pushed - way->pushed;
+    const Moved moved{taken, given, seen.refused};
+    count_work(place, seen, moved);
     // The cycles in which its unit slept were as the last one.
-    if (now > place.looked + 1) note_stall(place, place.activity, place.unit_was_refused);
-    const Activity activity = place.stage.unit->activity();
-    note_stall(place, activity, unit_refused);
-    if (taken + given + asked > 0) act(place, {taken, given, refused});
-    place.activity = activity;
-    place.was_refused = refused;
-    place.unit_was_refused = unit_refused;
-    place.looked = now;
-    place.had_backlog =
-        place.stage.input ? place.stage.input->arrival() <= now : place.stage.unit->has_backlog();
+    if (now_ > place.looked + 1) note_stall(place, place.activity, place.unit_was_refused);
+    note_stall(place, seen.activity, seen.unit_refused);
+    if (taken + given + asked > 0) act(place, moved);
+    place.activity = seen.activity;
+    place.was_refused = seen.refused;
+    place.unit_was_refused = seen.unit_refused;
+    place.looked = now_;
+    place.had_backlog = seen.has_backlog;
 }
 
 void Bottlenecks::note_stall(Place& place, Activity activity, bool refused) {
@@ -146,7 +141,7 @@ void Bottlenecks::note_stall(Place& place, Activity activity, bool refused) {
 
 void Bottlenecks::take_answers(Place& place) {
     for (Way* const way : place.answered) {
-        for (; way->popped < way->link->popped(); ++way->popped) {
+        for (; way->popped < way->seen_popped; ++way->popped) {
             Moment answer = way->sent[way->popped];
             const Cycle way_back = way->link->latency() - 1;
             if (way_back > 0) { // of a second level of caches alone
@@ -163,23 +158,20 @@ void Bottlenecks::take_answers(Place& place) {
 
 // A cycle in which it leaves work behind is all of it work, unless it is refused or could have gone
 // on before.
-void Bottlenecks::count_work(Place& place, const Moved& moved) {
+void Bottlenecks::count_work(Place& place, const StageSeen& seen, const Moved& moved) {
     const Stage& stage = place.stage;
     if (stage.lookups_per_cycle > 0) {
-        std::uint64_t lookups = 0;
-        for (const Counter* const counter : stage.lookups)
-            lookups += counter->value();
-        place.work +=
-            part(lookups - std::exchange(place.lookups, lookups), stage.lookups_per_cycle);
+        const std::uint32_t lookups = seen.lookups - std::exchange(place.lookups, seen.lookups);
+        place.work += part(lookups, stage.lookups_per_cycle);
         return;
     }
     if (place.activity == Activity::Busy) {
-        const auto gap = static_cast<float>(clock_.now() - place.looked - 1);
+        const auto gap = static_cast<float>(now_ - place.looked - 1);
         place.busy += gap;
         place.active += gap;
         if (place.had_backlog && !place.was_refused) place.work += gap;
     }
-    if (stage.unit->activity() != Activity::Busy) return;
+    if (seen.activity != Activity::Busy) return;
     ++place.active;
     const bool is_refused = moved.refused || place.was_refused;
     const bool moves = moved.taken > 0 || moved.given > 0;
@@ -188,14 +180,13 @@ void Bottlenecks::count_work(Place& place, const Moved& moved) {
 }
 
 // The arbiter takes them.
-void Bottlenecks::take_requests() {
-    const Cycle now = clock_.now();
-    for (Way* const way : requests_) {
-        for (; way->popped < way->link->popped(); ++way->popped) {
-            const Moment& sent = way->sent[way->popped];
-            way->freed[way->popped] =
-                way->of_stage ? memory_.taken(paths_, sent, now) : Moment{now, sent.path, {}};
-        }
+void Bottlenecks::take_requests(const TakenSeen& taken) {
+    Way& way = *requests_[taken.port];
+    way.see(taken.link);
+    for (; way.popped < way.seen_popped; ++way.popped) {
+        const Moment& sent = way.sent[way.popped];
+        way.freed[way.popped] =
+            way.of_stage ? memory_.taken(paths_, sent, now_) : Moment{now_, sent.path, {}};
     }
 }
 
@@ -208,14 +199,16 @@ void Bottlenecks::Way::note_answer(std::uint64_t item) {
         answered.pop_front();
 }
 
-void Bottlenecks::done(const MemoryRequest& request, std::uint64_t cycle) {
+void Bottlenecks::answer(const AnswerSeen& answer) {
+    const MemoryRequest& request = answer.request;
     Way& way = *requests_[request.port];
     const Moment* const asked = way.of_stage ? &way.sent[request.number] : nullptr;
-    const Moment& answer = memory_.answer(paths_, request, asked, cycle);
+    const Moment& moment = memory_.answer(paths_, request, asked, now_);
     if (way.to_memory) way.note_answer(request.number);
     Way* const back = responses_[request.port];
-    if (request.write || !back) return;
-    back->send(back->link->pushed(), answer);
+    if (!back) return;
+    back->see(answer.back);
+    if (!request.write) back->send(back->seen_pushed, moment);
 }
 
 // --- Moments -----------------------------------------------------------------------------------
@@ -230,7 +223,7 @@ void Bottlenecks::find_port(const Stage& stage, const Moment& before, std::uint6
 }
 
 void Bottlenecks::find_dependences(const Place& place, const Moved& moved) {
-    const Cycle now = clock_.now();
+    const Cycle now = now_;
     Dependences& found = found_;
     found.count = 0;
     // Look-ups are of what is taken; other work holds up all.
@@ -246,10 +239,9 @@ void Bottlenecks::find_dependences(const Place& place, const Moved& moved) {
     find_port(place.stage, place.given, moved.given);
     for (const Way* const way : place.in) {
         // One that is taken when done is worked on before.
-        const bool takes = way->popped != way->link->popped();
-        if (!takes && (way->link->arrival() > now || way->link->arrival() <= place.last.at))
-            continue;
-        const Moment& sent = way->sent[takes ? way->link->popped() - 1 : way->popped];
+        const bool takes = way->popped != way->seen_popped;
+        if (!takes && (way->arrival > now || way->arrival <= place.last.at)) continue;
+        const Moment& sent = way->sent[takes ? way->seen_popped - 1 : way->popped];
         const Cycle arrival = sent.at + way->link->latency();
         // What came behind the last moment has been worked on since, where it is taken when done.
         const float since =
@@ -264,8 +256,8 @@ void Bottlenecks::find_dependences(const Place& place, const Moved& moved) {
     bool gives = false;
     for (const std::vector<Way*>* const ways : {&place.out, &place.asked}) {
         for (const Way* const way : *ways) {
-            if (way->pushed == way->link->pushed()) continue;
-            found.add({&way->place_freed(way->link->pushed() - 1), 1});
+            if (way->pushed == way->seen_pushed) continue;
+            found.add({&way->place_freed(way->seen_pushed - 1), 1});
             gives = true;
         }
     }
@@ -286,7 +278,7 @@ void Bottlenecks::find_dependences(const Place& place, const Moved& moved) {
 // it takes, else behind the last of them, or behind an answer of the memory that came meanwhile: a
 // unit that still does something else does not say that it waits for it.
 const Dependence& Bottlenecks::explain(const Place& place, const Moved& moved) {
-    const Cycle now = clock_.now();
+    const Cycle now = now_;
     const auto find_last = [&] {
         const std::span<Dependence> all = std::span(found_.all).first(found_.count);
         return &all[static_cast<std::size_t>(&last_of(all, now) - all.data())];
@@ -312,7 +304,7 @@ const Dependence& Bottlenecks::explain(const Place& place, const Moved& moved) {
 }
 
 void Bottlenecks::act(Place& place, const Moved& moved) {
-    const Cycle now = clock_.now();
+    const Cycle now = now_;
     find_dependences(place, moved);
     const Dependence& last = explain(place, moved);
     const auto all = std::span<const Dependence>(found_.all).first(found_.count);
@@ -333,11 +325,11 @@ void Bottlenecks::act(Place& place, const Moved& moved) {
 
 void Bottlenecks::pass_on(Place& place) {
     for (Way* const way : place.in)
-        for (; way->popped < way->link->popped(); ++way->popped)
+        for (; way->popped < way->seen_popped; ++way->popped)
             way->freed[way->popped] = place.last;
     for (const std::vector<Way*>* const ways : {&place.out, &place.asked})
         for (Way* const way : *ways)
-            for (; way->pushed < way->link->pushed(); ++way->pushed)
+            for (; way->pushed < way->seen_pushed; ++way->pushed)
                 way->send(way->pushed, place.last);
 }
 
@@ -355,22 +347,17 @@ void Bottlenecks::collect_paths() {
     paths_.collect(heads_);
 }
 
-std::vector<WaitPaths::Run> Bottlenecks::end_frame() {
-    if (!looks_) return {};
-    const Cycle now = clock_.now();
+FrameWaits Bottlenecks::end_frame(Cycle now) {
     const Place* last = &places_.front();
     for (const Place& place : places_)
         if (place.last.at > last->last.at) last = &place;
     saved_ = last->last.saved;
     const WaitPaths::Path path = paths_.extend(last->last.path, Resource::Links, now);
-    std::vector<WaitPaths::Run> runs = paths_.runs(path);
-    Cycle begin = frame_begin_;
-    for (const WaitPaths::Run& run : runs)
-        statistics_.waited(run.resource, run.end - std::exchange(begin, run.end));
-    check(begin == now, "a frame's path goes from its begin to its end");
-    for (std::size_t i = 0; i < Resources; ++i)
-        statistics_.gained(static_cast<Resource>(i), saved_.cycles[i]);
-    frame_begin_ = now;
+    check(paths_.end(path) == now, "a frame's path goes from its begin to its end");
+    FrameWaits waits{
+        .runs = paths_.runs(path), .saved = saved_, .saved_by = std::exchange(saved_by_, {})};
+    charge(waits.saved_at_end);
+    saved_ = charged_ = {};
     paths_.restart(now);
     for (Place& place : places_)
         place.last = place.taken = place.given = {now, 0, {}};
@@ -380,7 +367,7 @@ std::vector<WaitPaths::Run> Bottlenecks::end_frame() {
     for (auto& [unit, moment] : answers_)
         moment = {};
     memory_.restart();
-    return runs;
+    return waits;
 }
 
 } // namespace ffgpu::timing

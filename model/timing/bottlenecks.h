@@ -14,18 +14,21 @@
 // What it waited for beyond all of these it waited for behind what it gave in the cycle before,
 // which freed a place inside it, else behind the last of them.
 // The moment that is last, at the end of a frame, is the frame's.
+//
+// All that it reads of the machine is a log (pipe_watch.h); it changes nothing in it.
 
 #pragma once
 
 #include "model/base/check.h"
 #include "model/base/ring.h"
-#include "model/timing/memory_observer.h"
-#include "model/timing/memory_statistics.h"
+#include "model/timing/frame_waits.h"
+#include "model/timing/link.h"
 #include "model/timing/memory_waits.h"
 #include "model/timing/moment.h"
 #include "model/timing/moments.h"
+#include "model/timing/pipe_log.h"
+#include "model/timing/pipe_watch.h"
 #include "model/timing/resource.h"
-#include "model/timing/unit.h"
 #include "model/timing/wait_paths.h"
 
 #include <array>
@@ -35,69 +38,26 @@
 
 namespace ffgpu::timing {
 
-// A unit's place in the pipe. A unit with two ways through it has two, each with its links.
-struct Stage {
-    Resource resource;
-    Unit* unit;
-    std::uint32_t width = 1;      // items that may pass in a cycle
-    std::uint32_t free_width = 1; // without the resource's limits; 0: any number in no time
-    const Link* input = nullptr;  // null: all of the unit's
-    const Link* output = nullptr;
-    // What else limits its work: counters, whose sum grows by so much in a cycle at the most.
-    std::vector<const Counter*> lookups{};
-    std::uint32_t lookups_per_cycle = 0;
-};
-
-class BottleneckStatistics : public NamedStatistics {
+class Bottlenecks {
 public:
-    BottleneckStatistics();
-    void waited(Resource resource, Cycle cycles) {
-        *waited_[static_cast<std::size_t>(resource)] += cycles;
-    }
-    void gained(Resource resource, float cycles) {
-        if (cycles > 0) *gained_[static_cast<std::size_t>(resource)] += static_cast<Cycle>(cycles);
-    }
+    // Links are connected. The machine's first frame begins.
+    explicit Bottlenecks(const PipeParts& parts);
 
-private:
-    std::array<Counter*, Resources> waited_, gained_;
-};
-
-class Bottlenecks final : public MemoryObserver {
-public:
-    struct Parts {
-        std::vector<Stage> stages; // in the order of the pipe
-        // By the arbiter's ports; of a port that only writes null.
-        std::vector<const Link*> requests, responses;
-        Unit& arbiter;
-        const Unit& drain; // waits for all that the memory is asked
-        const MemoryConfig& memory;
-        bool memory_is_ours;
-    };
-
-    Bottlenecks(const Clock& clock, Parts parts);
-
-    // Looks from the first cycle on, where it is called. Links are connected.
-    void attach();
-    // At the end of each cycle in which a unit was due.
-    void end_cycle();
-    // What the furthest stage that did something in this cycle saved since the frame began.
-    const Saved& saved() const { return saved_; }
-    // A frame ended with this cycle: its path; empty where nobody looked.
-    std::vector<WaitPaths::Run> end_frame();
-    const BottleneckStatistics& statistics() const { return statistics_; }
-
-    // MemoryObserver
-    void sent(const MemoryRequest&, std::uint64_t) override {}
-    void done(const MemoryRequest& request, std::uint64_t cycle) override;
+    // What was seen next.
+    void reckon(const PipeLog& log);
+    // A frame ended with this cycle.
+    FrameWaits end_frame(Cycle now);
 
 private:
     // When a link's items were sent, and when they left a place to another.
     struct Way {
         const Link* link;
-        bool of_stage = false;                // Its producer is one.
-        bool to_stage = false;                // Its consumer is one.
-        bool to_memory = false;               // Its items are answered to.
-        std::uint64_t pushed = 0, popped = 0; // that were looked at
+        bool of_stage = false;  // Its producer is one.
+        bool to_stage = false;  // Its consumer is one.
+        bool to_memory = false; // Its items are answered to.
+        // Items: as seen last, and that were looked at.
+        std::uint64_t seen_pushed = 0, seen_popped = 0, pushed = 0, popped = 0;
+        Cycle arrival = Never;
         Moments sent{8}, freed;
         // Requests whose answer has not come, from the oldest on.
         std::uint64_t first_asked = 0;
@@ -106,7 +66,11 @@ private:
         // The first that is still of use.
         std::uint64_t first_sent() const {
             if (to_memory) return first_asked;
-            return to_stage ? popped : link->popped();
+            return to_stage ? popped : seen_popped;
+        }
+        void see(const LinkSeen& seen) {
+            seen_pushed += static_cast<std::uint32_t>(seen.pushed - seen_pushed);
+            seen_popped += static_cast<std::uint32_t>(seen.popped - seen_popped);
         }
         void send(std::uint64_t item, const Moment& moment) {
             sent.make_room(first_sent(), item);
@@ -122,7 +86,7 @@ private:
         bool refused = false;
     };
     struct Place {
-        Stage stage;
+        const Stage& stage;
         std::vector<Way*> in, out, asked, answered;
         Moment last;
         Moment* memory; // its unit's last answer
@@ -130,7 +94,7 @@ private:
         Activity activity = Activity::Idle; // then
         bool had_backlog = false, was_refused = false;
         bool unit_was_refused = false; // by any of the unit's ways out
-        std::uint64_t lookups = 0;
+        std::uint32_t lookups = 0;
         // Cycles since its last moment: of its work that held up others, and of all of it.
         float work = 0, active = 0;
         Moment taken{}, given{};
@@ -147,12 +111,23 @@ private:
         }
     };
 
+    // What is left to read of a log.
+    struct Reader {
+        const AnswerSeen* answers;
+        const StageSeen* stages;
+        const LinkSeen* links;
+        const Cycle* arrivals;
+        const TakenSeen* taken;
+    };
+
     Way& way_of(const Link* link);
     void connect(Place& place);
-    void look(Place& place);
+    void reckon(const CycleSeen& cycle, Reader& seen);
+    void answer(const AnswerSeen& answer);
+    void look(Place& place, const StageSeen& seen);
     static void note_stall(Place& place, Activity activity, bool refused);
     void take_answers(Place& place);
-    void count_work(Place& place, const Moved& moved);
+    void count_work(Place& place, const StageSeen& seen, const Moved& moved);
     void act(Place& place, const Moved& moved);
     // All into found_.
     void find_dependences(const Place& place, const Moved& moved);
@@ -160,12 +135,12 @@ private:
     // Returns the one that was over last.
     const Dependence& explain(const Place& place, const Moved& moved);
     void pass_on(Place& place);
-    void take_requests();
+    void take_requests(const TakenSeen& taken);
+    void charge(Saved& entry);
     void collect_paths();
 
-    const Clock& clock_;
-    const Parts parts_;
-    BottleneckStatistics statistics_;
+    const PipeParts& parts_;
+    Cycle now_ = 0;
     WaitPaths paths_;
     MemoryWaits memory_;
     std::deque<Way> ways_;
@@ -174,10 +149,10 @@ private:
     std::vector<Way*> requests_, responses_;             // by the arbiter's ports
     std::vector<WaitPaths::Path*> heads_;                // of collect_paths()
     Dependences found_;
-    std::uint64_t called_ = 0; // stages, a bit each, and the arbiter, whose units were called
-    Saved saved_;
-    Cycle frame_begin_ = 0; // The cycle before it.
-    bool looks_ = false;    // Somebody attached it.
+    // What the furthest stage that did something saved since the frame began, and what of it was
+    // charged to somebody.
+    Saved saved_, charged_;
+    std::vector<Saved> saved_by_;
 };
 
 } // namespace ffgpu::timing

@@ -17,13 +17,13 @@ void CommandLedger::begin_cycle(std::uint64_t now) {
     note_charge();
     cycle_ = now;
     oldest_before_ = oldest_;
-    charged_ = None;
+    charged_ = Nobody;
 }
 
 // Units are called in any order: a command before the one that was charged in this cycle takes its
 // cycles over.
 void CommandLedger::charge(std::size_t entry, std::uint64_t now) {
-    if (charged_ == None) {
+    if (charged_ == Nobody) {
         charge_ = now - charged_until_;
         charged_until_ = now;
     } else if (entry < charged_) {
@@ -73,7 +73,7 @@ void CommandLedger::give_moved(CommandCycles& to) {
 
 // It is sure now whom the cycles were charged to in the last cycle in which any were.
 void CommandLedger::note_charge() {
-    if (charged_ == None) return;
+    if (charged_ == Nobody) return;
     give_moved(entries_[charged_].listed);
     if (!charges_.empty() && charges_.back().entry == charged_)
         charges_.back().end = cycle_;
@@ -81,8 +81,10 @@ void CommandLedger::note_charge() {
         charges_.push_back({cycle_, charged_});
 }
 
-void CommandLedger::explain(const std::vector<WaitPaths::Run>& waited) {
-    auto run = waited.begin();
+// Nobody looked where there are no runs.
+void CommandLedger::explain(const FrameWaits& waits) {
+    if (waits.runs.empty()) return;
+    auto run = waits.runs.begin();
     std::uint64_t at = frame_begin_;
     for (const Charge& charge : charges_) {
         WaitedCycles& of = entries_[charge.entry].listed.waited;
@@ -92,26 +94,19 @@ void CommandLedger::explain(const std::vector<WaitPaths::Run>& waited) {
             if (end == run->end) ++run;
         }
     }
+    for (std::size_t i = 0; i < waits.saved_by.size(); ++i)
+        entries_[i].listed.saved = waits.saved_by[i];
+    entries_.back().listed.saved = waits.saved_at_end;
 }
 
-void CommandLedger::save(Entry& entry, const Saved& saved) {
-    for (std::size_t i = 0; i < Saved::Lanes; ++i)
-        entry.listed.saved.cycles[i] += saved.cycles[i] - saved_.cycles[i];
-    saved_ = saved;
-}
-
-std::vector<CommandCycles> CommandLedger::end_frame(std::uint64_t now,
-                                                    const std::vector<WaitPaths::Run>& waited,
-                                                    const Saved& saved) {
+std::vector<CommandCycles> CommandLedger::end_frame(std::uint64_t now, const FrameWaits& waits) {
     check(oldest_ == entries_.size(), "a frame ends with its commands");
     Entry& end = entries_.emplace_back(Entry{{.kind = CommandKind::FrameEnd}, 0});
     end.listed.cycles = now - charged_until_;
     note_charge();
     give_moved(end.listed);
     charges_.push_back({now, entries_.size() - 1});
-    if (!waited.empty()) explain(waited);
-    save(end, saved);
-    saved_ = {};
+    explain(waits);
     charges_.clear();
     charged_until_ = frame_begin_ = now;
     std::vector<CommandCycles> listed;
@@ -120,7 +115,7 @@ std::vector<CommandCycles> CommandLedger::end_frame(std::uint64_t now,
     entries_.clear();
     oldest_ = oldest_before_ = 0;
     cycle_ = now;
-    charged_ = None;
+    charged_ = Nobody;
     return listed;
 }
 

@@ -11,10 +11,9 @@
 #pragma once
 
 #include "model/packets/work_stream.h"
+#include "model/timing/frame_waits.h"
 #include "model/timing/memory_request.h"
-#include "model/timing/moment.h"
 #include "model/timing/resource.h"
-#include "model/timing/wait_paths.h"
 #include "model/work/draw_shape.h"
 
 #include <algorithm>
@@ -95,20 +94,14 @@ public:
     // Memory has read or written what was asked for: bytes of whoever is charged for the cycle.
     void moved(const MemoryRequest& request, std::uint64_t now);
 
-    // Cycle `now` is over, which would have been so much sooner: who was charged for it has saved
-    // what that is more than before.
-    void end_cycle(std::uint64_t now, const Saved& saved) {
-        if (now == cycle_ && charged_ != None) save(entries_[charged_], saved);
-    }
+    // The cycle is over: the entry that was charged for it, or Nobody.
+    static constexpr std::size_t Nobody = ~std::size_t{0};
+    std::size_t charged(std::uint64_t now) const { return now == cycle_ ? charged_ : Nobody; }
 
     // All commands have ended: their cycles, whose sum is that of the cycles since the last call.
-    // `waited`: what those were waited for, run after run. `saved`: of the whole frame.
-    std::vector<CommandCycles>
-    end_frame(std::uint64_t now, const std::vector<WaitPaths::Run>& waited, const Saved& saved);
+    std::vector<CommandCycles> end_frame(std::uint64_t now, const FrameWaits& waits);
 
 private:
-    static constexpr std::size_t None = ~std::size_t{0};
-
     struct Entry {
         CommandCycles listed;
         std::uint64_t parts_left = 0;
@@ -119,8 +112,7 @@ private:
     void count(Entry& entry);
     void note_charge();
     void give_moved(CommandCycles& to);
-    void save(Entry& entry, const Saved& saved);
-    void explain(const std::vector<WaitPaths::Run>& waited);
+    void explain(const FrameWaits& waits);
 
     std::vector<Entry> entries_; // of the frame, in the order of the commands
     std::size_t oldest_ = 0;     // that is under way
@@ -132,13 +124,12 @@ private:
         std::size_t entry = 0;
     };
     std::vector<Charge> charges_;
-    Saved saved_;                             // up to the last end_cycle()
     std::array<MovedBytes, Clients> moved_{}; // since the last charge that is sure
     bool any_moved_ = false;
     // Of the cycle of the last call:
     std::uint64_t cycle_ = 0;
     std::size_t oldest_before_ = 0; // oldest_ when it began
-    std::size_t charged_ = None;    // who has the cycles up to here; None: nobody was charged
+    std::size_t charged_ = Nobody;  // who has the cycles up to here; Nobody: nobody was charged
     std::uint64_t charge_ = 0;      // and how many
 };
 

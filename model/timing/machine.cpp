@@ -190,7 +190,7 @@ Machine::Machine(const SimulationContext& kernel,
         series = std::make_unique<SeriesRecorder>("series", clock, config.series.interval_cycles);
         series->attach();
     }
-    look_for_bottlenecks();
+    look_for_bottlenecks(evaluation.pace);
     // A memory whose processes are its own sees each cycle.
     if (!memory->unit() && evaluation.pace == Pace::Decoupled) clock.set_pace(Pace::Lockstep);
 }
@@ -277,16 +277,18 @@ void Machine::settle() {
 void Machine::finish_frame(std::uint32_t number) {
     settle();
     memory->settle();
-    std::vector<WaitPaths::Run> waited = bottlenecks->end_frame();
+    FrameWaits waits;
+    if (bottlenecks) waits = bottlenecks->end_frame();
+    bottleneck_statistics.count(waits, frame_begin);
     if (series) series->end_frame(statistics(), number);
     frame.frame = number;
     frame.cycles = clock.now() - frame_begin;
     frame_begin = clock.now();
-    frame.commands = ledger.end_frame(clock.now(), waited, bottlenecks->saved());
+    frame.commands = ledger.end_frame(clock.now(), waits);
     for (const CommandCycles& command : frame.commands)
         shapes.add(command.shape);
     frame.waited.clear();
-    if (on_retire) frame.waited = std::move(waited);
+    if (on_retire) frame.waited = std::move(waits.runs);
     if (on_frame) on_frame(frame);
 }
 

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "model/timing/bottlenecks.h"
+#include "model/timing/bottleneck_search.h"
 #include "model/timing/cache_port.h"
 #include "model/timing/clip_timing.h"
 #include "model/timing/color_timing.h"
@@ -115,12 +115,13 @@ public:
     ScanOut scan_out;
     MemoryArbiter arbiter;
     std::unique_ptr<MemoryModule> memory;
-    std::unique_ptr<Bottlenecks> bottlenecks;
+    std::unique_ptr<BottleneckSearch> bottlenecks; // null: nobody looks
     std::unique_ptr<QueueStatistics> queues;
     std::unique_ptr<SeriesRecorder> series; // null: nobody wants them
 
     std::vector<HostWrite> host_writes; // since the last scene
     FrameStatistics frame_statistics;
+    BottleneckStatistics bottleneck_statistics;
     ShapeStatistics shapes;
     FrameTiming frame;
     Cycle frame_begin = 0;
@@ -135,7 +136,7 @@ public:
 private:
     void attach_units(std::uint32_t seed);
     std::vector<Stage> stages();
-    void look_for_bottlenecks();
+    void look_for_bottlenecks(Pace pace);
     bool must_wait();
     void check_progress();
     StuckParts stuck_parts();

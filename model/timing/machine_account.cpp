@@ -48,32 +48,29 @@ std::vector<Stage> Machine::stages() {
     return stages;
 }
 
-void Machine::look_for_bottlenecks() {
-    const MemoryArbiter::Ports ports = memory_ports();
-    bottlenecks = std::make_unique<Bottlenecks>(
-        clock,
-        Bottlenecks::Parts{.stages = stages(),
-                           .requests = {ports.requests_in.begin(), ports.requests_in.end()},
-                           .responses = {ports.responses_out.begin(), ports.responses_out.end()},
-                           .arbiter = arbiter,
-                           .drain = command_processor,
-                           .memory = config.memory,
-                           .memory_is_ours = memory->unit() != nullptr &&
-                                             config.memory.kind == MemoryKind::Dram});
+void Machine::look_for_bottlenecks(Pace pace) {
     if (!config.bottlenecks.enable) return;
-    bottlenecks->attach();
-    arbiter.set_waits(bottlenecks.get());
-    clock.set_on_walked([this] {
-        bottlenecks->end_cycle();
-        ledger.end_cycle(clock.now(), bottlenecks->saved());
-    });
+    const MemoryArbiter::Ports ports = memory_ports();
+    bottlenecks = std::make_unique<BottleneckSearch>(
+        clock,
+        PipeParts{.stages = stages(),
+                  .requests = {ports.requests_in.begin(), ports.requests_in.end()},
+                  .responses = {ports.responses_out.begin(), ports.responses_out.end()},
+                  .arbiter = arbiter,
+                  .drain = command_processor,
+                  .memory = config.memory,
+                  .memory_is_ours =
+                      memory->unit() != nullptr && config.memory.kind == MemoryKind::Dram},
+        pace != Pace::EveryCycle);
+    arbiter.set_waits(&bottlenecks->watch());
+    clock.set_on_walked([this] { bottlenecks->end_cycle(ledger.charged(clock.now())); });
 }
 
 std::vector<const StatisticsGroup*> Machine::statistics() {
     std::vector<const StatisticsGroup*> groups{&frame_statistics};
     for (Unit* unit : units())
         groups.push_back(&unit->account());
-    groups.push_back(&bottlenecks->statistics());
+    groups.push_back(&bottleneck_statistics);
     groups.push_back(&host.statistics());
     groups.push_back(&vertex_fetch.statistics());
     groups.push_back(&clip.statistics());

@@ -163,7 +163,7 @@ TEST_CASE("Bytes go to whom the cycle is charged to in which they were moved") {
     move(Client::Color, true, 8, 10);
     ledger.retire(second, 12);
     move(Client::Host, true, 4, 13);
-    const std::vector<CommandCycles> commands = ledger.end_frame(15, {}, {});
+    const std::vector<CommandCycles> commands = ledger.end_frame(15, {});
     REQUIRE(commands.size() == 3);
     const auto moved = [&](std::size_t command, Client client) {
         return commands[command].moved[static_cast<std::size_t>(client)];

@@ -1,0 +1,59 @@
+// PipeWatch: looks at the machine's stages at the end of each cycle in which a unit was called, and
+// notes in a log what it saw. It never changes a cycle.
+
+#pragma once
+
+#include "model/timing/memory/config.h"
+#include "model/timing/memory_observer.h"
+#include "model/timing/pipe_log.h"
+#include "model/timing/stage.h"
+#include "model/timing/unit.h"
+
+#include <vector>
+
+namespace ffgpu::timing {
+
+// What is looked at.
+struct PipeParts {
+    std::vector<Stage> stages; // in the order of the pipe
+    // By the arbiter's ports; of a port that only writes null.
+    std::vector<const Link*> requests, responses;
+    Unit& arbiter;
+    const Unit& drain; // waits for all that the memory is asked
+    const MemoryConfig& memory;
+    bool memory_is_ours;
+};
+
+class PipeWatch final : public MemoryObserver {
+public:
+    // From the first cycle on. Links are connected.
+    PipeWatch(const Clock& clock, const PipeParts& parts);
+
+    // The cycle is over, and belongs to this entry of the ledger.
+    void end_cycle(std::size_t charged, PipeLog& log);
+
+    // MemoryObserver
+    void sent(const MemoryRequest&, std::uint64_t) override {}
+    void done(const MemoryRequest& request, std::uint64_t cycle) override;
+
+private:
+    struct Place {
+        const Stage* stage;
+        StageLinks links;
+        std::vector<const Link*> all;      // of these, one kind behind the other
+        std::vector<const Link*> unit_out; // of its unit, but for requests
+    };
+
+    void look(std::size_t place, PipeLog& log) const;
+    // Returns the number of ports.
+    std::uint32_t note_taken(PipeLog& log);
+
+    const Clock& clock_;
+    const PipeParts& parts_;
+    std::vector<Place> places_;
+    std::vector<AnswerSeen> answers_;  // of the cycle
+    std::vector<std::uint64_t> taken_; // by the arbiter's ports, before the cycle
+    std::uint64_t called_ = 0;         // stages, a bit each, and the arbiter, whose units were
+};
+
+} // namespace ffgpu::timing
