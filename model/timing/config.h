@@ -67,7 +67,10 @@ struct TimingConfig {
 
     // What depends on values of depths and colours; empty: nothing.
     std::string_view needs_values() const {
-        if (depth.test == work::DepthTest::Late) return DepthConfig::Name;
+        return depth.test == work::DepthTest::Late ? DepthConfig::Name : needs_contents();
+    }
+    // And on what a target holds, so that clears count, too.
+    std::string_view needs_contents() const {
         if (hierarchical_depth.is_on()) return HierarchicalDepthConfig::Name;
         if (depth_blocks.is_on()) return DepthBlockConfig::Name;
         return color_blocks.is_on() ? ColorBlockConfig::Name : std::string_view{};

@@ -37,13 +37,14 @@ GpuTiming::~GpuTiming() {
 }
 
 void GpuTiming::command(std::shared_ptr<const work::WholeCommand> command) {
-    check_values(machine_->config, *command);
+    check_values(machine_->config, *command, contents_told_);
     order_->command(std::move(command));
 }
 
 // It would end a scene and give the surface its place: a machine that does not follow values is the
 // same with and without.
 void GpuTiming::content(const std::shared_ptr<const SurfaceContent>& content) {
+    contents_told_ = true;
     if (!machine_->config.needs_values().empty()) order_->content(content);
 }
 

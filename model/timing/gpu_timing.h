@@ -98,6 +98,7 @@ private:
     std::unique_ptr<Machine> machine_;
     std::unique_ptr<MachineThread> thread_;     // uses the machine
     std::unique_ptr<work::MachineOrder> order_; // uses the thread
+    bool contents_told_ = false;
 };
 
 } // namespace ffgpu::timing

@@ -61,9 +61,13 @@ void check_blocks(const TimingConfig& config) {
     refuse(config.color_blocks.is_on(), ColorBlockConfig::Name);
 }
 
-void check_values(const TimingConfig& config, const work::WholeCommand& command) {
-    const std::string_view name = config.needs_values();
-    if (name.empty() || command.quads.empty() || command.has_values()) return;
+void check_values(const TimingConfig& config,
+                  const work::WholeCommand& command,
+                  bool contents_told) {
+    const bool clears = command.draw.kind == WorkKind::Clear;
+    const std::string_view name = clears ? config.needs_contents() : config.needs_values();
+    if (name.empty() || (clears ? contents_told : command.quads.empty() || command.has_values()))
+        return;
     throw InputError(std::string(name) +
                      ": needs the values of depths and colours, which this work was kept without: "
                      "expected --save-work together with --work-values");

@@ -24,7 +24,10 @@ struct TargetBlocks {
 // Throws InputError: what is configured does not go together.
 void check_blocks(const TimingConfig& config);
 
-// Throws InputError: `config` needs values that the work does not tell.
-void check_values(const TimingConfig& config, const work::WholeCommand& command);
+// Throws InputError: `config` needs values that the work does not tell. `contents_told`: of a
+// target before the command; work with values does before the first one that draws or clears.
+void check_values(const TimingConfig& config,
+                  const work::WholeCommand& command,
+                  bool contents_told);
 
 } // namespace ffgpu::timing

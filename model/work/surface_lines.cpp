@@ -17,6 +17,25 @@ constexpr PixelBytes shared_bytes(std::uint32_t bytes, bool some, bool all) {
     return {some ? bytes : 0, all ? bytes : 0};
 }
 
+// Runs of bytes of pixels [begin, end) that are written alike: calls add(first, last, covered).
+template <class Add>
+void for_each_written(
+    std::uint64_t begin, std::uint64_t end, std::uint32_t pixel, PixelBytes bytes, const Add& add) {
+    const auto touched = [&](std::uint32_t byte) { return (bytes.touched >> byte & 1) != 0; };
+    const auto covered = [&](std::uint32_t byte) { return (bytes.covered >> byte & 1) != 0; };
+    std::uint64_t first = begin; // of the run
+    std::uint32_t of_first = 0;  // byte of its pixel
+    for (std::uint64_t at = begin; at < end;) {
+        for (std::uint32_t i = 0; i < pixel; ++i, ++at) {
+            if (touched(i) == touched(of_first) && covered(i) == covered(of_first)) continue;
+            if (touched(of_first)) add(first, at, covered(of_first));
+            first = at;
+            of_first = i;
+        }
+    }
+    if (touched(of_first)) add(first, end, covered(of_first));
+}
+
 // The lines of a part of a surface, which collect what is written of them.
 class Collector {
 public:
@@ -49,10 +68,7 @@ public:
             remainder(begin, pixel) == 0)
             return add_masked(
                 begin, end, {repeat(bytes.touched, pixel), repeat(bytes.covered, pixel)});
-        for (std::uint64_t at = begin; at < end; at += pixel) {
-            for (std::uint32_t i = 0; i < pixel; ++i)
-                if (bytes.touched >> i & 1) add(at + i, at + i + 1, bytes.covered >> i & 1);
-        }
+        for_each_written(begin, end, pixel, bytes, [this](auto... run) { add(run...); });
     }
 
     std::vector<WrittenLine> result() const {
@@ -131,9 +147,7 @@ WrittenBytes quad_bytes(const PlacedLevel& place,
     std::uint64_t begin = 0, end = 0; // a run of written samples that lie together
     const auto close = [&] {
         if (whole) return add(begin, end, true);
-        for (std::uint64_t at = begin; at < end; ++at)
-            if (const auto byte = remainder(at - begin, sample); bytes.touched >> byte & 1)
-                add(at, at + 1, bytes.covered >> byte & 1);
+        for_each_written(begin, end, sample, bytes, add);
     };
     const std::array addresses = place.quad_addresses(quad.x, quad.y);
     for (unsigned lane = 0; lane < 4; ++lane) {
