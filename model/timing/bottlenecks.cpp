@@ -3,14 +3,11 @@
 #include "model/timing/link.h"
 
 #include <algorithm>
-#include <bit>
 #include <string>
 #include <utility>
 
 namespace ffgpu::timing {
 namespace {
-
-constexpr std::uint64_t ArbiterBit = std::uint64_t{1} << 63;
 
 // Of a cycle, in sixteenths, whose sums are the same in any order.
 float part(std::uint64_t items, std::uint32_t in_a_cycle) {
@@ -299,7 +296,13 @@ const Dependence& Bottlenecks::explain(const Place& place, const Moved& moved) {
         return found_.add({&place.given, 1});
     const Dependence answer{place.memory, 1};
     if (slack(answer, now) < more) last = &found_.add(answer);
-    last->takes += slack(*last, now);
+    const float rest = slack(*last, now);
+    last->takes += rest;
+    if (place.stage.expands && place.on_memory) {
+        check(last->then.cycles == 0 || last->then.resource == place.stage.resource,
+              "what comes behind the way is the stage's own");
+        last->then = {place.stage.resource, last->then.cycles + rest};
+    }
     return *last;
 }
 

@@ -25,6 +25,8 @@ std::vector<Stage> Machine::stages() {
     Stage blend = stage(Resource::Color, color, pipes, pipes);
     blend.lookups = {&color_port.cache.statistics().accesses};
     blend.lookups_per_cycle = config.color_cache.lookups_per_cycle * pipes;
+    Stage textured = stage(Resource::Texture, texture, pipes, pipes);
+    textured.expands = config.texel_cache.decompress_cycles > 0;
     std::vector<Stage> stages{
         stage(Resource::Host, host, 1, Any),
         stage(Resource::CommandProcessor, command_processor, 1, 1),
@@ -34,7 +36,7 @@ std::vector<Stage> Machine::stages() {
         stage(Resource::Setup, setup, set_ups, Most),
         stage(Resource::Raster, raster, pipes, pipes),
         early,
-        stage(Resource::Texture, texture, pipes, pipes),
+        textured,
         stage(Resource::Fragment, fragment, pipes, pipes),
         late,
         blend};

@@ -24,6 +24,7 @@ struct Stage {
     // What else limits its work: counters, whose sum grows by so much in a cycle at the most.
     std::vector<const Counter*> lookups{};
     std::uint32_t lookups_per_cycle = 0;
+    bool expands = false; // What comes from memory takes it cycles more before it is of use.
 };
 
 // Those of a stage that work comes and leaves by, and of its unit those by which it asks the memory

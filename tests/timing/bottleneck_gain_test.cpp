@@ -35,4 +35,24 @@ TEST_CASE("a draw bound by the fragment pipe gains what it takes less without it
     CHECK(10 * reckoned <= 11 * gain);
 }
 
+// The wait goes on when the texels have come, and for those that were there.
+TEST_CASE("a draw bound by the expansion of its texels gains what it takes less without it") {
+    WorkBin bin = fill(true);
+    auto state = std::make_shared<Registers>(*bin.draws[0].state);
+    state->images[0].shape.format = Format::Dxt1Rgb;
+    bin.draws[0].state = state;
+    TimingConfig config;
+    config.memory.bytes_per_cycle = 256;
+    config.texel_cache.fragment_fifo = GENERATE(1, 2);
+    const std::uint64_t unlimited = run(config, bin).at("total_cycles");
+    config.texel_cache.decompress_cycles = GENERATE(5, 20);
+    CAPTURE(config.texel_cache.fragment_fifo, config.texel_cache.decompress_cycles);
+    const Figures figures = run(config, bin);
+    const std::uint64_t gain = figures.at("total_cycles") - unlimited;
+    const std::uint64_t reckoned = figures.at("gain_texture_cycles");
+    REQUIRE(gain > unlimited / 4);
+    CHECK(10 * reckoned >= 9 * gain);
+    CHECK(10 * reckoned <= 11 * gain);
+}
+
 } // namespace ffgpu::timing
