@@ -26,6 +26,7 @@ unsigned varying_planes(const InterpolantLayout& layout, const SetupRecord& reco
 void add_set_up(const InterpolantLayout& layout, const SetupRecord& record, PieceBox& piece) {
     const auto count = [](unsigned n) { return static_cast<std::uint8_t>(n); };
     static_assert(PieceBox::BlockWidth == BlockSize);
+    piece.handed_on = true;
     piece.touched_blocks = touched_blocks(edge_set(record));
     const unsigned varying = varying_planes(layout, record, false);
     piece.perspective = record.perspective;

@@ -89,6 +89,7 @@ struct PieceBox {
     std::uint8_t planes = 0; // with that of 1/w
     std::uint8_t values = 0, divisors = 0;
     bool perspective = false; // There is a plane of 1/w.
+    bool handed_on = false; // Not yet known to set-up as one that covers no pixel: those it drops.
 
     bool empty() const { return x0 == x1; }
     bool operator==(const PieceBox&) const = default;

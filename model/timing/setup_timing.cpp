@@ -15,11 +15,11 @@ Cycle SetupTiming::piece_cycles(const SetupToken& record) const {
     return cycles;
 }
 
-// It covers nothing, and a rasterizer that walks tiles does not see it.
+// Set-up knows that it covers nothing, and a rasterizer that walks tiles does not see it.
 bool SetupTiming::drops(const SetupToken& record) const {
     if (config_.raster.walk == Walk::Box) return false;
     const work::PreparedPiece& piece = record.draw.scene->work.pieces[record.begin];
-    return piece.begin == piece.end && piece.box.touched_blocks == 0;
+    return piece.begin == piece.end && !piece.box.handed_on;
 }
 
 // A free unit takes the next piece, or a primitive without any.

@@ -14,7 +14,7 @@
 namespace ffgpu::work {
 
 inline constexpr std::string_view WorkFileMagic = "FFGPUWRK";
-inline constexpr std::uint32_t WorkFileVersion = 4;
+inline constexpr std::uint32_t WorkFileVersion = 5;
 
 enum class BlockKind : std::uint32_t { Names = 1, Items = 2, End = 3 };
 

@@ -284,8 +284,9 @@ PieceBox WorkFileReader::read_piece() {
     box.planes = count(MostPlanes);
     box.values = count(MostPlanes);
     const std::uint8_t divisors = count(MostPlanes);
-    box.divisors = divisors / 2;
-    box.perspective = (divisors & 1) != 0;
+    box.divisors = divisors / 4;
+    box.perspective = (divisors & 2) != 0;
+    box.handed_on = (divisors & 1) != 0;
     box_ = box;
     return box;
 }

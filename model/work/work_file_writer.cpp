@@ -185,7 +185,7 @@ void WorkFileWriter::write_piece(const PieceBox& box) {
     columns_.number(Column::PieceWork, box.touched_blocks);
     columns_.number(Column::PieceWork, box.planes);
     columns_.number(Column::PieceWork, box.values);
-    columns_.number(Column::PieceWork, box.divisors * 2u + box.perspective);
+    columns_.number(Column::PieceWork, box.divisors * 4u + box.perspective * 2u + box.handed_on);
     box_ = box;
 }
 

@@ -59,11 +59,11 @@ Pieces random_pieces(std::uint32_t seed, unsigned count) {
                 batch.quads.push_back(quad);
             }
         box.touched_blocks = blocks;
+        box.handed_on = true;
         draw.geometry.pieces.push_back(box);
         const std::uint64_t tiles =
             ((box.x1 - 1u) / 32 - box.x0 / 32u + 1) * ((box.y1 - 1u) / 32 - box.y0 / 32u + 1);
-        // What nothing touches does not come to the rasterizer.
-        if (blocks > 0) made.cycles += 1 + tiles * (1 + TileBlocks) + blocks * BlockQuads;
+        made.cycles += 1 + tiles * (1 + TileBlocks) + blocks * BlockQuads;
     }
     draw.geometry.primitives = {{.pieces = count}};
     return made;
@@ -80,13 +80,17 @@ TEST_CASE(
     CHECK(run(config, few.bin, {0, Pace::EveryCycle}) == less);
 }
 
-TEST_CASE("a piece that covers nothing does not come to a rasterizer that walks tiles") {
+TEST_CASE(
+    "a piece without quads is walked by a rasterizer that walks tiles, unless set-up drops it") {
     WorkBin bin = random_pieces(2, 10).bin;
     const Figures without = run(tile_walker(), bin);
-    bin.draws[0].geometry.pieces.push_back({8, 8, 40, 40});
+    PieceBox& piece = bin.draws[0].geometry.pieces.emplace_back(PieceBox{8, 8, 40, 24});
     ++bin.draws[0].geometry.primitives[0].pieces;
     CHECK(run(tile_walker(), bin).at("raster_busy_cycles") ==
           without.at("raster_busy_cycles") + 1); // The token of the draw's end.
+    piece.handed_on = true;
+    CHECK(run(tile_walker(), bin).at("raster_busy_cycles") ==
+          without.at("raster_busy_cycles") + 1 + 2 * (1 + TileBlocks));
 }
 
 // All quads belong to one piece with so many attributes.

@@ -84,6 +84,41 @@ TEST_CASE("Each quad belongs to a piece that geometry told of, and lies in its b
     CHECK(outside > 20);
 }
 
+TEST_CASE("A piece that covers no pixel is handed on, unless its box has few pixels") {
+    constexpr float Size = 64;
+    const auto corner = [](float x, float y) {
+        return test::Vertex{2 * x / Size - 1, 2 * y / Size - 1, 0, 1, 1, 1, 1, 1, 0, 0};
+    };
+    CommandList list;
+    CommandAssembler assembler(list);
+    test::Scene scene(64, 64);
+    scene.gpu.set_work_sink(&assembler);
+    scene.draw(PrimitiveType::Triangles,
+               {// The centre of one pixel in its box, beyond the long edge.
+                corner(10.6f, 10.6f),
+                corner(11.7f, 10.6f),
+                corner(10.6f, 11.7f),
+                // A needle of four rows, left of their centres; of the block as well.
+                corner(8.3f, 7.6f),
+                corner(8.54f, 7.6f),
+                corner(8.3f, 12.4f),
+                // One pixel.
+                corner(20.4f, 20.4f),
+                corner(21.4f, 20.4f),
+                corner(20.4f, 21.4f)});
+    end_frame(scene);
+    scene.gpu.set_work_sink(nullptr);
+    REQUIRE(list.commands.size() == 1);
+    CHECK(list.commands[0]->quads.size() == 1);
+    const std::vector<PieceBox>& pieces = list.commands[0]->draw.geometry.pieces;
+    REQUIRE(pieces.size() == 3);
+    CHECK_FALSE(pieces[0].handed_on);
+    CHECK(pieces[1].handed_on);
+    CHECK(pieces[1].touched_blocks == 0);
+    CHECK(pieces[2].handed_on);
+    CHECK(pieces[2].touched_blocks == 1);
+}
+
 // The names of all fragments, or samples; fails where one is there already.
 std::set<FragmentKey> names_of(const CommandList& list, bool samples) {
     std::set<FragmentKey> names;
