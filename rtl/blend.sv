@@ -44,7 +44,7 @@ module blend (
       .color_o (destination[32*lane +: 32])
     );
     blend_factors u_factors (
-      .enable_i             (in_valid_i),
+      .enable_i             (in_valid_i && in_ready_o),
       .state_i              (blend_1),
       .source_i             (quad_1.color[32*lane +: 32]),
       .destination_i        (destination[32*lane +: 32]),
@@ -83,7 +83,7 @@ module blend (
 
   for (genvar channel = 0; channel < 4 * ffgpu_pkg::Lanes; channel++) begin : g_channel
     blend_channel u_channel (
-      .enable_i            (factored_valid && blends),
+      .enable_i            (factored_valid && factored_ready && blends),
       .equation_i          (channel % 4 == 3 ? blend_2.alpha_equation : blend_2.rgb_equation),
       .source_i            (quad_2.color[8*channel +: 8]),
       .source_factor_i     (factored_q.source_factors[8*channel +: 8]),
@@ -132,7 +132,7 @@ module blend (
 
     // A quad begins at even coordinates.
     color_write u_write (
-      .enable_i (blended_valid),
+      .enable_i (blended_valid && blended_ready),
       .state_i  (blend_3),
       .format_i (state_3.format),
       .dither_i (control_3.dither),

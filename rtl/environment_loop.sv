@@ -28,6 +28,7 @@ module environment_loop (
   ffgpu_pkg::texture_environment_state_t state;
   ffgpu_registers_pkg::combiner_t        combiner;
   logic [8*96-1:0]                       entering_combiners, combiners;
+  logic [95:0]                           combiner_words;
   logic [7:0]                            enabled, left_q;
   logic [2:0]                            unit;
   logic                                  has_quad_q, inside_q, enters, goes, goes_ready, returns;
@@ -51,7 +52,16 @@ module environment_loop (
       end
     end
   end
-  assign state = {combiners[96*unit +: 96], quad.tag ? sampled_units_1_i : sampled_units_0_i};
+  // Unit by unit: a place in so wide a vector would be a shifter.
+  always_comb begin
+    combiner_words = '0;
+    for (int unsigned i = 0; i < 8; i++) begin
+      if (unit == i[2:0]) begin
+        combiner_words = combiners[96*i +: 96];
+      end
+    end
+  end
+  assign state = {combiner_words, quad.tag ? sampled_units_1_i : sampled_units_0_i};
 
   assign goes        = has_quad_q && !inside_q && left_q != 8'd0;
   assign out_valid_o = has_quad_q && !inside_q && left_q == 8'd0;

@@ -26,6 +26,7 @@ module filter_axis #(
 
   for (genvar pair = 0; pair < Pairs; pair++) begin : g_pair
     texture_lerp u_lerp (
+      .enable_i(in_valid_i && in_ready_o),
       .a_i     (in_data_i.texels[64*pair +: 32]),
       .b_i     (in_data_i.texels[64*pair+32 +: 32]),
       .weight_i(weight),

@@ -71,6 +71,7 @@ module filter_tree (
   assign fine        = has_fine_q ? fine_q : level.texels[31:0];
 
   texture_lerp u_levels (
+    .enable_i(taken),
     .a_i     (fine),
     .b_i     (level.texels[31:0]),
     .weight_i(level.level_weight),
@@ -81,9 +82,10 @@ module filter_tree (
     assign sum[12*channel +: 12] = (has_sum_q ? sum_q[12*channel +: 12] : 12'd0) +
       {4'd0, probe[8*channel +: 8]};
     filter_mean u_mean (
-      .sum_i  (sum[12*channel +: 12]),
-      .count_i(level.probes),
-      .mean_o (mean[8*channel +: 8])
+      .enable_i(taken && ends),
+      .sum_i   (sum[12*channel +: 12]),
+      .count_i (level.probes),
+      .mean_o  (mean[8*channel +: 8])
     );
   end
 

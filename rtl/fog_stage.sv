@@ -33,7 +33,7 @@ module fog_stage #(
     fog_lane #(
       .Stage(Stage)
     ) u_lane (
-      .enable_i(in_valid_i),
+      .enable_i(in_valid_i && in_ready_o),
       .curve_i (curve),
       .value_i (in_data_i.values[32*lane +: 32]),
       .value_o (values[32*lane +: 32])

@@ -82,6 +82,7 @@ module level_of_detail (
     .logarithm_o(y_logarithm)
   );
   level_probes u_probes (
+    .enable_i     (valid[Stages] && ready[Stages]),
     .sampler_i    (sampler),
     .one_face_i   (last.one_face),
     .x_logarithm_i(x_logarithm),

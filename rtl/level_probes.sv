@@ -4,6 +4,7 @@
 // Combinational. Equals count_probes() and level_of_detail() in model/texture/level_of_detail.cpp.
 
 module level_probes (
+  input  logic                          enable_i,  // low: nobody looks at what comes out
   input  ffgpu_registers_pkg::sampler_t sampler_i,
   input  logic                          one_face_i,
   input  logic [17:0]                   x_logarithm_i,  // signed, as y and lambda
@@ -36,15 +37,18 @@ module level_probes (
       most = 5'd1;
     end
     probes = 5'd1;
-    for (int unsigned n = 1; n < 16; n++) begin
-      if (n[4:0] < most && !ratio[17] && ratio[16:0] > {5'd0, ProbeLogarithms[12*(n-1) +: 12]}) begin
-        probes = n[4:0] + 5'd1;
+    taken  = ProbeLogarithms[11:0];
+    if (enable_i && most > 5'd1) begin
+      for (int unsigned n = 1; n < 16; n++) begin
+        if (n[4:0] < most && !ratio[17] &&
+            ratio[16:0] > {5'd0, ProbeLogarithms[12*(n-1) +: 12]}) begin
+          probes = n[4:0] + 5'd1;
+        end
       end
-    end
-    taken = ProbeLogarithms[11:0];
-    for (int unsigned n = 1; n <= 16; n++) begin
-      if (n[4:0] == probes) begin
-        taken = ProbeLogarithms[12*(n-1) +: 12];
+      for (int unsigned n = 1; n <= 16; n++) begin
+        if (n[4:0] == probes) begin
+          taken = ProbeLogarithms[12*(n-1) +: 12];
+        end
       end
     end
   end

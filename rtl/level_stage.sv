@@ -34,7 +34,7 @@ module level_stage #(
   always_comb begin
     densities  = '0;
     dimensions = 2'd2;
-    if (in_valid_i) begin
+    if (in_valid_i && in_ready_o) begin
       densities = {3'd0, image.depth, image.height, image.width};
       if (image.kind == ffgpu_registers_pkg::TextureKindRectangle) begin
         densities = {13'd1, 13'd1, 13'd1};
@@ -53,7 +53,7 @@ module level_stage #(
       .Stage  (Stage),
       .Element(element)
     ) u_step (
-      .enable_i  (in_valid_i),
+      .enable_i  (in_valid_i && in_ready_o),
       .operands_i({dimensions, densities, in_data_i}),
       .value_o   (values[32*element +: 32])
     );

@@ -25,7 +25,7 @@ module perspective_stage #(
       .Stage(Stage),
       .Lane (lane)
     ) u_lane (
-      .enable_i(in_valid_i),
+      .enable_i(in_valid_i && in_ready_o),
       .quad_i  (in_data_i),
       .value_o (values[32*lane +: 32])
     );

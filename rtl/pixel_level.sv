@@ -22,13 +22,15 @@ module pixel_level #(
     scaled  = 16'd0;
     lowered = 8'd0;
     moved   = 8'd0;
+    nearest = 8'd0;
+    level_o = '0;
     if (enable_i) begin
       scaled  = {8'd0, value_i} * Maximum + 16'd127;
       lowered = value_i - (value_i >> Width);
       moved   = lowered + {4'd0, bayer_i >> (4 - Dropped)};
+      nearest = ffgpu_pkg::floor_255(scaled);
+      level_o = dithers_i ? moved[7:Dropped] : nearest[Width-1:0];
     end
-    nearest = ffgpu_pkg::floor_255(scaled);
-    level_o = dithers_i ? moved[7:Dropped] : nearest[Width-1:0];
   end
 
 endmodule

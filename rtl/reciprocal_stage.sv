@@ -30,7 +30,7 @@ module reciprocal_stage #(
   always_comb begin
     remainder = in_data_i.remainder;
     bits      = '0;
-    if (in_valid_i) begin
+    if (in_valid_i && in_ready_o) begin
       for (int i = QuotientBits - 1; i >= 0; i--) begin
         remainder = {remainder[Width-2:0], 1'b0};
         bits[i]   = remainder >= divisor;

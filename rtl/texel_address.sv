@@ -81,6 +81,7 @@ module texel_address (
     assign shifted = sizes[13*axis +: 13] >> header.level;
     assign size    = shifted == 13'd0 ? 13'd1 : shifted;
     texel_pair u_pair (
+      .enable_i       (valid[Stages] && ready[Stages]),
       .is_used_i      (is_used[axis]),
       .linear_i       (header.linear),
       .wraps_i        (last.others[32*axis + 1]),

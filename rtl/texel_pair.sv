@@ -5,6 +5,7 @@
 // stored_coordinate() in texel_read.cpp.
 
 module texel_pair (
+  input  logic        enable_i,   // low: nobody looks at the texels
   input  logic        is_used_i,  // The filter has the axis.
   input  logic        linear_i,
   input  logic        wraps_i,
@@ -52,15 +53,18 @@ module texel_pair (
     end
   endfunction
 
-  assign from_centre = linear_i ? coordinate_i - 24'd128 : coordinate_i;
-  assign first       = from_centre[23:8];
-  assign second      = linear_i ? first + 16'd1 : first;
-
   always_comb begin
-    first_o  = 14'd0;
-    second_o = 14'd0;
-    weight_o = 8'd0;
-    if (is_used_i) begin
+    from_centre = 24'd0;
+    first       = 16'd0;
+    second      = 16'd0;
+    first_o     = 14'd0;
+    second_o    = 14'd0;
+    weight_o    = 8'd0;
+    if (enable_i && is_used_i) begin
+      from_centre = linear_i ? coordinate_i - 24'd128 : coordinate_i;
+      first       = from_centre[23:8];
+      second      = linear_i ? first + 16'd1 : first;
+
       first_o  = stored(resolved(first, size_i, wraps_i, border_i), size_i, stored_border_i);
       second_o = stored(resolved(second, size_i, wraps_i, border_i), size_i, stored_border_i);
       weight_o = linear_i ? from_centre[7:0] : 8'd0;

@@ -43,7 +43,7 @@ module texel_stage #(
     axis_rule #(
       .Axis(axis)
     ) u_rule (
-      .enable_i (in_valid_i && HasRule),
+      .enable_i (in_valid_i && in_ready_o && HasRule),
       .image_i  (image),
       .sampler_i(sampler),
       .header_i (header),
@@ -53,7 +53,7 @@ module texel_stage #(
       .Stage(Stage),
       .Axis (axis)
     ) u_axis (
-      .enable_i  (in_valid_i),
+      .enable_i  (in_valid_i && in_ready_o),
       .operands_i({rule, in_data_i}),
       .value_o   (values[32*axis +: 32]),
       .other_o   (others[32*axis +: 32])

@@ -32,7 +32,7 @@ module texture_banks (
   localparam int unsigned CountWidth = 10;  // of samples on their way
 
   // A context's name: the draw's number, the unit.
-  ffgpu_pipe_pkg::texture_context_t bank_0_q, bank_1_q;
+  ffgpu_pipe_pkg::texture_context_t bank_0_q, bank_1_q, loaded;
   logic [34:0]           name, name_0_q, name_1_q;
   logic [1:0]            named_q;
   logic [CountWidth-1:0] count_0_q, count_1_q, samples;
@@ -54,6 +54,19 @@ module texture_banks (
   always_comb begin
     out_data_o     = in_data_i;
     out_data_o.tag = bank;
+  end
+
+  // Unit by unit: a place in so wide a vector would be a shifter.
+  always_comb begin
+    loaded = '0;
+    if (loads) begin
+      for (int unsigned unit = 0; unit < 8; unit++) begin
+        if (in_data_i.unit == unit[2:0]) begin
+          loaded = in_data_i.tag ? contexts_1_i[ContextWidth*unit +: ContextWidth] :
+            contexts_0_i[ContextWidth*unit +: ContextWidth];
+        end
+      end
+    end
   end
 
   // Each live lane will be a sample.
@@ -86,13 +99,11 @@ module texture_banks (
   always_ff @(posedge clk_i) begin
     if (loads && !victim) begin
       name_0_q <= name;
-      bank_0_q <= in_data_i.tag ? contexts_1_i[ContextWidth*in_data_i.unit +: ContextWidth] :
-        contexts_0_i[ContextWidth*in_data_i.unit +: ContextWidth];
+      bank_0_q <= loaded;
     end
     if (loads && victim) begin
       name_1_q <= name;
-      bank_1_q <= in_data_i.tag ? contexts_1_i[ContextWidth*in_data_i.unit +: ContextWidth] :
-        contexts_0_i[ContextWidth*in_data_i.unit +: ContextWidth];
+      bank_1_q <= loaded;
     end
   end
 

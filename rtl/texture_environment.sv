@@ -54,7 +54,7 @@ module texture_environment (
 
     always_comb begin
       samples = '0;
-      if (in_valid_i) begin
+      if (in_valid_i && in_ready_o) begin
         for (int unsigned unit = 0; unit < Units; unit++) begin
           samples[32*unit +: 32] = state_1.sampled_units[unit] ?
             in_data_i.samples[32*(4*unit+lane) +: 32] : 32'hff00_0000;
@@ -68,7 +68,7 @@ module texture_environment (
       combine_argument #(
         .Channel(slot / 4)
       ) u_argument (
-        .enable_i  (in_valid_i),
+        .enable_i  (in_valid_i && in_ready_o),
         .source_i  (selects[3:0]),
         .operand_i (selects[5:4]),
         .constant_i(combiner_1.constant),
@@ -114,7 +114,7 @@ module texture_environment (
     logic [DoubledWidth-1:0] dot;
 
     combine_dot u_dot (
-      .enable_i   (argument_valid && is_dot),
+      .enable_i   (argument_valid && argument_ready && is_dot),
       .arguments_i(argument_q.arguments[128*lane +: 96]),
       .doubled_o  (dot)
     );
@@ -123,7 +123,7 @@ module texture_environment (
       logic [DoubledWidth-1:0] plain;
 
       combine_operation u_operation (
-        .enable_i   (argument_valid),
+        .enable_i   (argument_valid && argument_ready),
         .operation_i(channel == 3 ? combiner_2.alpha_op : combiner_2.rgb_op),
         .arguments_i(argument_q.arguments[32*At +: 32]),
         .doubled_o  (plain)
@@ -165,7 +165,7 @@ module texture_environment (
 
   for (genvar channel = 0; channel < 4 * ffgpu_pkg::Lanes; channel++) begin : g_finish
     combine_finish u_finish (
-      .enable_i     (doubled_valid),
+      .enable_i     (doubled_valid && doubled_ready),
       .doubled_i    (doubled_q.doubled[DoubledWidth*channel +: DoubledWidth]),
       .scale_shift_i(channel % 4 == 3 ? alpha_shift : combiner_3.rgb_scale_shift),
       .result_o     (color[8*channel +: 8])

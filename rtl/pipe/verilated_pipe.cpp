@@ -34,7 +34,7 @@ VerilatedPipe::VerilatedPipe(const PipeOptions& options)
 }
 
 void VerilatedPipe::reset() {
-    dut_->plane_valid_i = dut_->record_valid_i = dut_->texel_response_valid_i = 0;
+    dut_->plane_valid_i = dut_->record_valid_i = dut_->texel_response_valid_next_i = 0;
     dut_->state_write_i = dut_->invalidate_i = 0;
     dut_->rst_ni = 1; // An asynchronous reset is an edge.
     dut_->eval();
@@ -42,7 +42,7 @@ void VerilatedPipe::reset() {
     texels_ = {};
     depths_ = {};
     colors_ = {};
-    dut_->depth_response_valid_i = dut_->color_response_valid_i = 0;
+    dut_->depth_response_valid_next_i = dut_->color_response_valid_next_i = 0;
     cycle();
     dut_->rst_ni = 1;
     cycle();
@@ -56,8 +56,9 @@ void VerilatedPipe::take_back(TargetPort& port, Valid& valid) {
     valid = 0;
 }
 
+// What the memory's ports say in the next cycle is handed over before the edge (pipe_ports.sv);
+// until then the inputs are those of this cycle.
 void VerilatedPipe::cycle() {
-    drive_memory();
     dut_->clk_i = 0;
     dut_->eval();
     waves_.settled();
@@ -65,16 +66,17 @@ void VerilatedPipe::cycle() {
     // Flops that wake up with a request in them lose it at the first edge in reset.
     if (dut_->rst_ni) take_requests();
     count_activity();
-    const bool depth_taken = dut_->depth_response_valid_i && dut_->depth_response_ready_o;
-    const bool color_taken = dut_->color_response_valid_i && dut_->color_response_ready_o;
+    const bool depth_taken = dut_->depth_response_valid_next_i && dut_->depth_response_ready_o;
+    const bool color_taken = dut_->color_response_valid_next_i && dut_->color_response_ready_o;
     plane_taken_ = dut_->plane_valid_i && dut_->plane_ready_o;
     record_taken_ = dut_->record_valid_i && dut_->record_ready_o;
+    ++cycle_;
+    if (depth_taken) take_back(depths_, dut_->depth_response_valid_next_i);
+    if (color_taken) take_back(colors_, dut_->color_response_valid_next_i);
+    drive_memory();
     dut_->clk_i = 1;
     dut_->eval();
     waves_.clocked();
-    ++cycle_;
-    if (depth_taken) take_back(depths_, dut_->depth_response_valid_i);
-    if (color_taken) take_back(colors_, dut_->color_response_valid_i);
 }
 
 // A record or a plane that is taken is a move as well.
@@ -89,23 +91,23 @@ void VerilatedPipe::clock_until(const Done& done) {
 }
 
 void VerilatedPipe::drive_memory() {
-    dut_->texel_request_ready_i = !stalls_.next();
-    dut_->depth_request_ready_i = !stalls_.next();
-    dut_->color_request_ready_i = !stalls_.next();
-    dut_->depth_store_ready_i = !stalls_.next();
-    dut_->color_store_ready_i = !stalls_.next();
+    dut_->texel_request_ready_next_i = !stalls_.next();
+    dut_->depth_request_ready_next_i = !stalls_.next();
+    dut_->color_request_ready_next_i = !stalls_.next();
+    dut_->depth_store_ready_next_i = !stalls_.next();
+    dut_->color_store_ready_next_i = !stalls_.next();
     const std::optional<TexelPort::Answer> answer =
         texels_.take(cycle_, stalls_, !options_.jitters);
-    dut_->texel_response_valid_i = answer.has_value();
+    dut_->texel_response_valid_next_i = answer.has_value();
     if (answer) {
-        dut_->texel_response_fill_i = static_cast<CData>(answer->fill);
+        dut_->texel_response_fill_next_i = static_cast<CData>(answer->fill);
         TexelPort::Line line;
         memory_.read(answer->address, line.data(), sizeof line);
         for (unsigned i = 0; i < line.size(); ++i)
-            dut_->texel_response_line_i[i] = line[i];
+            dut_->texel_response_line_next_i[i] = line[i];
     }
-    offer(depths_, dut_->depth_response_valid_i, dut_->depth_response_i);
-    offer(colors_, dut_->color_response_valid_i, dut_->color_response_i);
+    offer(depths_, dut_->depth_response_valid_next_i, dut_->depth_response_next_i);
+    offer(colors_, dut_->color_response_valid_next_i, dut_->color_response_next_i);
 }
 
 // What has been offered stays until it is taken.
@@ -119,22 +121,24 @@ void VerilatedPipe::offer(TargetPort& port, Valid& valid, Data& data) {
 }
 
 void VerilatedPipe::take_requests() {
-    if (dut_->texel_request_valid_o && dut_->texel_request_ready_i) {
+    if (dut_->texel_request_valid_o && dut_->texel_request_ready_next_i) {
         texels_.ask(due(), dut_->texel_request_fill_o, dut_->texel_request_address_o);
         moved_ = true;
     }
     // Reads come first: one that is asked beside a store does not see it.
-    if (dut_->depth_request_valid_o && dut_->depth_request_ready_i)
+    if (dut_->depth_request_valid_o && dut_->depth_request_ready_next_i)
         depths_.ask(due(), read_words(dut_->depth_request_o));
-    if (dut_->color_request_valid_o && dut_->color_request_ready_i)
+    if (dut_->color_request_valid_o && dut_->color_request_ready_next_i)
         colors_.ask(due(), read_words(dut_->color_request_o));
-    if (dut_->depth_store_valid_o && dut_->depth_store_ready_i) store(dut_->depth_store_o, false);
-    if (dut_->color_store_valid_o && dut_->color_store_ready_i) store(dut_->color_store_o, true);
+    if (dut_->depth_store_valid_o && dut_->depth_store_ready_next_i)
+        store(dut_->depth_store_o, false);
+    if (dut_->color_store_valid_o && dut_->color_store_ready_next_i)
+        store(dut_->color_store_o, true);
 }
 
 // As rtl/pipe/pipe_activity.sv tells.
 void VerilatedPipe::count_activity() {
-    const unsigned events = dut_->rootp->fragment_pipe__DOT__u_activity__DOT__events;
+    const unsigned events = dut_->rootp->pipe_ports__DOT__u_pipe__DOT__u_activity__DOT__events;
     for (std::size_t unit = 0; unit < PipeUnits; ++unit) {
         activity_.busy[unit] += events >> 2 * unit & 1;
         activity_.stalled[unit] += events >> (2 * unit + 1) & 1;

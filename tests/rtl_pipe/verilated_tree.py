@@ -16,9 +16,10 @@ def build_tree(folder, build, rtl=Rtl, options=(), sources=(), host=(), optimise
     programs are those of the tree `build`."""
     verilated = folder / "verilated"
     files = [Rtl / "lint.vlt", *(rtl / f"{package}.sv" for package in Packages),
-             rtl / "fragment_pipe.sv", Rtl / "pipe/pipe_activity.sv", *sources]
+             rtl / "fragment_pipe.sv", Rtl / "pipe/pipe_ports.sv", Rtl / "pipe/pipe_activity.sv",
+             *sources]
     subprocess.run(["verilator", "--cc", "-Wno-lint", "-Wno-fatal", "-O3", "--top-module",
-                    "fragment_pipe", "--prefix", "Vfragment_pipe", "-y", str(rtl), "--Mdir",
+                    "pipe_ports", "--prefix", "Vfragment_pipe", "-y", str(rtl), "--Mdir",
                     str(verilated), *options, *map(str, files)], check=True)
     include = Path("/usr/share/verilator/include")
     cpp = [*verilated.glob("*.cpp"), include / "verilated.cpp", include / "verilated_threads.cpp",
