@@ -7,6 +7,8 @@
 
 #pragma once
 
+#include "rtl/bundles/wave_cycles.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -36,7 +38,9 @@ public:
     template <class Dut>
     Waves([[maybe_unused]] Dut& dut,
           [[maybe_unused]] const std::filesystem::path& folder,
-          [[maybe_unused]] const std::string& name) {
+          [[maybe_unused]] const std::string& name,
+          const WaveCycles& cycles = {})
+        : cycles_(cycles) {
 #if VM_TRACE_FST
         if (folder.empty()) return;
         std::filesystem::create_directories(folder);
@@ -58,7 +62,7 @@ public:
 private:
     void write([[maybe_unused]] std::uint64_t time) {
 #if VM_TRACE_FST
-        if (file_) file_->dump(time);
+        if (file_ && cycles_.has(time / 2)) file_->dump(time);
 #endif
     }
 
@@ -67,6 +71,7 @@ private:
 #if VM_TRACE_FST
     std::unique_ptr<VerilatedFstC> file_;
 #endif
+    WaveCycles cycles_;
     std::uint64_t cycle_ = 0;
 };
 

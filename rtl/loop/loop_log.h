@@ -14,7 +14,8 @@ namespace ffgpu::rtl {
 
 struct LoopLog {
     std::optional<PlantedFault> fault;
-    std::string waves;                         // the folder; empty: none
+    std::string waves; // the folder; empty: none
+    WaveCycles wave_cycles;
     std::uint64_t faulty_items = 0;            // outputs of its unit so far
     std::optional<StageDifference> difference; // the first
     std::map<std::pair<std::string, std::string>, std::uint64_t> fragments;

@@ -38,6 +38,7 @@ public:
         loop_log() = {};
         loop_log().fault = options.fault;
         loop_log().waves = options.waves;
+        loop_log().wave_cycles = options.wave_cycles;
         choose_raster_units();
         choose_fragment_units();
         if (has("level_of_detail") || has("texel_address") || has("texel_decode") ||

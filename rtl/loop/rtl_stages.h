@@ -8,6 +8,7 @@
 #pragma once
 
 #include "model/gpu/stages.h"
+#include "rtl/bundles/wave_cycles.h"
 
 #include <cstdint>
 #include <optional>
@@ -27,6 +28,7 @@ struct LoopOptions {
     std::vector<std::string> units; // or "all"
     std::optional<PlantedFault> fault{};
     std::string waves{}; // those of each unit go to FOLDER/UNIT.fst; empty: none
+    WaveCycles wave_cycles{};
 };
 
 // Fragments that a stage has seen, by who worked on them.

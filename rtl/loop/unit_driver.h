@@ -94,7 +94,7 @@ private:
 
     std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
     std::unique_ptr<typename Unit::Dut> dut_ = std::make_unique<typename Unit::Dut>(context_.get());
-    Waves waves_{*dut_, loop_log().waves, Unit::Name};
+    Waves waves_{*dut_, loop_log().waves, Unit::Name, loop_log().wave_cycles};
     std::vector<Output> outputs_;
 };
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "model/gpu/draw_context.h"
+#include "rtl/bundles/wave_cycles.h"
 
 #include <array>
 #include <cstddef>
@@ -29,6 +30,7 @@ struct PipeOptions {
     std::uint64_t quiet_cycles = 1 << 24;
     // Waves of the pipe go to FOLDER/fragment_pipe.fst; empty: none.
     std::string waves{};
+    WaveCycles wave_cycles{};
     // Of this store of colours, counted from 0, each byte's lowest bit is wrong: how tests see that
     // it is told.
     std::optional<std::uint64_t> faulty_store{};

@@ -29,7 +29,7 @@ VerilatedPipe::VerilatedPipe(const PipeOptions& options)
     : options_(options)
     , stalls_(options)
     , context_(powered_up(options.seed))
-    , waves_(*dut_, options.waves, "fragment_pipe") {
+    , waves_(*dut_, options.waves, "fragment_pipe", options.wave_cycles) {
     reset();
 }
 

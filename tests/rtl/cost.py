@@ -17,8 +17,10 @@ Root = Path(__file__).resolve().parents[2]
 Rtl = Root / "rtl"
 Page = Root / "docs" / "rtl_cost.md"
 Tolerance = 0.03
-# Each module inside them is mapped by itself: flattened they take hours.
-Composed = ("fragment_pipe", "interpolator", "shading_stages", "target_stages", "texture_unit")
+# What is theirs alone is mapped, and the figures of the units inside are added: flattened they take
+# hours. Those inside another one first.
+Composed = ("interpolator", "shading_stages", "target_stages", "texture_unit", "fragment_pipe")
+Shared = ("fifo", "skid_buffer")  # of any width: mapped where they stand
 CacheSetBits = (3, 4, 5)
 Columns = ("LUT", "flip-flops", "DSP", "memory bits", "longest path")
 
@@ -30,25 +32,56 @@ def units():
                   if "clk_i" in p.read_text() and not steps.match(p.stem))
 
 
-def cost(unit, parameters=None):
-    """The five figures of a unit: of a design flattened and mapped, before placement."""
+def parts(unit):
+    """The units that stand in a composed one, each with the pattern of its name in yosys."""
+    if unit not in Composed:
+        return {}
+    text = (Rtl / f"{unit}.sv").read_text()
+    found = {name: re.search(rf"^  {name} (#\()?", text, re.M)
+             for name in units() if name != unit and name not in Shared}
+    return {name: f"$paramod*\\{name}*" if match[1] else name
+            for name, match in found.items() if match}
+
+
+def cost(unit, parameters=None, known=None):
+    """The five figures of a unit: of a design flattened and mapped, before placement. A composed one's
+    parts are taken from those that are `known`."""
     packages = ["ffgpu_registers_pkg.sv", "ffgpu_pkg.sv", "ffgpu_texture_pkg.sv",
                 "ffgpu_pipe_pkg.sv"]
     files = " ".join(str(Rtl / f) for f in packages + [f"{unit}.sv"])
     sets = "".join(f"-set {name} {value} " for name, value in (parameters or {}).items())
+    boxes = parts(unit)
+    boxing = "".join(f"blackbox {name}; " for name in boxes.values())
+    cells = " ".join(f"t:{name}" for name in boxes.values())
     with tempfile.TemporaryDirectory() as scratch:
         script = (f"read_verilog -sv {files}; " + (f"chparam {sets} {unit}; " if sets else "") +
-                  f"hierarchy -check -libdir {Rtl} -top {unit}; "
-                  f"synth_ecp5 {'-noflatten' if unit in Composed else ''} -top {unit}; flatten; "
+                  f"hierarchy -check -libdir {Rtl} -top {unit}; {boxing}synth_ecp5 -top {unit}; "
                   f"tee -q -o {scratch}/stat.json stat -json; "
-                  f"delete t:TRELLIS_FF t:DP16KD t:TRELLIS_DPR16X4; tee -q -o {scratch}/path ltp")
+                  f"delete t:TRELLIS_FF t:DP16KD t:TRELLIS_DPR16X4 {cells}; "
+                  f"tee -q -o {scratch}/path ltp")
         subprocess.run(["yosys", "-q", "-p", script], check=True, stdout=subprocess.DEVNULL)
-        design = json.loads(Path(scratch, "stat.json").read_text())["design"]
+        told = json.loads(Path(scratch, "stat.json").read_text())
+        design = told["modules"][f"\\{unit}"] if boxes else told["design"]
         path = Path(scratch, "path").read_text()
     figures = figures_of(design, path)
+    for box, count in boxes_of(design, boxes).items():
+        whole = known[box]
+        figures = (*(f + count * w for f, w in zip(figures[:4], whole)), max(figures[4], whole[4]))
     print(unit, *(f"{name}={value}" for name, value in (parameters or {}).items()), *figures,
           flush=True)
     return figures
+
+
+def boxes_of(design, boxes):
+    """How many of each there are; one that is not there is a fault of ours."""
+    counts = dict.fromkeys(boxes, 0)
+    for cell, count in design["num_cells_by_type"].items():
+        for box in boxes:
+            if cell == box or (cell.startswith("$paramod") and box in cell.split("\\")):
+                counts[box] += count
+    if missing := [box for box, count in counts.items() if count == 0]:
+        raise ValueError(f"not found: {', '.join(missing)}")
+    return counts
 
 
 def figures_of(design, path):
@@ -57,7 +90,7 @@ def figures_of(design, path):
     luts = cells.get("LUT4", 0) + 2 * cells.get("CCU2C", 0)
     memory = (design["num_memory_bits"] + 64 * cells.get("TRELLIS_DPR16X4", 0) +
               18432 * cells.get("DP16KD", 0))
-    longest = int(re.search(r"length=(\d+)", path)[1])
+    longest = max([0, *(int(length) for length in re.findall(r"length=(\d+)", path))])
     return (luts, cells.get("TRELLIS_FF", 0), cells.get("MULT18X18D", 0), memory, longest)
 
 
@@ -93,8 +126,9 @@ def page(costs, cache):
     left = f"\nNot measured yet: {', '.join(left)}.\n" if left else ""
     return f"""# What the RTL costs
 
-By `./dev rtl-cost`: each unit alone, with yosys {version} (`synth_ecp5`), flattened and mapped, before placement; those of several units ({", ".join(Composed)})
-module by module. A carry cell counts as two LUTs. The longest path is the number of cells on it between flops and memories, not a time: a carry chain of 24 bits is 12 cells
+By `./dev rtl-cost`: each unit alone, with yosys {version} (`synth_ecp5`), flattened and mapped, before placement; of those of several units ({", ".join(sorted(Composed))})
+what is their own, and the figures of the units inside added, with the longest path among them: more than one design would have, where a unit leaves an output open or ties an input.
+A carry cell counts as two LUTs. The longest path is the number of cells on it between flops and memories, not a time: a carry chain of 24 bits is 12 cells
 and fast.
 
 | unit | {" | ".join(Columns)} |
@@ -145,17 +179,25 @@ def measured(names, before, cache, arguments):
     works for long."""
     costs = {}
     kept = {unit: figures for unit, figures in before.items() if unit in units()}
+
+    def take(unit, figures):
+        costs[unit] = figures
+        if not arguments.check:
+            Page.write_text(page({**kept, **costs}, cache))
+
     with ThreadPoolExecutor(arguments.jobs) as pool:
         sizes = {pool.submit(cost, "texel_cache", {"SetBits": bits}): bits
                  for bits in CacheSetBits if "texel_cache" in names}
-        todo = {**sizes, **{pool.submit(cost, unit): unit for unit in names}}
+        todo = {**sizes,
+                **{pool.submit(cost, unit): unit for unit in names if unit not in Composed}}
         for done in as_completed(todo):
             if done in sizes:
                 cache[sizes[done]] = done.result()[3]
             else:
-                costs[todo[done]] = done.result()
-            if not arguments.check:
-                Page.write_text(page({**kept, **costs}, cache))
+                take(todo[done], done.result())
+    for unit in Composed:
+        if unit in names:
+            take(unit, cost(unit, known={**kept, **costs}))
     return costs
 
 

@@ -8,6 +8,7 @@ module unit_checker #(
   parameter int unsigned InWidth = 8,
   parameter int unsigned OutWidth = 8,
   parameter bit          OneToOne = 1'b1,  // an output for each input
+  parameter bit          InDataHeld = 1'b1,  // offered data stay; else they are made when they go
   parameter int unsigned MostInside = 64,
   parameter int unsigned MostIdle = 64     // cycles in which a receiver that takes gets nothing
 ) (
@@ -51,7 +52,8 @@ module unit_checker #(
     in_data_q  <= in_data_i;
     out_data_q <= out_data_i;
     if (rst_ni) begin
-      InHeldUntilTaken_A : assert (!in_held_q || (in_valid_i && in_data_i == in_data_q));
+      InHeldUntilTaken_A : assert (!in_held_q ||
+                                   (in_valid_i && (!InDataHeld || in_data_i == in_data_q)));
       OutHeldUntilTaken_A : assert (!out_held_q || (out_valid_i && out_data_i == out_data_q));
       NothingFromNothing_A : assert (!OneToOne || !given || inside_q != 0);
       Bounded_A : assert (inside_q <= MostInside);

@@ -24,10 +24,10 @@ std::uint16_t x_of(unsigned quad) {
     return static_cast<std::uint16_t>(2 * (37 * quad % 4096));
 }
 
-void draw_quads(const std::filesystem::path& folder) {
+void draw_quads(const std::filesystem::path& folder, const WaveCycles& cycles = {}) {
     const auto context = std::make_unique<VerilatedContext>();
     const auto dut = std::make_unique<Valpha_test>(context.get());
-    Waves waves(*dut, folder, "alpha_test");
+    Waves waves(*dut, folder, "alpha_test", cycles);
     dut->out_ready_i = 1;
     dut->in_valid_i = 1;
     dut->rst_ni = 1;
@@ -106,6 +106,17 @@ TEST_CASE("Waves have each field of a structure under its name, with its values"
         CHECK(values.at(2 * quad) == x_of(quad));
     }
     CHECK(values.size() == Quads);
+}
+
+TEST_CASE("Waves of some cycles have no others") {
+    const std::filesystem::path folder = std::filesystem::path("rtl_waves") / "some cycles";
+    std::filesystem::remove_all(folder);
+    draw_quads(folder, {.first = 7, .last = 11});
+    const auto values = WaveFile(folder / "alpha_test.fst").values("TOP.alpha_test.in_data_i.x");
+    std::map<std::uint64_t, std::uint64_t> expected;
+    for (unsigned quad = 7; quad <= 11; ++quad)
+        expected[2 * quad] = x_of(quad);
+    CHECK(values == expected);
 }
 
 TEST_CASE("No folder, no waves") {

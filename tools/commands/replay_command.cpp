@@ -1,6 +1,7 @@
 #include "model/base/input_error.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/warn.h"
+#include "tools/frames/frame_range.h"
 #include "tools/record/recording_arguments.h"
 #include "tools/replay/interruption.h"
 #include "tools/replay/replay.h"
@@ -21,7 +22,7 @@ struct Arguments {
     ReplayOptions replay;
     std::vector<std::string> rtl;
     std::string rtl_cycles;
-    std::string fst;
+    std::string fst, fst_cycles;
     unsigned rtl_latency = rtl::PipeOptions{}.latency;
 };
 
@@ -33,17 +34,26 @@ int replay_and_compare(RtlDevice& comparison, ReplayOptions& options) {
     return comparison.equal() ? 0 : 1;
 }
 
+rtl::WaveCycles wave_cycles(const std::string& text) {
+    if (text.empty()) return {};
+    const FrameRange range = parse_frame_range(text, "--fst-cycles");
+    if (range.last == FrameRange{}.last) return {.first = range.first};
+    return {range.first, range.last};
+}
+
 int replay_by_rtl(const Arguments& arguments, ReplayOptions& options) {
     const std::vector<std::string>& units = arguments.rtl;
+    const rtl::WaveCycles cycles = wave_cycles(arguments.fst_cycles);
     if (std::ranges::find(units, "fragment_pipe") == units.end()) {
-        RtlComparison comparison({.units = units, .waves = arguments.fst});
+        RtlComparison comparison({.units = units, .waves = arguments.fst, .wave_cycles = cycles});
         options.stages = &comparison.stages();
         return replay_and_compare(comparison, options);
     }
     if (units.size() != 1) throw InputError("--rtl: fragment_pipe has all units, and stands alone");
     PipeComparison comparison({.latency = arguments.rtl_latency,
                                .jitters = arguments.rtl_cycles.empty(),
-                               .waves = arguments.fst},
+                               .waves = arguments.fst,
+                               .wave_cycles = cycles},
                               arguments.rtl_cycles);
     return replay_and_compare(comparison, options);
 }
@@ -95,6 +105,9 @@ void add_replay_command(CLI::App& application, Run& run) {
     verb->add_option("--fst", arguments->fst, "Waves of the units, for GTKWave: FOLDER/UNIT.fst")
         ->type_name("FOLDER")
         ->needs(rtl);
+    verb->add_option("--fst-cycles", arguments->fst_cycles, "Of these cycles of each unit's alone")
+        ->type_name("RANGE")
+        ->needs(verb->get_option("--fst"));
     verb->add_option("--benchmark", options.benchmark, "Time it; repeat the last frame N times")
         ->type_name("N");
     verb->add_flag("--player-only", options.player_only, "With --benchmark: draw nothing");
