@@ -12,7 +12,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 #if HWY_TARGET != HWY_SCALAR
-#include "model/texture/level_filter-inl.h"
+#include "model/texture/texel_places-inl.h"
 #endif
 // clang-format on
 
@@ -64,10 +64,43 @@ struct LevelSource {
 constexpr unsigned Step = hn::MaxLanes(DI());
 
 template <class K, bool Linear>
+HWY_NOINLINE void place_pass(const TextureUnit& unit,
+                             const FilterInputs& in,
+                             const LevelSource& source,
+                             TexelPlaces& places) {
+    const std::uint32_t* choices = in.sampling->choice.data();
+    LevelVectors level;
+    set_level<K>(unit, source.level(hn::Load(DU(), choices)), level);
+    for (unsigned lane = 0; lane < 4 * grouped_quads(in.quad_count); lane += Step) {
+        const VU choice = hn::Load(DU(), choices + lane);
+        if (source.skips(choice)) continue;
+        if (!source.same) set_level<K>(unit, source.level(choice), level);
+        place_texels<Linear, K>(unit, in, level, lane, places);
+    }
+}
+
+template <class K, bool Linear>
+HWY_NOINLINE void load_pass(const TextureUnit& unit,
+                            const FilterInputs& in,
+                            const LevelSource& source,
+                            const TexelPlaces& places,
+                            PackedColors& out) {
+    for (unsigned lane = 0; lane < 4 * grouped_quads(in.quad_count); lane += Step) {
+        if (source.skips(hn::Load(DU(), in.sampling->choice.data() + lane))) continue;
+        out.store(filter_places<K, Linear>(unit, places, lane), lane);
+    }
+}
+
+template <class K, bool Linear>
 HWY_NOINLINE void filter_pass(const TextureUnit& unit,
                               const FilterInputs& in,
                               const LevelSource& source,
                               PackedColors& out) {
+    if constexpr (HasPlaces<K>) {
+        TexelPlaces places;
+        place_pass<K, Linear>(unit, in, source, places);
+        return load_pass<K, Linear>(unit, in, source, places, out);
+    }
     const std::uint32_t* choices = in.sampling->choice.data();
     LevelVectors level;
     set_level<K>(unit, source.level(hn::Load(DU(), choices)), level);

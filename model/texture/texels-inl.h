@@ -125,8 +125,8 @@ HWY_INLINE VU border_texel(const TextureUnit& unit, VI reference) {
 //   row_of(y)                  the row (of blocks) that holds y
 //   read(unit, row, x, y, ref) the texels x of the rows at byte offset `row`
 
-// Rgba8, the fast case. Kinds whose texels are words say how one is decoded: neighbours are then
-// read in pairs.
+// Rgba8, the fast case. Kinds whose texels are words say how one is decoded: see
+// texel_places-inl.h.
 struct WordTexels {
     static HWY_INLINE VI row_of(VI y) { return y; }
     static HWY_INLINE VU decode(VU raw) { return raw; }
@@ -143,25 +143,6 @@ struct OpaqueWordTexels {
         return decode(WordTexels::read(unit, row, x, y, reference));
     }
 };
-
-// Words x and x + 1 of each lane, by one load of both.
-struct WordPair {
-    VU left, right;
-};
-HWY_INLINE WordPair read_pair(const TextureUnit& unit, VI row, VI x) {
-    const DU d;
-    const hn::Half<DI> half;
-    const hn::RepartitionToWide<DI> wide;
-    const hn::RepartitionToWide<DU> pairs;
-    const VI offset = hn::Add(row, hn::ShiftLeft<2>(x));
-    const auto* texels = reinterpret_cast<const std::uint64_t*>(unit.texels);
-    const auto lower =
-        hn::GatherOffset(pairs, texels, hn::PromoteTo(wide, hn::LowerHalf(half, offset)));
-    const auto upper =
-        hn::GatherOffset(pairs, texels, hn::PromoteTo(wide, hn::UpperHalf(half, offset)));
-    return {hn::ConcatEven(d, hn::BitCast(d, upper), hn::BitCast(d, lower)),
-            hn::ConcatOdd(d, hn::BitCast(d, upper), hn::BitCast(d, lower))};
-}
 
 // Colour formats of one and two bytes.
 struct SmallTexels {
