@@ -63,11 +63,12 @@ struct LevelSource {
 
 constexpr unsigned Step = hn::MaxLanes(DI());
 
-template <class K, bool Linear>
-HWY_NOINLINE void place_pass(const TextureUnit& unit,
-                             const FilterInputs& in,
-                             const LevelSource& source,
-                             TexelPlaces& places) {
+// Calls visit(lane, level) for each vector that the pass has to do with.
+template <class K, class Visit>
+HWY_INLINE void for_each_vector(const TextureUnit& unit,
+                                const FilterInputs& in,
+                                const LevelSource& source,
+                                Visit&& visit) {
     const std::uint32_t* choices = in.sampling->choice.data();
     LevelVectors level;
     set_level<K>(unit, source.level(hn::Load(DU(), choices)), level);
@@ -75,8 +76,18 @@ HWY_NOINLINE void place_pass(const TextureUnit& unit,
         const VU choice = hn::Load(DU(), choices + lane);
         if (source.skips(choice)) continue;
         if (!source.same) set_level<K>(unit, source.level(choice), level);
-        place_texels<Linear, K>(unit, in, level, lane, places);
+        visit(lane, level);
     }
+}
+
+template <class K, bool Linear>
+HWY_NOINLINE void place_pass(const TextureUnit& unit,
+                             const FilterInputs& in,
+                             const LevelSource& source,
+                             TexelPlaces& places) {
+    for_each_vector<K>(unit, in, source, [&](unsigned lane, const LevelVectors& level) HWY_ATTR {
+        place_texels<K, Linear>(unit, in, level, lane, places);
+    });
 }
 
 template <class K, bool Linear>
@@ -86,8 +97,15 @@ HWY_NOINLINE void load_pass(const TextureUnit& unit,
                             const TexelPlaces& places,
                             PackedColors& out) {
     for (unsigned lane = 0; lane < 4 * grouped_quads(in.quad_count); lane += Step) {
-        if (source.skips(hn::Load(DU(), in.sampling->choice.data() + lane))) continue;
-        out.store(filter_places<K, Linear>(unit, places, lane), lane);
+        const VU choice = hn::Load(DU(), in.sampling->choice.data() + lane);
+        if (source.skips(choice)) continue;
+        if (places.regular[lane]) {
+            out.store(filter_places<K, Linear>(unit, places, lane), lane);
+            continue;
+        }
+        LevelVectors level;
+        set_level<K>(unit, source.level(choice), level);
+        out.store(filter_level<K, Linear>(unit, in, level, lane), lane);
     }
 }
 
@@ -99,16 +117,12 @@ HWY_NOINLINE void filter_pass(const TextureUnit& unit,
     if constexpr (HasPlaces<K>) {
         TexelPlaces places;
         place_pass<K, Linear>(unit, in, source, places);
-        return load_pass<K, Linear>(unit, in, source, places, out);
-    }
-    const std::uint32_t* choices = in.sampling->choice.data();
-    LevelVectors level;
-    set_level<K>(unit, source.level(hn::Load(DU(), choices)), level);
-    for (unsigned lane = 0; lane < 4 * grouped_quads(in.quad_count); lane += Step) {
-        const VU choice = hn::Load(DU(), choices + lane);
-        if (source.skips(choice)) continue;
-        if (!source.same) set_level<K>(unit, source.level(choice), level);
-        out.store(filter_level<K, Linear>(unit, in, level, lane), lane);
+        load_pass<K, Linear>(unit, in, source, places, out);
+    } else {
+        for_each_vector<K>(
+            unit, in, source, [&](unsigned lane, const LevelVectors& level) HWY_ATTR {
+                out.store(filter_level<K, Linear>(unit, in, level, lane), lane);
+            });
     }
 }
 

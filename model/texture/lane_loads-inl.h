@@ -59,8 +59,7 @@ HWY_INLINE hn::Vec<D> words_at(D d, const std::byte* base, const std::int32_t* a
     constexpr std::size_t Lanes = hn::MaxLanes(D());
     if constexpr (Lanes > 4) {
         const hn::Half<D> half;
-        return hn::Combine(
-            d, words_at(half, base, at + Lanes / 2), words_at(half, base, at));
+        return hn::Combine(d, words_at(half, base, at + Lanes / 2), words_at(half, base, at));
     } else {
         return words_at(d, base, at, std::make_index_sequence<Lanes - 1>());
     }

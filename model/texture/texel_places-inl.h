@@ -1,7 +1,7 @@
-// The quick way to the texels of plain images whose texels are words: where all lanes of a batch
-// read is found first, and stored; then their texels are loaded one by one, each put into its lane
-// as it comes. Gathers are no quicker on any processor, and where they are microcode they take
-// almost twice as long; and the loads of one vector need not wait for its own arithmetic.
+// The quick way to the texels of plain images: where all lanes of a batch read is found first, and
+// stored; then their texels are loaded one by one, two neighbours together, each put into its lane
+// as it comes. Gathers take almost twice as long where they are microcode; and the loads of one
+// vector need not wait for its own arithmetic.
 // Included once for each instruction set.
 
 #if defined(FFGPU_MODEL_TEXTURE_TEXEL_PLACES_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -25,22 +25,39 @@ HWY_BEFORE_NAMESPACE();
 namespace ffgpu::HWY_NAMESPACE {
 namespace {
 
-// Kinds of texels that are words, of which a border is never met.
+// Images that this goes for.
 template <class K>
-constexpr bool HasPlaces = K::Plain && !K::Border && requires { K::Texels::decode(VU()); };
+constexpr bool HasPlaces = K::Plain&& requires {
+    typename K::Texels::Pair;
+};
 
 // What a batch reads of one level. A nearest filter reads `first` alone.
 struct TexelPlaces {
     using Lanes = std::array<std::int32_t, BatchFragments>;
 
-    // Bytes from the texture's first: the left texels of both rows, and how far beyond them the
-    // right ones are.
-    alignas(64) Lanes first, second, apart;
+    // Bytes from the texture's first: the left texels of both rows.
+    alignas(64) Lanes first, second;
     // Of the right texels and of the second row, as AxisTexelVectors has them.
     alignas(64) Lanes weight_x, weight_y;
+    // Of the vector that begins at a lane: none of its lanes meets a border, and each one's texels
+    // of a row are neighbours. The others are left to filter_level().
+    std::array<bool, BatchFragments> regular;
 };
 
-template <bool Linear, class K>
+HWY_INLINE MI meets_border(const TexelPair& pair) {
+    return hn::Or(pair.first.outside, pair.second.outside);
+}
+
+template <class K, bool Linear>
+HWY_INLINE bool is_regular(const TexelPair& x, const TexelPair& y) {
+    MI irregular = no_lanes();
+    if constexpr (K::Border) irregular = hn::Or(meets_border(x), meets_border(y));
+    if constexpr (Linear)
+        irregular = hn::Or(irregular, hn::Ne(hn::Sub(x.second.index, x.first.index), constant(1)));
+    return hn::AllFalse(DI(), irregular);
+}
+
+template <class K, bool Linear>
 HWY_INLINE void place_texels(const TextureUnit& unit,
                              const FilterInputs& in,
                              const LevelVectors& level,
@@ -49,15 +66,14 @@ HWY_INLINE void place_texels(const TextureUnit& unit,
     const DI d;
     const TexelPair x = texel_pair<K, Linear>(unit, 0, in.coordinates->s.data() + lane, level.x);
     const TexelPair y = texel_pair<K, Linear>(unit, 1, in.coordinates->t.data() + lane, level.y);
-    const VI left = hn::Add(level.offset, hn::ShiftLeft<2>(x.first.index));
-    const auto in_row = [&](const StoredIndex& row) HWY_ATTR {
-        return hn::Add(left, hn::Mul(row.index, level.row_stride));
-    };
-    hn::Store(in_row(y.first), d, places.first.data() + lane);
+    places.regular[lane] = is_regular<K, Linear>(x, y);
+    const int shift = K::Texels::bytes(unit) / 2; // of 1, 2 or 4 bytes
+    const VI left = hn::Add(level.offset, hn::ShiftLeftSame(x.first.index, shift));
+    hn::Store(
+        hn::Add(left, hn::Mul(y.first.index, level.row_stride)), d, places.first.data() + lane);
     if constexpr (!Linear) return;
-    hn::Store(in_row(y.second), d, places.second.data() + lane);
-    const VI apart = hn::Sub(x.second.index, x.first.index);
-    hn::Store(hn::ShiftLeft<2>(apart), d, places.apart.data() + lane);
+    hn::Store(
+        hn::Add(left, hn::Mul(y.second.index, level.row_stride)), d, places.second.data() + lane);
     hn::Store(x.weight, d, places.weight_x.data() + lane);
     hn::Store(y.weight, d, places.weight_y.data() + lane);
 }
@@ -95,49 +111,44 @@ HWY_INLINE hn::Vec<D> words_at(D d, const std::byte* base, const std::int32_t* a
     }
 }
 
-// The texels at `at` and their neighbours to the right, in that order.
+// The texels at `at` and their neighbours to the right.
 struct TexelsAt {
     VU left, right;
 };
 
-HWY_INLINE TexelsAt neighbours_at(const std::byte* base, const std::int32_t* at) {
+template <class Texels>
+HWY_INLINE TexelsAt neighbours_at(const TextureUnit& unit, const std::int32_t* at) {
     const DU d;
-    const hn::RepartitionToWide<DU> pairs;
-    const auto lower = hn::BitCast(d, words_at(pairs, base, at));
-    const auto upper = hn::BitCast(d, words_at(pairs, base, at + hn::MaxLanes(pairs)));
-    return {hn::ConcatEven(d, upper, lower), hn::ConcatOdd(d, upper, lower)};
+    if constexpr (sizeof(typename Texels::Pair) == sizeof(std::uint32_t)) {
+        const VU both = words_at(d, unit.texels, at);
+        return {both, hn::ShiftRightSame(both, 8 * Texels::bytes(unit))};
+    } else {
+        const hn::RepartitionToWide<DU> pairs;
+        const auto lower = hn::BitCast(d, words_at(pairs, unit.texels, at));
+        const auto upper = hn::BitCast(d, words_at(pairs, unit.texels, at + hn::MaxLanes(pairs)));
+        return {hn::ConcatEven(d, upper, lower), hn::ConcatOdd(d, upper, lower)};
+    }
 }
 
-HWY_INLINE TexelsAt texels_apart(const std::byte* base, const std::int32_t* at, VI apart) {
-    alignas(64) std::int32_t right[hn::MaxLanes(DI())];
-    hn::Store(hn::Add(hn::Load(DI(), at), apart), DI(), right);
-    return {words_at(DU(), base, at), words_at(DU(), base, right)};
+template <class Texels>
+HWY_INLINE Color16 filter_row_at(const TextureUnit& unit, const std::int32_t* at, VI weight) {
+    const TexelsAt texels = neighbours_at<Texels>(unit, at);
+    const Color16 left = split(Texels::decode(unit, texels.left));
+    return lerp8w(left, split(Texels::decode(unit, texels.right)), weight);
 }
 
+// What filter_level() gives, of regular places.
 template <class K, bool Linear>
 HWY_INLINE Color16 filter_places(const TextureUnit& unit,
                                  const TexelPlaces& places,
                                  unsigned lane) {
     using Texels = typename K::Texels;
-    const DI d;
-    const std::byte* const base = unit.texels;
     const std::int32_t* const first = places.first.data() + lane;
-    if constexpr (!Linear) return split(Texels::decode(words_at(DU(), base, first)));
-    const std::int32_t* const second = places.second.data() + lane;
-    const VI weight_x = hn::Load(d, places.weight_x.data() + lane);
-    const VI weight_y = hn::Load(d, places.weight_y.data() + lane);
-    const auto rows = [&](const TexelsAt& upper, const TexelsAt& lower) HWY_ATTR {
-        const auto row = [&](const TexelsAt& texels) HWY_ATTR {
-            return lerp8w(split(Texels::decode(texels.left)),
-                          split(Texels::decode(texels.right)),
-                          weight_x);
-        };
-        return lerp8w(row(upper), row(lower), weight_y);
-    };
-    const VI apart = hn::Load(d, places.apart.data() + lane);
-    if (hn::AllTrue(d, hn::Eq(apart, constant(sizeof(std::uint32_t)))))
-        return rows(neighbours_at(base, first), neighbours_at(base, second));
-    return rows(texels_apart(base, first, apart), texels_apart(base, second, apart));
+    if constexpr (!Linear) return split(Texels::decode(unit, words_at(DU(), unit.texels, first)));
+    const VI weight = hn::Load(DI(), places.weight_x.data() + lane);
+    return lerp8w(filter_row_at<Texels>(unit, first, weight),
+                  filter_row_at<Texels>(unit, places.second.data() + lane, weight),
+                  hn::Load(DI(), places.weight_y.data() + lane));
 }
 
 } // namespace
