@@ -50,16 +50,22 @@ def bench_live(options, display, mesa_environment, cell, spread):
         print(f"median {statistics.median(medians):.2f} x llvmpipe, least {min(medians):.2f} x")
 
 
-def usage(command):
-    """Seconds of the processor, and megabytes resident at most; None where it fails."""
+def processor_seconds(command):
+    """None where it fails."""
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     _, status, used = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
-    return None if process.returncode else (used.ru_utime + used.ru_stime, used.ru_maxrss / 1024)
+    return None if process.returncode else used.ru_utime + used.ru_stime
+
+
+def resident_megabytes(command):
+    """At most. By GNU time: what Python starts is said to hold what Python held."""
+    out = subprocess.run(["/usr/bin/time", "-f", "%M", *command], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    return None if out.returncode else int(out.stderr.split()[-1]) / 1024
 
 
 def bench_recording(options, traces):
-    """The stream of work alone, kept in a file, beside the same frames drawn without it."""
+    """Frames drawn with their work kept in a file, beside the same without."""
     print("\nRecording: processor time of a whole replay without pictures that saves its work, over that of one that only")
     print(f"draws, one thread. Least, middle, greatest of {options.rounds} rounds; megabytes of the file.")
     with tempfile.TemporaryDirectory() as folder:
@@ -68,22 +74,27 @@ def bench_recording(options, traces):
         for trace in traces:
             ratios = []
             for _ in range(options.rounds):
-                drawn = usage([options.ffgpu, "replay", trace, *plain])
-                saved = usage([options.ffgpu, "replay", trace, *plain, "--save-work", work])
+                drawn = processor_seconds([options.ffgpu, "replay", trace, *plain])
+                saved = processor_seconds([options.ffgpu, "replay", trace, *plain, "--save-work", work])
                 if drawn and saved:
-                    ratios.append(saved[0] / drawn[0])
+                    ratios.append(saved / drawn)
             if ratios:
                 print(f"{os.path.basename(trace)[:-6]:16s}{min(ratios):6.2f} {statistics.median(ratios):6.2f}x"
                       f"{max(ratios):7.2f} {os.path.getsize(work) / 1e6:9.1f} MB", flush=True)
 
 
 def bench_start(options, traces):
-    runs = [usage([options.ffgpu, "--help"]) for _ in range(20)]
-    print(f"\nffgpu --help: {1000 * min(seconds for seconds, _ in runs):.0f} ms of the processor at best, "
-          f"{1000 * statistics.median(seconds for seconds, _ in runs):.0f} in the middle of {len(runs)} runs, "
-          f"{max(megabytes for _, megabytes in runs):.1f} MB")
+    help_text = [options.ffgpu, "--help"]
+    seconds = [processor_seconds(help_text) for _ in range(20)]
+    print(f"\nffgpu --help: {1000 * min(seconds):.0f} ms of the processor at best, "
+          f"{1000 * statistics.median(seconds):.0f} in the middle of {len(seconds)} runs", end="")
+    if not os.path.exists("/usr/bin/time"):
+        print("; no memory without GNU time")
+        return
+    print(f", {resident_megabytes(help_text):.1f} MB")
     print("Resident megabytes of a replay without pictures, at most:")
     for trace in traces:
-        used = usage([options.ffgpu, "replay", trace, "--no-images", "--threads", str(options.threads), "--benchmark", "1"])
-        if used:
-            print(f"{os.path.basename(trace)[:-6]:16s}{used[1]:9.1f}", flush=True)
+        drawn = [options.ffgpu, "replay", trace, "--no-images", "--threads", str(options.threads), "--benchmark", "1"]
+        megabytes = resident_megabytes(drawn)
+        if megabytes:
+            print(f"{os.path.basename(trace)[:-6]:16s}{megabytes:9.1f}", flush=True)
