@@ -30,7 +30,8 @@ public:
     // Returns when everything submitted has been carried out.
     virtual void finish() = 0;
 
-    // Counters of the device's functional units, since its creation.
+    // Counters of the device's functional units, since its creation: of all that was submitted
+    // once finish() has returned.
     virtual std::vector<const StatisticsGroup*> statistics() const = 0;
 };
 

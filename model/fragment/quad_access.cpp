@@ -72,6 +72,8 @@ public:
         return base_ + batch_.y[q] * stride_ + batch_.x[q] * sizeof(Pixel);
     }
 
+    bool even() const { return even_; }
+
     // Neither the right nor the upper half of the quad is outside.
     bool is_whole(unsigned q) const {
         return even_ || (batch_.x[q] + 1u < width_ && batch_.y[q] + 1u < height_);
@@ -173,6 +175,11 @@ void load_sized(const QuadSurface<Pixel, const std::byte>& surface,
             batch,
             [&](unsigned q) { surface.load_row(q, pixels + 4 * q); },
             [&](unsigned q) { surface.load(q, pixels + 4 * q); });
+        return;
+    }
+    if (surface.even()) { // Which quads are live is not asked: no branch could be foretold.
+        for (unsigned q = 0; q < quads; ++q)
+            surface.load(q, pixels + 4 * q);
         return;
     }
     const FragmentMask live = batch.live;

@@ -1,9 +1,8 @@
 // The vertex stages over vectors, compiled once for each instruction set that is worth it.
 
-// SSSE3 adds nothing here to SSE2; batches of 64 gain little from AVX-512; SVE's vectors have no
-// size and cannot be members.
+// SSSE3 adds nothing here to SSE2; SVE's vectors have no size and cannot be members.
 #define HWY_DISABLED_TARGETS                                                                       \
-    (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+    (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 
 #include "model/arith/lanes/scalar_lanes.h"
 #include "model/arith/power.h"

@@ -178,9 +178,14 @@ void FunctionalGpu::store_samples(const StoreSampleCounterCommand& command) {
     std::memcpy(memory_.bytes().data() + command.address, &samples_, sizeof samples_);
 }
 
+// Without a listener the next frame may begin while the last bin of this one is drawn.
 void FunctionalGpu::end_frame() {
-    flush();
-    if (sink_) sink_->end_frame(frame_);
+    if (sink_) {
+        flush();
+        sink_->end_frame(frame_);
+    } else if (!bin_.empty()) {
+        carry_out();
+    }
     ++frame_;
 }
 

@@ -4,9 +4,25 @@
 #include "model/base/float_environment.h"
 #include "model/base/thread_without_signals.h"
 
+#include <limits>
 #include <utility>
 
 namespace ffgpu {
+namespace {
+
+// What others do soon is waited for awake, some tens of microseconds: to sleep and to be woken
+// takes as long. Whoever else wants the processor gets it.
+template <class Ready>
+bool comes_soon(Ready&& ready) {
+    constexpr int Looks = 64;
+    for (int i = 0; i < Looks; ++i) {
+        if (ready()) return true;
+        std::this_thread::yield();
+    }
+    return ready();
+}
+
+} // namespace
 
 ThreadPool::ThreadPool(unsigned threads) {
     for (unsigned worker = 1; worker < threads; ++worker)
@@ -24,20 +40,25 @@ ThreadPool::~ThreadPool() {
 }
 
 void ThreadPool::start(std::size_t count, Job job) {
+    check(left_ == 0, "a list of jobs is under way");
+    check(count <= std::numeric_limits<std::uint32_t>::max(), "so many jobs at once");
+    job_ = std::move(job);
+    left_ = count;
     {
         const std::lock_guard lock(mutex_);
-        check(next_ >= count_ && running_ == 0, "a list of jobs is under way");
-        job_ = std::move(job);
-        count_ = count;
-        next_ = 0;
+        tickets_ = {0, static_cast<std::uint32_t>(count)};
     }
     started_.notify_all();
 }
 
 void ThreadPool::wait() {
     take_jobs(0);
-    std::unique_lock lock(mutex_);
-    done_.wait(lock, [this] { return running_ == 0; });
+    const auto done = [this] { return left_ == 0; };
+    if (!comes_soon(done)) {
+        std::unique_lock lock(mutex_);
+        done_.wait(lock, done);
+    }
+    const std::lock_guard lock(mutex_);
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
@@ -46,42 +67,56 @@ void ThreadPool::run(std::size_t count, Job job) {
     wait();
 }
 
+bool ThreadPool::has_work() const {
+    const Tickets tickets = tickets_;
+    return tickets.next < tickets.count;
+}
+
+// Whoever takes an index holds the list: it is not replaced before that job has ended.
+bool ThreadPool::take(std::size_t& index) {
+    Tickets tickets = tickets_;
+    while (tickets.next < tickets.count) {
+        index = tickets.next;
+        if (tickets_.compare_exchange_weak(tickets, {tickets.next + 1, tickets.count})) return true;
+    }
+    return false;
+}
+
 void ThreadPool::take_jobs(unsigned worker) {
-    while (true) {
-        std::size_t index = 0;
-        {
-            const std::lock_guard lock(mutex_);
-            if (next_ >= count_) return;
-            index = next_++;
-            ++running_;
-        }
-        std::exception_ptr failure;
+    for (std::size_t index = 0; take(index); end_jobs(1)) {
         try {
-            job_(worker, index); // The same until all that have begun have ended.
+            job_(worker, index);
         } catch (...) {
-            failure = std::current_exception();
+            keep_failure(std::current_exception());
         }
-        end_job(std::move(failure));
     }
 }
 
-void ThreadPool::end_job(std::exception_ptr failure) {
-    const std::lock_guard lock(mutex_);
-    if (failure) {
+// The first is told; jobs that have not begun are left out.
+void ThreadPool::keep_failure(std::exception_ptr failure) {
+    {
+        const std::lock_guard lock(mutex_);
         if (!failure_) failure_ = std::move(failure);
-        next_ = count_;
     }
-    if (--running_ == 0 && next_ >= count_) done_.notify_one();
+    const Tickets not_begun = tickets_.exchange({});
+    end_jobs(not_begun.count - not_begun.next);
+}
+
+void ThreadPool::end_jobs(std::size_t ended) {
+    if (ended == 0 || left_.fetch_sub(ended) != ended) return;
+    const std::lock_guard lock(mutex_);
+    done_.notify_one();
 }
 
 void ThreadPool::work(unsigned worker) {
     const FloatEnvironment environment; // A thread begins with the mode of the one that made it.
+    const auto ready = [this] { return stopping_ || has_work(); };
     while (true) {
-        {
+        if (!comes_soon(ready)) {
             std::unique_lock lock(mutex_);
-            started_.wait(lock, [this] { return stopping_ || next_ < count_; });
-            if (stopping_) return;
+            started_.wait(lock, ready);
         }
+        if (stopping_) return;
         take_jobs(worker);
     }
 }

@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -36,18 +38,27 @@ public:
     void run(std::size_t count, Job job);
 
 private:
+    // Indices from `next` up to `count` have not begun: both in one word, so that they are looked
+    // at and taken together.
+    struct Tickets {
+        std::uint32_t next = 0, count = 0;
+    };
+
     void work(unsigned worker);
     void take_jobs(unsigned worker);
-    void end_job(std::exception_ptr failure);
+    bool take(std::size_t& index);
+    void end_jobs(std::size_t ended);
+    void keep_failure(std::exception_ptr failure);
+    bool has_work() const;
 
     std::vector<std::thread> workers_;
-    std::mutex mutex_; // over all below
+    Job job_; // the same until all that have begun have ended
+    std::atomic<Tickets> tickets_ = Tickets();
+    std::atomic<std::size_t> left_ = 0; // jobs that have not ended
+    std::atomic<bool> stopping_ = false;
+
+    std::mutex mutex_; // for those who sleep, and over failure_
     std::condition_variable started_, done_;
-    Job job_;
-    std::size_t count_ = 0;
-    std::size_t next_ = 0;
-    std::size_t running_ = 0; // jobs that have begun and not ended
-    bool stopping_ = false;
     std::exception_ptr failure_;
 };
 

@@ -12,7 +12,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 #if HWY_TARGET != HWY_SCALAR
-#include "model/texture/level_filter-inl.h"
+#include "model/texture/texel_places-inl.h"
 #endif
 // clang-format on
 
@@ -63,11 +63,12 @@ struct LevelSource {
 
 constexpr unsigned Step = hn::MaxLanes(DI());
 
-template <class K, bool Linear>
-HWY_NOINLINE void filter_pass(const TextureUnit& unit,
-                              const FilterInputs& in,
-                              const LevelSource& source,
-                              PackedColors& out) {
+// Calls visit(lane, level) for each vector that the pass has to do with.
+template <class K, class Visit>
+HWY_INLINE void for_each_vector(const TextureUnit& unit,
+                                const FilterInputs& in,
+                                const LevelSource& source,
+                                Visit&& visit) {
     const std::uint32_t* choices = in.sampling->choice.data();
     LevelVectors level;
     set_level<K>(unit, source.level(hn::Load(DU(), choices)), level);
@@ -75,7 +76,53 @@ HWY_NOINLINE void filter_pass(const TextureUnit& unit,
         const VU choice = hn::Load(DU(), choices + lane);
         if (source.skips(choice)) continue;
         if (!source.same) set_level<K>(unit, source.level(choice), level);
+        visit(lane, level);
+    }
+}
+
+template <class K, bool Linear>
+HWY_NOINLINE void place_pass(const TextureUnit& unit,
+                             const FilterInputs& in,
+                             const LevelSource& source,
+                             TexelPlaces& places) {
+    for_each_vector<K>(unit, in, source, [&](unsigned lane, const LevelVectors& level) HWY_ATTR {
+        place_texels<K, Linear>(unit, in, level, lane, places);
+    });
+}
+
+template <class K, bool Linear>
+HWY_NOINLINE void load_pass(const TextureUnit& unit,
+                            const FilterInputs& in,
+                            const LevelSource& source,
+                            const TexelPlaces& places,
+                            PackedColors& out) {
+    for (unsigned lane = 0; lane < 4 * grouped_quads(in.quad_count); lane += Step) {
+        const VU choice = hn::Load(DU(), in.sampling->choice.data() + lane);
+        if (source.skips(choice)) continue;
+        if (places.regular[lane]) {
+            out.store(filter_places<K, Linear>(unit, places, lane), lane);
+            continue;
+        }
+        LevelVectors level;
+        set_level<K>(unit, source.level(choice), level);
         out.store(filter_level<K, Linear>(unit, in, level, lane), lane);
+    }
+}
+
+template <class K, bool Linear>
+HWY_NOINLINE void filter_pass(const TextureUnit& unit,
+                              const FilterInputs& in,
+                              const LevelSource& source,
+                              PackedColors& out) {
+    if constexpr (HasPlaces<K>) {
+        TexelPlaces places;
+        place_pass<K, Linear>(unit, in, source, places);
+        load_pass<K, Linear>(unit, in, source, places, out);
+    } else {
+        for_each_vector<K>(
+            unit, in, source, [&](unsigned lane, const LevelVectors& level) HWY_ATTR {
+                out.store(filter_level<K, Linear>(unit, in, level, lane), lane);
+            });
     }
 }
 

@@ -182,21 +182,6 @@ HWY_INLINE Color16 filter_any(const TextureUnit& unit,
     return lerp8w(first, second, z.weight);
 }
 
-// A row of filter_layer() where the two texels of each lane are neighbours.
-template <class K>
-HWY_INLINE Color16
-filter_pair(const TextureUnit& unit, const LevelVectors& level, const TexelPair& x, VI y) {
-    const VI row = hn::Add(level.offset, hn::Mul(y, level.row_stride));
-    const WordPair pair = read_pair(unit, row, x.first.index);
-    const Color16 left = split(K::Texels::decode(pair.left));
-    return lerp8w(left, split(K::Texels::decode(pair.right)), x.weight);
-}
-
-template <class K, bool Linear>
-constexpr bool MayReadPairs = Linear && !K::Border && requires {
-    K::Texels::decode(VU());
-};
-
 template <class K, bool Linear>
 HWY_INLINE Color16 filter_level(const TextureUnit& unit,
                                 const FilterInputs& in,
@@ -205,12 +190,6 @@ HWY_INLINE Color16 filter_level(const TextureUnit& unit,
     if constexpr (!K::Plain) return filter_any<K, Linear>(unit, in, level, lane);
     const TexelPair x = texel_pair<K, Linear>(unit, 0, in.coordinates->s.data() + lane, level.x);
     const TexelPair y = texel_pair<K, Linear>(unit, 1, in.coordinates->t.data() + lane, level.y);
-    if constexpr (MayReadPairs<K, Linear>) {
-        if (hn::AllTrue(DI(), hn::Eq(hn::Sub(x.second.index, x.first.index), constant(1)))) {
-            const Color16 first = filter_pair<K>(unit, level, x, y.first.index);
-            return lerp8w(first, filter_pair<K>(unit, level, x, y.second.index), y.weight);
-        }
-    }
     const LayerVectors layer{level.offset, no_lanes(), hn::Zero(DI())};
     return filter_layer<K, Linear>(unit, level, layer, x, y);
 }

@@ -124,12 +124,17 @@ HWY_INLINE VU border_texel(const TextureUnit& unit, VI reference) {
 // A texel kind knows how texels lie in a row and what they mean:
 //   row_of(y)                  the row (of blocks) that holds y
 //   read(unit, row, x, y, ref) the texels x of the rows at byte offset `row`
+// and those whose neighbours one load reads together (texel_places-inl.h):
+//   Pair                       the unsigned lane that holds two neighbours, and maybe more
+//   bytes(unit)                of a texel
+//   decode(unit, raw)          what texels in the lowest bits of words mean
 
-// Rgba8, the fast case. Kinds whose texels are words say how one is decoded: neighbours are then
-// read in pairs.
+// Rgba8, the fast case.
 struct WordTexels {
+    using Pair = std::uint64_t;
     static HWY_INLINE VI row_of(VI y) { return y; }
-    static HWY_INLINE VU decode(VU raw) { return raw; }
+    static HWY_INLINE int bytes(const TextureUnit&) { return 4; }
+    static HWY_INLINE VU decode(const TextureUnit&, VU raw) { return raw; }
     static HWY_INLINE VU read(const TextureUnit& unit, VI row, VI x, VI, VI) {
         return gather_at(unit, hn::Add(row, hn::ShiftLeft<2>(x)));
     }
@@ -137,39 +142,30 @@ struct WordTexels {
 
 // Rgbx8.
 struct OpaqueWordTexels {
+    using Pair = std::uint64_t;
     static HWY_INLINE VI row_of(VI y) { return y; }
-    static HWY_INLINE VU decode(VU raw) { return hn::Or(raw, hn::Set(DU(), 0xff000000u)); }
+    static HWY_INLINE int bytes(const TextureUnit&) { return 4; }
+    static HWY_INLINE VU decode(const TextureUnit&, VU raw) {
+        return hn::Or(raw, hn::Set(DU(), 0xff000000u));
+    }
     static HWY_INLINE VU read(const TextureUnit& unit, VI row, VI x, VI y, VI reference) {
-        return decode(WordTexels::read(unit, row, x, y, reference));
+        return decode(unit, WordTexels::read(unit, row, x, y, reference));
     }
 };
 
-// Words x and x + 1 of each lane, by one load of both.
-struct WordPair {
-    VU left, right;
-};
-HWY_INLINE WordPair read_pair(const TextureUnit& unit, VI row, VI x) {
-    const DU d;
-    const hn::Half<DI> half;
-    const hn::RepartitionToWide<DI> wide;
-    const hn::RepartitionToWide<DU> pairs;
-    const VI offset = hn::Add(row, hn::ShiftLeft<2>(x));
-    const auto* texels = reinterpret_cast<const std::uint64_t*>(unit.texels);
-    const auto lower =
-        hn::GatherOffset(pairs, texels, hn::PromoteTo(wide, hn::LowerHalf(half, offset)));
-    const auto upper =
-        hn::GatherOffset(pairs, texels, hn::PromoteTo(wide, hn::UpperHalf(half, offset)));
-    return {hn::ConcatEven(d, hn::BitCast(d, upper), hn::BitCast(d, lower)),
-            hn::ConcatOdd(d, hn::BitCast(d, upper), hn::BitCast(d, lower))};
-}
-
 // Colour formats of one and two bytes.
 struct SmallTexels {
+    using Pair = std::uint32_t;
     static HWY_INLINE VI row_of(VI y) { return y; }
+    static HWY_INLINE int bytes(const TextureUnit& unit) {
+        return format_info(unit.format).block_bytes;
+    }
+    static HWY_INLINE VU decode(const TextureUnit& unit, VU raw) {
+        return decode_small(unit.format, raw);
+    }
     static HWY_INLINE VU read(const TextureUnit& unit, VI row, VI x, VI, VI) {
-        const int shift = format_info(unit.format).block_bytes == 2 ? 1 : 0;
-        return decode_small(unit.format,
-                            gather_at(unit, hn::Add(row, hn::ShiftLeftSame(x, shift))));
+        const int shift = bytes(unit) == 2 ? 1 : 0;
+        return decode(unit, gather_at(unit, hn::Add(row, hn::ShiftLeftSame(x, shift))));
     }
 };
 

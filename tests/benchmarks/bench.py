@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 """Speed of ffgpu beside Mesa's softpipe and llvmpipe, measured in one run and printed as ratios.
 
-    tests/benchmarks/bench.py --build build [--workloads DIR] [--only traces|rates] [--threads N]
+    tests/benchmarks/bench.py --build build [--workloads DIR] [--threads N]
+                              [--only traces|rates|live|recording|start]
 
 Traces: frames a second of the last frame repeated, by `ffgpu replay --benchmark` and by `glretrace
 --benchmark`, without start-up and without pictures; the same with nothing drawn, which is what player and driver cost by
 themselves (`--player-only`); and of the whole with the timing model. Rates: fill
 and vertex rates of one program (gl_rates) on ffgpu's off-screen library and on Mesa's. Mesa runs with
 LP_NUM_THREADS=0, that is on one thread, where ffgpu does; then all is measured in processor time.
+Live: frames a second of programs in their windows. Recording: what it costs to save the work. Start: time and memory
+of `ffgpu --help`, memory of replays (bench_programs.py).
 """
 import argparse
 import contextlib
@@ -18,6 +21,8 @@ import statistics
 import subprocess
 import sys
 import time
+
+from bench_programs import bench_live, bench_recording, bench_start
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PEERS = ("softpipe", "llvmpipe")
@@ -133,10 +138,14 @@ def frame_rates(options, display, trace):
     return rates
 
 
-def bench_traces(options, display):
+def find_traces(options):
+    """Those of real programs, or where there are none, the project's own."""
     traces = sorted(glob.glob(os.path.join(options.workloads, "traces", "*.trace")))
-    if not traces:  # Without those of real programs, the project's own.
-        traces = sorted(glob.glob(os.path.join(ROOT, "traces", "*.trace")))
+    return traces or sorted(glob.glob(os.path.join(ROOT, "traces", "*.trace")))
+
+
+def bench_traces(options, display):
+    traces = find_traces(options)
     print(f"Frames a second of the last frame repeated, {options.threads} thread(s), {CLOCK[options.threads == 1]} time,")
     print(f"middle of {options.rounds} rounds in which each takes its turn. Ratios: least, middle, greatest of the rounds.")
     print("player: ffgpu's player and driver alone, nothing drawn; its share of the frame's time.")
@@ -220,18 +229,25 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", default=os.path.join(ROOT, "build"))
     parser.add_argument("--workloads", default=os.environ.get("FFGPU_WORKLOADS", os.path.join(ROOT, "..", "shared", "workloads")))
-    parser.add_argument("--only", choices=("traces", "rates"))
+    parser.add_argument("--only", choices=("traces", "rates", "live", "recording", "start"))
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--rounds", type=int, default=5, help="in which each takes its turn")
     ARGUMENTS = parser.parse_args()
     ARGUMENTS.gl_rates = os.path.join(ARGUMENTS.build, "tests", "benchmarks", "gl_rates")
     ARGUMENTS.ffgpu = os.path.join(ARGUMENTS.build, "tools", "ffgpu")
     print(time.strftime("%Y-%m-%d"), os.uname().machine, f"{os.cpu_count()} cores")
-    if ARGUMENTS.only != "rates":
-        with x_server() as display:
+    wanted = [ARGUMENTS.only] if ARGUMENTS.only else ["traces", "rates", "live", "recording", "start"]
+    with x_server() as display:
+        if "traces" in wanted:
             bench_traces(ARGUMENTS, display)
-    if ARGUMENTS.only != "traces":
-        bench_rates(ARGUMENTS)
+        if "rates" in wanted:
+            bench_rates(ARGUMENTS)
+        if "live" in wanted:
+            bench_live(ARGUMENTS, display, mesa_environment, cell, spread)
+        if "recording" in wanted:
+            bench_recording(ARGUMENTS, find_traces(ARGUMENTS))
+        if "start" in wanted:
+            bench_start(ARGUMENTS, find_traces(ARGUMENTS))
 
 
 main()

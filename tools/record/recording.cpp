@@ -142,6 +142,7 @@ void Recording::start(std::uint64_t first_frame) {
     statistics_.begin();
     if (!options_.capture.empty())
         capture_.begin(options_.capture, static_cast<std::uint32_t>(first_frame));
+    gpu_.finish();
     counted_.take(gpu_.statistics());
     listen();
 }

@@ -42,16 +42,20 @@ void convert_rows(std::span<const std::byte> rows,
                   std::size_t stride,
                   XImage& to,
                   const Visual& visual) {
-    const auto width = static_cast<std::size_t>(to.width);
-    const bool quick = is_bgrx(to, visual);
+    const auto upside_down = [&](int y) {
+        return rows.data() + stride * static_cast<std::size_t>(to.height - 1 - y);
+    };
+    if (is_bgrx(to, visual)) {
+        for (int y = 0; y < to.height; ++y)
+            convert_bgrx(upside_down(y),
+                         to.data + std::ptrdiff_t{y} * to.bytes_per_line,
+                         static_cast<std::size_t>(to.width));
+        return;
+    }
     const Channel red = channel(visual.red_mask), green = channel(visual.green_mask),
                   blue = channel(visual.blue_mask);
     for (int y = 0; y < to.height; ++y) {
-        const std::byte* from = rows.data() + stride * static_cast<std::size_t>(to.height - 1 - y);
-        if (quick) {
-            convert_bgrx(from, to.data + std::ptrdiff_t{y} * to.bytes_per_line, width);
-            continue;
-        }
+        const std::byte* from = upside_down(y);
         for (int x = 0; x < to.width; ++x, from += 4)
             XPutPixel(&to,
                       x,
