@@ -125,6 +125,7 @@ std::uint64_t& MissCurves::last_use(std::uint32_t id) {
 
 void MissCurves::look_up(const LookupPlace& place, const LineLookup& lookup) {
     if (reads_ && !lookup.write) return read(place, lookup.line);
+    check(!shape_.only_reads, "look-ups that only read");
     end_reads();
     LineUse use{.id = numbers_[lookup.line], .line = lookup.line, .write = lookup.write};
     std::uint64_t& last = last_use(use.id);
@@ -185,8 +186,12 @@ void MissCurves::overwritten(std::span<const OverwrittenLine> lines) {
         std::size_t whole = 0;
         for (; i < lines.size() && own_line(lines[i].line) == line; ++i)
             whole += lines[i].whole;
+        if (shape_.only_reads) {
+            reads_->drop(line);
+            continue;
+        }
         if (reads_ && !reads_->has(line)) continue;
-        end_reads();
+        end_reads(); // Its stacks take no holes over.
         const std::uint32_t id = numbers_[line];
         if (!all_.has(id)) continue;
         if (id == newest_) newest_ = Nothing;

@@ -1,8 +1,8 @@
 // MissCurves: the hits, misses and write-backs of LRU caches of one line size, of any number of
 // sets and ways, from one pass over the look-ups (M. D. Hill, A. J. Smith, Evaluating Associativity
 // in CPU Caches, IEEE Trans. Computers 38 (12), 1989). A line that was its set's last used is that
-// of every smaller set, too: most look-ups touch few of the stacks. As long as lines are only read
-// (as texels are) they are in stacks that do no more (read_stacks.h).
+// of every smaller set, too: most look-ups touch few of the stacks. Lines that are only read (as
+// texels are), or were so far, are in stacks that do no more (read_stacks.h).
 //
 // Misses are told by kind as miss_classifier.h has them, and by where the line was used last: the
 // compulsory ones and the six of Reuse add up to all.
@@ -39,6 +39,7 @@ struct CurvesShape {
     std::uint32_t most_sets = 4096; // a power of two
     std::uint32_t most_ways = 32;   // of more sets than one
     bool merges = true;             // look-ups of one quad that fall on one line are one
+    bool only_reads = false;        // no line is ever written
 };
 
 // What was counted, ready to be asked of any cache.
@@ -109,7 +110,7 @@ private:
 
     const CurvesShape shape_;
     const unsigned shift_;
-    std::optional<ReadStacks> reads_; // as long as nothing was written, nor single lines thrown out
+    std::optional<ReadStacks> reads_; // as long as nothing was written
     // After that:
     LineNumbers numbers_;
     std::vector<std::uint64_t> last_use_; // by line: the number of its place

@@ -103,10 +103,12 @@ TEST_CASE("curves of one pass equal a plain cache of each shape", "[curves]") {
     }
 }
 
-// `writes`: whether any look-up may write.
+// No look-up before `writes_from` writes.
 std::vector<Event> read_only(std::vector<Event> events, std::size_t writes_from) {
-    for (std::size_t i = 0; i < std::min(writes_from, events.size()); ++i)
-        if (events[i].kind == Event::Kind::LookUp) events[i].flag = false;
+    for (Event& event : events) {
+        if (writes_from-- == 0) break;
+        if (event.kind == Event::Kind::LookUp) event.flag = false;
+    }
     return events;
 }
 
@@ -121,6 +123,24 @@ TEST_CASE("look-ups that only read, and begin to write late, equal a plain cache
             for (std::uint32_t sets = 1; sets <= 16; sets *= 2)
                 for (const std::uint32_t ways : {1u, 2u, 3u, 5u, 8u, 15u, 16u, 17u, 20u}) {
                     INFO(lines << " lines, " << sets << " sets, " << ways << " ways");
+                    PlainCache plain(sets, ways);
+                    play(all, plain);
+                    check_equal(curves.sums().counts(sets, ways), plain.counts);
+                }
+        }
+}
+
+TEST_CASE("lines that are only read, and thrown out, equal a plain cache", "[curves]") {
+    for (const unsigned disturb : {30u, 3u, 1u})
+        for (const unsigned lines : {12u, 40u, 400u}) {
+            const std::vector<Event> all =
+                read_only(events(disturb + lines, 6000, lines, disturb), ~std::size_t{0});
+            MissCurves curves({.most_sets = 16, .most_ways = 20, .only_reads = true});
+            play(all, curves);
+            for (std::uint32_t sets = 1; sets <= 16; sets *= 2)
+                for (const std::uint32_t ways : {1u, 2u, 3u, 5u, 8u, 15u, 16u, 17u, 20u}) {
+                    INFO("disturbed " << disturb << ", " << lines << " lines: " << sets << " sets, "
+                                      << ways << " ways");
                     PlainCache plain(sets, ways);
                     play(all, plain);
                     check_equal(curves.sums().counts(sets, ways), plain.counts);

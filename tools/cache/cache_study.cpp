@@ -200,6 +200,7 @@ private:
     }
     void add(LookupClient client, std::uint32_t line_bytes, CurveThreads& threads) {
         const bool texel = client == LookupClient::Texel;
+        const bool reads_only = texel || client == LookupClient::Vertex;
         const bool quads = variant_.granularity == work::Granularity::Quad && variant_.merges;
         const std::uint32_t own =
             texel ? config_.texel_cache.line_bytes : config_.depth_cache.line_bytes;
@@ -209,7 +210,8 @@ private:
                                                               .lookup_bytes = own,
                                                               .most_sets = options_.most_sets,
                                                               .most_ways = options_.most_ways,
-                                                              .merges = !texel || quads}),
+                                                              .merges = !texel || quads,
+                                                              .only_reads = reads_only}),
              &threads.next()});
     }
     void hand_over(const std::shared_ptr<const LookupChunk>& chunk) {
