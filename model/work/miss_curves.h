@@ -68,6 +68,10 @@ public:
     explicit MissCurves(const CurvesShape& shape);
 
     void lookups(const LookupPlace& place, std::span<const LineLookup> lines);
+    // The look-ups told last, which only read, once more by each of the `quads` up to `place`, all
+    // of one tile: each of them finds the lines where the one before does.
+    void
+    lookups_again(const LookupPlace& place, std::span<const LineLookup> lines, std::uint32_t quads);
     void flush();
     void overwritten(std::span<const OverwrittenLine> lines);
     void end_frame();
@@ -101,7 +105,7 @@ private:
     std::uint64_t own_line(std::uint64_t line) const;
     void merge(std::span<const LineLookup> lines);
     void look_up(const LookupPlace& place, const LineLookup& lookup);
-    void read(const LookupPlace& place, std::uint64_t line);
+    void read(const LookupPlace& place, std::uint64_t line, std::uint32_t quads);
     void end_reads();
     void count_frame_line(const LookupPlace& place, std::uint64_t last);
     std::uint64_t& last_use(std::uint32_t id);

@@ -148,6 +148,40 @@ TEST_CASE("lines that are only read, and thrown out, equal a plain cache", "[cur
         }
 }
 
+// Three quads' look-ups, each told by many quads in turn: once by once, and again at once.
+TEST_CASE("look-ups that many quads repeat are told at once", "[curves]") {
+    const std::vector<std::vector<LineLookup>> lists{
+        {{1}, {5}, {2}, {40}}, {{5}}, {{2}, {9}, {1}, {33}, {2}}};
+    for (const bool merges : {true, false})
+        for (const std::uint32_t line_bytes : {16u, 64u}) {
+            const CurvesShape shape{.line_bytes = line_bytes,
+                                    .lookup_bytes = 16,
+                                    .most_sets = 8,
+                                    .most_ways = 6,
+                                    .merges = merges,
+                                    .only_reads = true};
+            MissCurves one_by_one(shape), at_once(shape);
+            LookupPlace place;
+            for (unsigned round = 0; round < 6; ++round) {
+                const std::vector<LineLookup>& lines = lists[round % lists.size()];
+                place.begin(Reuse::Tile);
+                one_by_one.lookups(place, lines);
+                at_once.lookups(place, lines);
+                for (unsigned i = 0; i <= round; ++i) {
+                    ++place.number;
+                    place.begin(Reuse::Quad);
+                    one_by_one.lookups(place, lines);
+                }
+                at_once.lookups_again(place, lines, round + 1);
+                ++place.number;
+            }
+            for (std::uint32_t sets = 1; sets <= 8; sets *= 2)
+                for (std::uint32_t ways = 1; ways <= 6; ++ways)
+                    CHECK(at_once.sums().counts(sets, ways) ==
+                          one_by_one.sums().counts(sets, ways));
+        }
+}
+
 TEST_CASE("fully associative caches of any size, past the first window of times", "[curves]") {
     const std::vector<Event> all = events(7, 80000, 3000, 400);
     MissCurves curves({.most_sets = 1, .most_ways = 1});

@@ -22,7 +22,7 @@ namespace {
 using work::LookupClient;
 
 // The curves of one client and line size.
-class ClientCurves final : public work::LookupSink {
+class ClientCurves final : public ChunkReader {
 public:
     ClientCurves(LookupClient client, const work::CurvesShape& shape)
         : client_(client)
@@ -35,6 +35,14 @@ public:
         if (client != client_) return;
         reads_ += reads;
         curves_.lookups(place, lines);
+    }
+    void lookups_again(const work::LookupPlace& place,
+                       std::span<const work::LineLookup> lines,
+                       std::uint32_t quads,
+                       std::uint32_t reads) override {
+        if (client_ != LookupClient::Texel) return;
+        reads_ += reads;
+        curves_.lookups_again(place, lines, quads);
     }
     void flush(LookupClient client) override {
         if (client == client_) curves_.flush();
