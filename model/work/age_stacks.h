@@ -1,10 +1,9 @@
-// AgeStacks: the LRU stacks of a cache's sets, each down to a depth, while lines are only read and
-// nothing is thrown out but by flushes: a stack holds the times of its lines' last uses, the latest
-// first, and a line's position is the number of times after its own. What SetStacks tells of them,
-// without looking for the line.
+// AgeStacks: the LRU stacks of a cache's sets, each down to a depth, while lines are only read: a
+// stack holds the times of its lines' last uses, the latest first, and a line's position is the
+// number of times after its own. What SetStacks tells of them, without looking for the line.
 //
 // A line that is its set's last used need not be used again here: a time of its that is too early
-// is still the set's latest.
+// is still the set's latest. Holes are as in set_stacks.h: the times of lines that were thrown out.
 
 #pragma once
 
@@ -18,48 +17,100 @@ namespace ffgpu::work {
 class AgeStacks {
 public:
     using Time = std::uint32_t; // above 0
+    static constexpr Time MostTimes = ~Time{0} / 2;
 
     // `sets` a power of two.
     AgeStacks(std::uint32_t sets, std::uint32_t depth)
         : mask_(sets - 1)
         , depth_(depth)
-        , times_(std::size_t{sets} * depth, 0) {}
+        , entries_(std::size_t{sets} * depth, 0) {}
 
     // The position of a line that was used last at `time`; the depth, if it is not known any more.
-    // With time 0: how many lines there are.
+    // With time 0: how many lines and holes there are.
     std::uint32_t position(std::uint64_t line, Time time) const {
-        const Time* const stack = times_.data() + set_of(line);
-        if (stack[0] <= time) return 0;
-        if (stack[depth_ - 1] > time) return depth_;
-        const Time* first = stack; // of `rest` places, of which the last but one may be later
+        const Entry* const stack = entries_.data() + set_of(line);
+        const Entry latest = 2 * time + 1;
+        if (stack[0] <= latest) return 0;
+        if (stack[depth_ - 1] > latest) return depth_;
+        const Entry* first = stack; // of `rest` places, of which the last but one may be later
         for (std::uint32_t rest = depth_; rest > 1;) {
             const std::uint32_t half = rest / 2;
-            first += first[half - 1] > time ? half : 0;
+            first += first[half - 1] > latest ? half : 0;
             rest -= half;
         }
-        return static_cast<std::uint32_t>(first - stack) + (*first > time);
+        return static_cast<std::uint32_t>(first - stack) + (*first > latest);
+    }
+
+    // Of the set of `line`, above the position.
+    std::uint32_t holes_above(std::uint64_t line, std::uint32_t position) const {
+        if (holes_ == 0) return 0;
+        const Entry* const stack = entries_.data() + set_of(line);
+        std::uint32_t holes = 0;
+        for (std::uint32_t at = 0; at < position; ++at)
+            holes += stack[at] & Hole;
+        return holes;
     }
 
     // Uses a line again that was used last at `before`, or never (0). Returns its position.
     std::uint32_t use(std::uint64_t line, Time before, Time now) {
         const std::uint32_t at = position(line, before);
         if (at == 0 && before > 0) return 0;
-        Time* const stack = times_.data() + set_of(line);
-        std::memmove(stack + 1, stack, std::min(at, depth_ - 1) * sizeof *stack);
-        stack[0] = now;
+        Entry* const stack = entries_.data() + set_of(line);
+        const std::uint32_t hole = holes_ > 0 ? uppermost_hole(stack, at) : at;
+        if (hole < at && before > 0 && at < depth_)
+            stack[at] |= Hole;
+        else if (hole < at)
+            --holes_;
+        std::memmove(stack + 1, stack, std::min(hole, depth_ - 1) * sizeof *stack);
+        stack[0] = 2 * now;
         return at;
     }
 
-    void flush() { std::fill(times_.begin(), times_.end(), Time{0}); }
+    // Throws a line out that was used last at `before`.
+    void drop(std::uint64_t line, Time before) {
+        const std::uint32_t at = position(line, before);
+        if (at == depth_) return;
+        entries_[set_of(line) + at] |= Hole;
+        ++holes_;
+    }
+
+    void flush() {
+        std::fill(entries_.begin(), entries_.end(), Entry{0});
+        holes_ = 0;
+    }
+
+    // Calls each(time) for all times.
+    template <class Each>
+    void for_each_time(Each&& each) const {
+        for (const Entry entry : entries_)
+            if (entry != 0) each(entry / 2);
+    }
+    // All times become now_of(time), in the same order.
+    template <class NowOf>
+    void count_anew(NowOf&& now_of) {
+        for (Entry& entry : entries_)
+            if (entry != 0) entry = 2 * now_of(entry / 2) | (entry & Hole);
+    }
 
 private:
+    using Entry = std::uint32_t; // twice the time, and Hole; 0: none
+    static constexpr Entry Hole = 1;
+
     std::size_t set_of(std::uint64_t line) const {
         return static_cast<std::size_t>(line & mask_) * depth_;
+    }
+    // `end` if none is above it.
+    static std::uint32_t uppermost_hole(const Entry* stack, std::uint32_t end) {
+        std::uint32_t at = 0;
+        while (at < end && (stack[at] & Hole) == 0)
+            ++at;
+        return at;
     }
 
     std::uint64_t mask_;
     std::uint32_t depth_;
-    std::vector<Time> times_;
+    std::vector<Entry> entries_;
+    std::uint64_t holes_ = 0; // in all sets
 };
 
 } // namespace ffgpu::work

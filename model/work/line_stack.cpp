@@ -23,9 +23,9 @@ void LineStack::put_on(std::uint32_t id) {
 }
 
 std::uint32_t LineStack::take(std::uint32_t id) {
-    Line& taken = lines_[id];
-    const std::uint32_t position = tree_.after(taken.time);
-    tree_.clear(taken.time);
+    Line& taken = line(id);
+    const std::uint32_t position = taken.time == NotThere ? NotThere : tree_.after(taken.time);
+    take_off(taken.time);
     taken.time = NotThere;
     return position;
 }

@@ -18,8 +18,8 @@ public:
 
     // Lines are numbered (line_numbers.h). Returns the position at which it was.
     std::uint32_t use(std::uint32_t id, bool write);
-    // The same in two steps, of a line that is clean and of stacks without holes: between them it
-    // lies on top of them all, and is not counted.
+    // The same in two steps, of a line that is clean: between them it lies on top of them all, and
+    // is not counted.
     std::uint32_t take(std::uint32_t id);
     void put(std::uint32_t id);
 

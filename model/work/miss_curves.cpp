@@ -10,9 +10,9 @@
 namespace ffgpu::work {
 namespace {
 
-void count(std::vector<std::uint64_t>& histogram, std::uint32_t at) {
+void count(std::vector<std::uint64_t>& histogram, std::uint32_t at, std::uint64_t times = 1) {
     if (at >= histogram.size()) histogram.resize(std::size_t{at} * 2 + 64, 0);
-    ++histogram[at];
+    histogram[at] += times;
 }
 
 // Of each entry the sum from there on.
@@ -70,11 +70,23 @@ void MissCurves::lookups(const LookupPlace& place, std::span<const LineLookup> l
         look_up(place, lookup);
 }
 
+void MissCurves::lookups_again(const LookupPlace& place,
+                               std::span<const LineLookup> lines,
+                               std::uint32_t quads) {
+    check(reads_.has_value(), "look-ups that only read");
+    if (shift_ > 0) {
+        merge(lines);
+        lines = merged_;
+    }
+    for (const LineLookup& lookup : lines)
+        read(place, lookup.line, quads);
+}
+
 // --- As long as lines are only read --------------------------------------------------------------
 
-void MissCurves::read(const LookupPlace& place, std::uint64_t line) {
+void MissCurves::read(const LookupPlace& place, std::uint64_t line, std::uint32_t quads) {
     if (const auto last = reads_->look_up_last(line, place.number)) {
-        ++reuses_[static_cast<std::size_t>(place.since(*last))];
+        reuses_[static_cast<std::size_t>(place.since(*last))] += quads;
         if (*last < place.began[static_cast<std::size_t>(Reuse::Frame)]) ++lines_now_;
         return;
     }
@@ -85,14 +97,14 @@ void MissCurves::read(const LookupPlace& place, std::uint64_t line) {
         return;
     }
     const auto reuse = static_cast<std::size_t>(place.since(found.last));
-    ++reuses_[reuse];
+    reuses_[reuse] += quads;
     if (found.depth == 0) return;
-    count(positions_[reuse], found.depth);
+    count(positions_[reuse], found.depth, quads);
     std::uint32_t share = found.depth;
     for (std::size_t i = 0; i < found.positions.size(); ++i) {
         share /= 2;
-        ++levels_[i].positions[reuse][found.positions[i]];
-        ++levels_[i].in_both[std::min(found.positions[i], share)];
+        levels_[i].positions[reuse][found.positions[i]] += quads;
+        levels_[i].in_both[std::min(found.positions[i], share)] += quads;
     }
 }
 
@@ -124,7 +136,8 @@ std::uint64_t& MissCurves::last_use(std::uint32_t id) {
 }
 
 void MissCurves::look_up(const LookupPlace& place, const LineLookup& lookup) {
-    if (reads_ && !lookup.write) return read(place, lookup.line);
+    if (reads_ && !lookup.write) return read(place, lookup.line, 1);
+    check(!shape_.only_reads, "look-ups that only read");
     end_reads();
     LineUse use{.id = numbers_[lookup.line], .line = lookup.line, .write = lookup.write};
     std::uint64_t& last = last_use(use.id);
@@ -185,8 +198,12 @@ void MissCurves::overwritten(std::span<const OverwrittenLine> lines) {
         std::size_t whole = 0;
         for (; i < lines.size() && own_line(lines[i].line) == line; ++i)
             whole += lines[i].whole;
+        if (shape_.only_reads) {
+            reads_->drop(line);
+            continue;
+        }
         if (reads_ && !reads_->has(line)) continue;
-        end_reads();
+        end_reads(); // Its stacks take no holes over.
         const std::uint32_t id = numbers_[line];
         if (!all_.has(id)) continue;
         if (id == newest_) newest_ = Nothing;

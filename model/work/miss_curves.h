@@ -1,8 +1,8 @@
 // MissCurves: the hits, misses and write-backs of LRU caches of one line size, of any number of
 // sets and ways, from one pass over the look-ups (M. D. Hill, A. J. Smith, Evaluating Associativity
 // in CPU Caches, IEEE Trans. Computers 38 (12), 1989). A line that was its set's last used is that
-// of every smaller set, too: most look-ups touch few of the stacks. As long as lines are only read
-// (as texels are) they are in stacks that do no more (read_stacks.h).
+// of every smaller set, too: most look-ups touch few of the stacks. Lines that are only read (as
+// texels are), or were so far, are in stacks that do no more (read_stacks.h).
 //
 // Misses are told by kind as miss_classifier.h has them, and by where the line was used last: the
 // compulsory ones and the six of Reuse add up to all.
@@ -39,6 +39,7 @@ struct CurvesShape {
     std::uint32_t most_sets = 4096; // a power of two
     std::uint32_t most_ways = 32;   // of more sets than one
     bool merges = true;             // look-ups of one quad that fall on one line are one
+    bool only_reads = false;        // no line is ever written
 };
 
 // What was counted, ready to be asked of any cache.
@@ -67,6 +68,10 @@ public:
     explicit MissCurves(const CurvesShape& shape);
 
     void lookups(const LookupPlace& place, std::span<const LineLookup> lines);
+    // The look-ups told last, which only read, once more by each of the `quads` up to `place`, all
+    // of one tile: each of them finds the lines where the one before does.
+    void
+    lookups_again(const LookupPlace& place, std::span<const LineLookup> lines, std::uint32_t quads);
     void flush();
     void overwritten(std::span<const OverwrittenLine> lines);
     void end_frame();
@@ -100,7 +105,7 @@ private:
     std::uint64_t own_line(std::uint64_t line) const;
     void merge(std::span<const LineLookup> lines);
     void look_up(const LookupPlace& place, const LineLookup& lookup);
-    void read(const LookupPlace& place, std::uint64_t line);
+    void read(const LookupPlace& place, std::uint64_t line, std::uint32_t quads);
     void end_reads();
     void count_frame_line(const LookupPlace& place, std::uint64_t last);
     std::uint64_t& last_use(std::uint32_t id);
@@ -109,7 +114,7 @@ private:
 
     const CurvesShape shape_;
     const unsigned shift_;
-    std::optional<ReadStacks> reads_; // as long as nothing was written, nor single lines thrown out
+    std::optional<ReadStacks> reads_; // as long as nothing was written
     // After that:
     LineNumbers numbers_;
     std::vector<std::uint64_t> last_use_; // by line: the number of its place

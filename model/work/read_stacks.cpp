@@ -1,5 +1,7 @@
 #include "model/work/read_stacks.h"
 
+#include "model/base/check.h"
+
 #include <algorithm>
 
 namespace ffgpu::work {
@@ -51,8 +53,12 @@ ReadStacks::Found ReadStacks::look_up(std::uint64_t line, std::uint64_t number) 
     found.last = known.last;
     known.last = number;
     found.known = all_.has(id);
-    if (!found.known) known.left = 0; // It may stand there from before a flush.
-    if (found.known) find_older(id, found);
+    if (found.known) {
+        find_older(id, found);
+    } else {
+        known.left = 0; // It may stand there from before a flush.
+        all_.take(id);
+    }
     if (recent_.full()) oldest_leaves();
     recent_.add(line, {number, known.left, id});
     return found;
@@ -74,7 +80,8 @@ void ReadStacks::find_recent(unsigned at, Found& found) {
 }
 
 // Below the top a line lies under those that left it later, and so do of the newest lines those
-// that still stand there, above it: they are counted once.
+// that still stand there, above it: they are counted once. The others came from below it, and took
+// the holes above it first.
 void ReadStacks::find_older(std::uint32_t id, Found& found) {
     const Line& line = lines_[id];
     Sharers sharers;
@@ -84,8 +91,11 @@ void ReadStacks::find_older(std::uint32_t id, Found& found) {
     std::uint32_t below = most_ways_; // never deeper than in half as many sets
     std::size_t level = 0;
     for (; level < stacks_.size(); ++level) {
-        if (below > 0) below = stacks_[level].position(line.line, line.left);
-        positions_[level] = std::min(below + sharers.next(), most_ways_);
+        const AgeStacks& stack = stacks_[level];
+        if (below > 0) below = stack.position(line.line, line.left);
+        const std::uint32_t newer = sharers.next();
+        const std::uint32_t taken = std::min(newer, stack.holes_above(line.line, below));
+        positions_[level] = std::min(below + newer - taken, most_ways_);
         if (positions_[level] == 0) break;
     }
     found.positions = std::span(positions_).first(level);
@@ -115,25 +125,49 @@ std::vector<std::uint32_t> ReadStacks::older_first() const {
     return ids;
 }
 
-// The lines that are on top are forgotten below.
+void ReadStacks::all_leave() {
+    while (recent_.size() > 0)
+        oldest_leaves();
+}
+
+// All times that are told become 1, 2, 3 ...
 void ReadStacks::count_anew() {
+    std::vector<AgeStacks::Time> times;
+    const auto tell = [&](AgeStacks::Time time) { times.push_back(time); };
+    for (const AgeStacks& stack : stacks_)
+        stack.for_each_time(tell);
+    for (const Line& line : lines_)
+        if (line.left > 0) tell(line.left);
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    const auto now_of = [&](AgeStacks::Time time) {
+        const auto at = std::lower_bound(times.begin(), times.end(), time);
+        return static_cast<AgeStacks::Time>(at - times.begin()) + 1;
+    };
     for (AgeStacks& stack : stacks_)
-        stack.flush();
-    leaves_ = 0;
-    const std::vector<std::uint32_t> ids = older_first();
+        stack.count_anew(now_of);
     for (Line& line : lines_)
-        line.left = 0;
-    for (const std::uint32_t id : ids) {
-        lines_[id].left = ++leaves_;
-        for (AgeStacks& stack : stacks_)
-            stack.use(lines_[id].line, 0, leaves_);
+        if (line.left > 0) line.left = now_of(line.left);
+    for (unsigned at = 0; at < recent_.size(); ++at) {
+        RecentLines::Use& use = recent_.use(at);
+        if (use.left > 0) use.left = now_of(use.left);
     }
-    for (unsigned at = 0; at < recent_.size(); ++at)
-        recent_.use(at).left = 0;
+    leaves_ = static_cast<AgeStacks::Time>(times.size());
+    check(leaves_ < most_times_, "times for all lines and holes");
 }
 
 bool ReadStacks::has(std::uint64_t line) {
     return recent_.find(line) < recent_.size() || all_.has(numbers_[line]);
+}
+
+// The newest lines first go to the stacks below, where they would be above the hole.
+void ReadStacks::drop(std::uint64_t line) {
+    if (!has(line)) return;
+    all_leave();
+    const std::uint32_t id = numbers_[line];
+    all_.drop(id, true);
+    for (AgeStacks& stack : stacks_)
+        stack.drop(line, lines_[id].left);
 }
 
 void ReadStacks::flush() {
@@ -146,8 +180,7 @@ void ReadStacks::flush() {
 }
 
 std::vector<std::uint64_t> ReadStacks::oldest_first() {
-    while (recent_.size() > 0)
-        oldest_leaves();
+    all_leave();
     std::vector<std::uint64_t> lines;
     for (const std::uint32_t id : older_first())
         lines.push_back(lines_[id].line);

@@ -1,9 +1,13 @@
-// ReadStacks: the LRU stacks of 1, 2, 4 ... sets at once, while lines are only read and are thrown
-// out by flushes alone: where a line was in each of them when it is looked up.
+// ReadStacks: the LRU stacks of 1, 2, 4 ... sets at once, while lines are only read: where a line
+// was in each of them when it is looked up.
 //
 // The newest lines lie apart, on top of all stacks (recent_lines.h): most look-ups touch nothing
 // else. The stacks below know a line from when it left the top; lines leave it in the order in
 // which they were looked up. A line that is on top again still has its old place below.
+//
+// Lines that are thrown out leave holes (set_stacks.h). Each use takes the uppermost of the holes
+// and of its line's own place away, whichever order the uses come in; and above a line that stands
+// on top no hole is: it would have been taken first.
 
 #pragma once
 
@@ -14,7 +18,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -28,15 +31,15 @@ public:
     static constexpr std::size_t MostLevels = 32;
 
     // Of 1, 2, 4 ... most_sets sets, those of several down to `most_ways`. Times are told apart up
-    // to `most_times`, and counted anew then.
+    // to `most_times`, and counted anew then: more than there are lines and holes.
     ReadStacks(std::uint32_t most_sets,
                std::uint32_t most_ways,
-               AgeStacks::Time most_times = std::numeric_limits<AgeStacks::Time>::max());
+               AgeStacks::Time most_times = AgeStacks::MostTimes);
 
     // What a look-up found.
     struct Found {
         std::uint64_t last = Never; // number of the line's look-up before
-        bool known = false;         // looked up since the last flush
+        bool known = false;         // looked up, and not thrown out since
         std::uint32_t depth = 0;    // its position among all lines
         // Of 2, 4, 8 ... sets, as long as they are above 0; at most most_ways.
         std::span<const std::uint32_t> positions{};
@@ -50,8 +53,9 @@ public:
         return std::exchange(recent_.use(0).place, number);
     }
 
-    // It was looked up since the last flush.
+    // It was looked up, and not thrown out since.
     bool has(std::uint64_t line);
+    void drop(std::uint64_t line);
     void flush();
 
     // Calls each(line, last) for all lines that were ever looked up.
@@ -74,6 +78,7 @@ private:
     void find_recent(unsigned at, Found& found);
     void find_older(std::uint32_t id, Found& found);
     void oldest_leaves();
+    void all_leave();
     std::vector<std::uint32_t> older_first() const;
     void count_anew();
 

@@ -103,10 +103,12 @@ TEST_CASE("curves of one pass equal a plain cache of each shape", "[curves]") {
     }
 }
 
-// `writes`: whether any look-up may write.
+// No look-up before `writes_from` writes.
 std::vector<Event> read_only(std::vector<Event> events, std::size_t writes_from) {
-    for (std::size_t i = 0; i < std::min(writes_from, events.size()); ++i)
-        if (events[i].kind == Event::Kind::LookUp) events[i].flag = false;
+    for (Event& event : events) {
+        if (writes_from-- == 0) break;
+        if (event.kind == Event::Kind::LookUp) event.flag = false;
+    }
     return events;
 }
 
@@ -125,6 +127,58 @@ TEST_CASE("look-ups that only read, and begin to write late, equal a plain cache
                     play(all, plain);
                     check_equal(curves.sums().counts(sets, ways), plain.counts);
                 }
+        }
+}
+
+TEST_CASE("lines that are only read, and thrown out, equal a plain cache", "[curves]") {
+    for (const unsigned disturb : {30u, 3u, 1u})
+        for (const unsigned lines : {12u, 40u, 400u}) {
+            const std::vector<Event> all =
+                read_only(events(disturb + lines, 6000, lines, disturb), ~std::size_t{0});
+            MissCurves curves({.most_sets = 16, .most_ways = 20, .only_reads = true});
+            play(all, curves);
+            for (std::uint32_t sets = 1; sets <= 16; sets *= 2)
+                for (const std::uint32_t ways : {1u, 2u, 3u, 5u, 8u, 15u, 16u, 17u, 20u}) {
+                    INFO("disturbed " << disturb << ", " << lines << " lines: " << sets << " sets, "
+                                      << ways << " ways");
+                    PlainCache plain(sets, ways);
+                    play(all, plain);
+                    check_equal(curves.sums().counts(sets, ways), plain.counts);
+                }
+        }
+}
+
+// Three quads' look-ups, each told by many quads in turn: once by once, and again at once.
+TEST_CASE("look-ups that many quads repeat are told at once", "[curves]") {
+    const std::vector<std::vector<LineLookup>> lists{
+        {{1}, {5}, {2}, {40}}, {{5}}, {{2}, {9}, {1}, {33}, {2}}};
+    for (const bool merges : {true, false})
+        for (const std::uint32_t line_bytes : {16u, 64u}) {
+            const CurvesShape shape{.line_bytes = line_bytes,
+                                    .lookup_bytes = 16,
+                                    .most_sets = 8,
+                                    .most_ways = 6,
+                                    .merges = merges,
+                                    .only_reads = true};
+            MissCurves one_by_one(shape), at_once(shape);
+            LookupPlace place;
+            for (unsigned round = 0; round < 6; ++round) {
+                const std::vector<LineLookup>& lines = lists[round % lists.size()];
+                place.begin(Reuse::Tile);
+                one_by_one.lookups(place, lines);
+                at_once.lookups(place, lines);
+                for (unsigned i = 0; i <= round; ++i) {
+                    ++place.number;
+                    place.begin(Reuse::Quad);
+                    one_by_one.lookups(place, lines);
+                }
+                at_once.lookups_again(place, lines, round + 1);
+                ++place.number;
+            }
+            for (std::uint32_t sets = 1; sets <= 8; sets *= 2)
+                for (std::uint32_t ways = 1; ways <= 6; ++ways)
+                    CHECK(at_once.sums().counts(sets, ways) ==
+                          one_by_one.sums().counts(sets, ways));
         }
 }
 

@@ -1,4 +1,4 @@
-// Where lines are found in the stacks of all sets, against one list of lines by their last use.
+// Where lines are found in the stacks of all sets, against a list of lines and holes for each set.
 
 #include "model/work/read_stacks.h"
 
@@ -11,30 +11,44 @@
 namespace ffgpu::work {
 namespace {
 
-// The newest first; of sets the lines that share the lowest bits of their numbers.
-class PlainStack {
+// Of one number of sets, each a list of its lines, the newest first. A line that is thrown out
+// leaves a hole; a use takes the uppermost of the holes and of the line's own place away.
+class PlainStacks {
 public:
-    // How many lines of its set were used since it was; of one that is not there: all of them.
-    std::size_t position(std::uint64_t line, std::uint64_t sets) const {
-        std::size_t newer = 0;
-        for (const std::uint64_t other : lines_) {
-            if (other == line) break;
-            newer += other % sets == line % sets;
-        }
-        return newer;
+    explicit PlainStacks(std::uint64_t sets)
+        : sets_(sets) {}
+
+    // Of one that is not there: how long the list is.
+    std::size_t position(std::uint64_t line) const {
+        const List& list = sets_[line % sets_.size()];
+        return static_cast<std::size_t>(std::find(list.begin(), list.end(), line) - list.begin());
     }
     bool has(std::uint64_t line) const {
-        return std::find(lines_.begin(), lines_.end(), line) != lines_.end();
+        return position(line) < sets_[line % sets_.size()].size();
     }
     void use(std::uint64_t line) {
-        std::erase(lines_, line);
-        lines_.insert(lines_.begin(), line);
+        drop(line);
+        List& list = sets_[line % sets_.size()];
+        const auto hole = std::find(list.begin(), list.end(), Hole);
+        if (hole != list.end()) list.erase(hole);
+        list.insert(list.begin(), line);
     }
-    void flush() { lines_.clear(); }
-    const std::vector<std::uint64_t>& lines() const { return lines_; }
+    void drop(std::uint64_t line) {
+        List& list = sets_[line % sets_.size()];
+        std::replace(list.begin(), list.end(), line, Hole);
+    }
+    void flush() { std::fill(sets_.begin(), sets_.end(), List{}); }
+    std::vector<std::uint64_t> lines() const {
+        std::vector<std::uint64_t> lines = sets_[0];
+        std::erase(lines, Hole);
+        return lines;
+    }
 
 private:
-    std::vector<std::uint64_t> lines_;
+    static constexpr std::uint64_t Hole = ~std::uint64_t{0};
+    using List = std::vector<std::uint64_t>;
+
+    std::vector<List> sets_;
 };
 
 std::uint64_t next_line(std::mt19937& random, std::uint64_t before) {
@@ -44,34 +58,52 @@ std::uint64_t next_line(std::mt19937& random, std::uint64_t before) {
     return random() % 120;
 }
 
-void check_found(const ReadStacks::Found& found, const PlainStack& plain, std::uint64_t line) {
+// Of 1, 2, 4 ... sets.
+using Plain = std::vector<PlainStacks>;
+
+void check_found(const ReadStacks::Found& found, const Plain& plain, std::uint64_t line) {
     constexpr std::uint32_t MostWays = 9;
-    REQUIRE(found.known == plain.has(line));
+    REQUIRE(found.known == plain[0].has(line));
     if (!found.known) return;
-    REQUIRE(found.depth == plain.position(line, 1));
+    REQUIRE(found.depth == plain[0].position(line));
     for (std::size_t level = 0; level < 5; ++level) {
-        const std::size_t position = plain.position(line, std::uint64_t{2} << level);
+        const std::size_t position = plain[level + 1].position(line);
         const std::size_t told = level < found.positions.size() ? found.positions[level] : 0;
         REQUIRE(told == std::min<std::size_t>(position, MostWays));
     }
 }
 
+// Lines are thrown out by turns often and not at all.
+bool throws_out(std::mt19937& random, std::uint64_t number) {
+    return number / 2500 % 2 == 1 && random() % 40 == 0;
+}
+
 // Times that end soon are counted anew many times.
-TEST_CASE("lines stand in all stacks where a plain list of lines says", "[curves]") {
-    for (const AgeStacks::Time most_times : {1u << 31, 150u}) {
+TEST_CASE("lines stand in all stacks where plain lists of lines say", "[curves]") {
+    for (const AgeStacks::Time most_times : {1u << 30, 1000u}) {
         std::mt19937 random(most_times);
         ReadStacks stacks(32, 9, most_times);
-        PlainStack plain;
+        Plain plain;
+        for (std::uint64_t sets = 1; sets <= 32; sets *= 2)
+            plain.emplace_back(sets);
         std::uint64_t line = 0;
         for (std::uint64_t number = 0; number < 20000; ++number) {
             line = next_line(random, line);
             check_found(stacks.look_up(line, number), plain, line);
-            plain.use(line);
+            for (PlainStacks& sets : plain)
+                sets.use(line);
+            if (throws_out(random, number)) {
+                const std::uint64_t thrown_out = random() % 120;
+                stacks.drop(thrown_out);
+                for (PlainStacks& sets : plain)
+                    sets.drop(thrown_out);
+            }
             if (random() % 3000 != 0) continue;
             stacks.flush();
-            plain.flush();
+            for (PlainStacks& sets : plain)
+                sets.flush();
         }
-        const std::vector<std::uint64_t>& newest_first = plain.lines();
+        const std::vector<std::uint64_t> newest_first = plain[0].lines();
         CHECK(stacks.oldest_first() ==
               std::vector<std::uint64_t>(newest_first.rbegin(), newest_first.rend()));
     }

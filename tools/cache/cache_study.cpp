@@ -22,7 +22,7 @@ namespace {
 using work::LookupClient;
 
 // The curves of one client and line size.
-class ClientCurves final : public work::LookupSink {
+class ClientCurves final : public ChunkReader {
 public:
     ClientCurves(LookupClient client, const work::CurvesShape& shape)
         : client_(client)
@@ -35,6 +35,14 @@ public:
         if (client != client_) return;
         reads_ += reads;
         curves_.lookups(place, lines);
+    }
+    void lookups_again(const work::LookupPlace& place,
+                       std::span<const work::LineLookup> lines,
+                       std::uint32_t quads,
+                       std::uint32_t reads) override {
+        if (client_ != LookupClient::Texel) return;
+        reads_ += reads;
+        curves_.lookups_again(place, lines, quads);
     }
     void flush(LookupClient client) override {
         if (client == client_) curves_.flush();
@@ -200,6 +208,7 @@ private:
     }
     void add(LookupClient client, std::uint32_t line_bytes, CurveThreads& threads) {
         const bool texel = client == LookupClient::Texel;
+        const bool reads_only = texel || client == LookupClient::Vertex;
         const bool quads = variant_.granularity == work::Granularity::Quad && variant_.merges;
         const std::uint32_t own =
             texel ? config_.texel_cache.line_bytes : config_.depth_cache.line_bytes;
@@ -209,7 +218,8 @@ private:
                                                               .lookup_bytes = own,
                                                               .most_sets = options_.most_sets,
                                                               .most_ways = options_.most_ways,
-                                                              .merges = !texel || quads}),
+                                                              .merges = !texel || quads,
+                                                              .only_reads = reads_only}),
              &threads.next()});
     }
     void hand_over(const std::shared_ptr<const LookupChunk>& chunk) {

@@ -1,11 +1,14 @@
 #include "tools/cache/lookup_chunks.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace ffgpu::tools {
 
-void LookupChunk::play(work::LookupSink& sink, LookupPlaces& places) const {
+void LookupChunk::play(ChunkReader& reader, LookupPlaces& places) const {
     std::size_t lookup = 0, line = 0;
+    std::span<const work::LineLookup> last;
     for (const Step& step : steps_) {
         switch (step.kind) {
         case Kind::Lookups: {
@@ -14,22 +17,25 @@ void LookupChunk::play(work::LookupSink& sink, LookupPlaces& places) const {
                 ++place.number;
                 place.begin(static_cast<work::Reuse>(static_cast<unsigned>(step.since) - 1));
             }
-            sink.lookups(step.client,
-                         place,
-                         std::span(lookups_).subspan(lookup, step.end - lookup),
-                         step.number);
+            last = std::span(lookups_).subspan(lookup, step.end - lookup);
+            reader.lookups(step.client, place, last, step.number);
             lookup = step.end;
             break;
         }
+        case Kind::Again:
+            places.quad.number += step.quads;
+            places.quad.begin(work::Reuse::Quad);
+            reader.lookups_again(places.quad, last, step.quads, step.number);
+            break;
         case Kind::Flush:
-            sink.flush(step.client);
+            reader.flush(step.client);
             break;
         case Kind::Overwritten:
-            sink.overwritten(step.client, std::span(overwritten_).subspan(line, step.end - line));
+            reader.overwritten(step.client, std::span(overwritten_).subspan(line, step.end - line));
             line = step.end;
             break;
         case Kind::EndFrame:
-            sink.end_frame(step.number);
+            reader.end_frame(step.number);
         }
     }
 }
@@ -43,15 +49,43 @@ void LookupChunker::finish() {
     if (chunk_->weight() > 0) hand_over_(std::exchange(chunk_, std::make_shared<LookupChunk>()));
 }
 
+bool LookupChunker::add_again(std::span<const work::LineLookup> lines, std::uint32_t reads) {
+    using Kind = LookupChunk::Kind;
+    std::vector<LookupChunk::Step>& steps = chunk_->steps_;
+    if (steps.empty() || steps.back().client != work::LookupClient::Texel) return false;
+    const Kind kind = steps.back().kind;
+    if (kind != Kind::Lookups && kind != Kind::Again) return false;
+    if (lines.size() != last_lines_ ||
+        !std::equal(lines.begin(),
+                    lines.end(),
+                    chunk_->lookups_.end() - static_cast<std::ptrdiff_t>(last_lines_)))
+        return false;
+    constexpr std::uint32_t MostReads = std::numeric_limits<std::uint32_t>::max();
+    if (kind == Kind::Again && steps.back().number <= MostReads - reads) {
+        ++steps.back().quads;
+        steps.back().number += reads;
+    } else {
+        add({.number = reads,
+             .end = static_cast<std::uint32_t>(chunk_->lookups_.size()),
+             .kind = Kind::Again,
+             .since = work::Reuse::Tile});
+    }
+    return true;
+}
+
 void LookupChunker::lookups(work::LookupClient client,
                             const work::LookupPlace& place,
                             std::span<const work::LineLookup> lines,
                             std::uint32_t reads) {
-    auto& all = chunk_->lookups_;
-    all.insert(all.end(), lines.begin(), lines.end());
     auto& last = client == work::LookupClient::Vertex ? last_vertex_ : last_quad_;
     const work::Reuse since = last ? place.since(*last) : work::Reuse::EarlierFrame;
     last = place.number;
+    if (client == work::LookupClient::Texel && since == work::Reuse::Tile &&
+        add_again(lines, reads))
+        return;
+    auto& all = chunk_->lookups_;
+    all.insert(all.end(), lines.begin(), lines.end());
+    last_lines_ = lines.size();
     add({.number = reads,
          .end = static_cast<std::uint32_t>(all.size()),
          .kind = LookupChunk::Kind::Lookups,

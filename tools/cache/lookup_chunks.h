@@ -22,18 +22,29 @@ struct LookupPlaces {
     }
 };
 
+class ChunkReader : public work::LookupSink {
+public:
+    // Texels' look-ups that were told last, once more by each of the `quads` up to `place`, all of
+    // one tile. `reads`: of all of them.
+    virtual void lookups_again(const work::LookupPlace& place,
+                               std::span<const work::LineLookup> lines,
+                               std::uint32_t quads,
+                               std::uint32_t reads) = 0;
+};
+
 class LookupChunk {
 public:
     // `places`: those at the end of the chunk before; at first any.
-    void play(work::LookupSink& sink, LookupPlaces& places) const;
+    void play(ChunkReader& reader, LookupPlaces& places) const;
     std::size_t weight() const { return lookups_.size() + overwritten_.size() + steps_.size(); }
 
 private:
     friend class LookupChunker;
-    enum class Kind : std::uint8_t { Lookups, Flush, Overwritten, EndFrame };
+    enum class Kind : std::uint8_t { Lookups, Again, Flush, Overwritten, EndFrame };
     struct Step {
         std::uint32_t number = 0; // reads, or the frame
         std::uint32_t end = 0;    // of its look-ups or lines, which begin where those before end
+        std::uint32_t quads = 1;  // of Again, whose look-ups are those of the step before
         Kind kind = Kind::Lookups;
         work::LookupClient client = work::LookupClient::Texel;
         work::Reuse since = work::Reuse::Quad; // the place told before, as seen from this one
@@ -66,10 +77,13 @@ private:
     static constexpr std::size_t Weight = std::size_t{1} << 14;
 
     void add(const LookupChunk::Step& step);
+    // Returns whether they are those of the step before, which is told then.
+    bool add_again(std::span<const work::LineLookup> lines, std::uint32_t reads);
 
     HandOver hand_over_;
     // Of the place told before, of quads and of vertices.
     std::optional<std::uint64_t> last_quad_, last_vertex_;
+    std::size_t last_lines_ = 0; // of the look-ups told last
     std::shared_ptr<LookupChunk> chunk_ = std::make_shared<LookupChunk>();
 };
 
