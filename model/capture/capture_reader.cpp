@@ -16,6 +16,13 @@ namespace {
 // A stream of another release grows when it is translated: it is handed on in parts of about that.
 constexpr std::size_t TranslatedWords = std::size_t{1} << 16;
 
+// Of a contract's text. That of this release, which most captures have, is read once.
+std::shared_ptr<const Translator> translator_of(std::string_view text) {
+    static const std::string own_text = description_text(describe_contract());
+    static const auto own = std::make_shared<const Translator>(describe_contract());
+    return text == own_text ? own : std::make_shared<const Translator>(parse_description(text));
+}
+
 } // namespace
 
 bool CaptureReader::is_capture(const std::string& path) {
@@ -40,8 +47,7 @@ void CaptureReader::read_beginning() {
     if (!file_.next_chunk(MaxDescriptionBytes)) file_.damaged("expected a description");
     const auto bytes = file_.take(file_.left());
     at_place([&] {
-        translator_.emplace(
-            parse_description({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+        translator_ = translator_of({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
         commands_.clear();
         translator_->add_resets(commands_);
     });

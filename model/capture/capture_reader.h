@@ -10,6 +10,7 @@
 #include "model/device/device.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -77,7 +78,7 @@ private:
     std::uint32_t first_draw_ = 0;
     bool in_snapshot_ = false; // Its end record is to come.
     ShownPicture shown_;       // of the last record of that kind
-    std::optional<Translator> translator_;
+    std::shared_ptr<const Translator> translator_;
     bool resets_pending_ = false; // commands_ are the resets, and come before all else
     std::vector<std::uint32_t> words_;
     CommandStream commands_;

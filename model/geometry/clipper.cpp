@@ -17,11 +17,16 @@ interpolate(const std::array<double, 4>& a, const std::array<double, 4>& b, doub
     return result;
 }
 
+// NaN, of a viewport that is not finite, is the low end, as in the vertex stage.
+double within(double low, double value, double high) {
+    return std::min(std::max(low, value), high);
+}
+
 // 24.8, rounded to nearest even.
 std::int32_t snap(double pixels) {
     constexpr double Limit = GuardBand * (1 << SubPixelBits);
     constexpr double RoundToInteger = 0x1.8p52;
-    const double clamped = std::clamp(pixels * (1 << SubPixelBits), -Limit, Limit);
+    const double clamped = within(-Limit, pixels * (1 << SubPixelBits), Limit);
     return static_cast<std::int32_t>((clamped + RoundToInteger) - RoundToInteger);
 }
 
@@ -176,8 +181,8 @@ void Clipper::project(std::uint32_t number, WindowVertex& vertex) const {
     };
     vertex.x = snap(window(0, x));
     vertex.y = snap(window(1, y));
-    vertex.depth = static_cast<float>(std::clamp(
-        window(2, z), double{setup_->window.low_depth}, double{setup_->window.high_depth}));
+    vertex.depth = static_cast<float>(
+        within(setup_->window.low_depth, window(2, z), setup_->window.high_depth));
     vertex.inverse_w = static_cast<float>(1 / w);
 }
 

@@ -59,6 +59,23 @@ void FunctionalGpu::number_from(std::uint32_t frame, std::uint32_t draw) {
     context_valid_ = pixels_valid_ = false;
 }
 
+void FunctionalGpu::reset() {
+    flush();
+    memory_.clear();
+    registers_ = {};
+    registers_sent_ = {};
+    context_.reset();
+    context_valid_ = pixels_valid_ = false;
+    journal_.clear();
+    frame_ = draw_number_ = 0;
+    samples_ = 0;
+    samples_pending_ = false;
+    geometry_.statistics().reset();
+    primitive_statistics_.reset();
+    fragment_statistics_.reset();
+    host_statistics_.reset();
+}
+
 void FunctionalGpu::write_memory(DeviceAddress at, std::span<const std::byte> bytes) {
     check(memory_.contains(at, bytes.size()), "a write outside device memory");
     before_write(at, bytes.size());

@@ -44,6 +44,10 @@ public:
     explicit FunctionalGpu(const Config& config);
     ~FunctionalGpu() override;
 
+    // As it was made, with the sink and the probe that it has: memory and counters are zero,
+    // registers at their reset values.
+    void reset();
+
     // From now on work is recorded and handed to `sink`; null: no more.
     void set_work_sink(WorkSink* sink, WorkDetail detail = WorkDetail::Masks);
     // What is read from now on, until nothing is hidden, is no work of the machine's. Nothing may

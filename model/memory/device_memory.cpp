@@ -24,4 +24,9 @@ DeviceMemory::~DeviceMemory() {
     munmap(bytes_.data(), bytes_.size() + SlackBytes);
 }
 
+void DeviceMemory::clear() {
+    check(madvise(bytes_.data(), bytes_.size() + SlackBytes, MADV_DONTNEED) == 0,
+          "the host takes back the device's memory");
+}
+
 } // namespace ffgpu

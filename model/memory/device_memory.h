@@ -21,6 +21,9 @@ public:
     DeviceMemory(const DeviceMemory&) = delete;
     DeviceMemory& operator=(const DeviceMemory&) = delete;
 
+    // Zeroes again, without pages of the host.
+    void clear();
+
     std::uint64_t size() const { return bytes_.size(); }
     std::span<std::byte> bytes() { return bytes_; }
     std::span<const std::byte> bytes() const { return bytes_; }

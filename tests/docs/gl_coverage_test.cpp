@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -14,6 +15,19 @@
 
 namespace ffgpu::docs {
 namespace {
+
+struct Name {
+    const char* name;
+    const char* target; // of an alias; null: a command
+};
+
+constexpr Name Names[] = {
+#define GL_COMMAND(result, name, parameters, arguments, command_class) {#name, nullptr},
+#define GL_ALIAS(result, name, parameters, arguments, target) {#name, #target},
+#include "driver/commands/commands.inc"
+#undef GL_COMMAND
+#undef GL_ALIAS
+};
 
 // The commands, and the other names of each in parentheses, of the rows of the page's index.
 struct Index {
@@ -82,18 +96,14 @@ TEST_CASE("each test file that docs/gl_coverage.md names exists") {
 TEST_CASE("every command stands once in the index, with the file that defines it") {
     INFO("tests/docs/command_index.py writes the index anew");
     const Index index = read_index();
-    unsigned names = 0;
-#define GL_COMMAND(result, name, parameters, arguments, command_class)                             \
-    ++names;                                                                                       \
-    CHECK((index.file_of.count(#name) == 1 ? "" : #name) == std::string());
-#define GL_ALIAS(result, name, parameters, arguments, target)                                      \
-    ++names;                                                                                       \
-    CHECK((index.aliases.count(#name) == 1 && index.aliases.at(#name) == #target ? "" : #name) ==  \
-          std::string());
-#include "driver/commands/commands.inc"
-#undef GL_COMMAND
-#undef GL_ALIAS
-    CHECK(index.names == names);
+    for (const auto& [name, target] : Names) {
+        INFO(name);
+        if (target == nullptr)
+            CHECK(index.file_of.count(name) == 1);
+        else
+            CHECK((index.aliases.count(name) == 1 && index.aliases.at(name) == target));
+    }
+    CHECK(index.names == std::size(Names));
 
     // A macro defines families of commands: what stands in the file is the name up to its number.
     for (const auto& [command, file] : index.file_of) {

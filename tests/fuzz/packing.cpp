@@ -59,13 +59,15 @@ private:
 };
 
 Buffer compressed(Bytes content) {
-    ZSTD_CCtx* const context = ZSTD_createCCtx();
-    ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, -5);
-    ZSTD_CCtx_setParameter(context, ZSTD_c_checksumFlag, 1);
+    static ZSTD_CCtx* const context = [] {
+        ZSTD_CCtx* const made = ZSTD_createCCtx();
+        ZSTD_CCtx_setParameter(made, ZSTD_c_compressionLevel, -5);
+        ZSTD_CCtx_setParameter(made, ZSTD_c_checksumFlag, 1);
+        return made;
+    }();
     Buffer packed(ZSTD_compressBound(content.size()));
     packed.resize(
         ZSTD_compress2(context, packed.data(), packed.size(), content.data(), content.size()));
-    ZSTD_freeCCtx(context);
     return packed;
 }
 
@@ -81,12 +83,15 @@ void add_chunk(Buffer& file, Bytes content) {
     append(file, packed);
 }
 
+// The chunk of this program's own contract.
 const Buffer& own_contract() {
-    static const Buffer contract = [] {
+    static const Buffer chunk = [] {
         const std::string text = capture::description_text(describe_contract());
-        return Buffer(text.begin(), text.end());
+        Buffer file;
+        add_chunk(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+        return file;
     }();
-    return contract;
+    return chunk;
 }
 
 void add_block(Buffer& file, work::BlockHeader header, Bytes content) {
@@ -159,7 +164,10 @@ std::vector<std::uint8_t> pack_capture(Bytes input) {
     Buffer file;
     append(file, cutter.take(capture::HeaderBytes));
     const auto contract_bytes = cutter.number<std::uint32_t>();
-    add_chunk(file, contract_bytes == 0 ? Bytes(own_contract()) : cutter.take(contract_bytes));
+    if (contract_bytes == 0)
+        append(file, own_contract());
+    else
+        add_chunk(file, cutter.take(contract_bytes));
     while (!cutter.empty())
         add_chunk(file, cutter.take(capture::ChunkBytes));
     append_number(file, std::uint64_t{0});

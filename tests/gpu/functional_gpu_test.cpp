@@ -47,6 +47,28 @@ TEST_CASE("a triangle drawn by raw commands appears where its vertices say") {
     CHECK(scene.pixel(40, 40) == 0xff000000);
 }
 
+TEST_CASE("a GPU that was reset draws and counts as one that was made") {
+    const auto state_of = [](Scene& scene) {
+        std::vector<std::byte> memory(scene.gpu.memory_size());
+        scene.gpu.read_memory(0, memory);
+        return std::pair(std::move(memory), counters(scene.gpu));
+    };
+    Scene fresh(200, 150), used(200, 150);
+    const auto power_on = state_of(fresh);
+    draw_mixture(fresh);
+    used.registers.fog.mode = FogMode::Linear;
+    draw_mixture(used);
+    used.gpu.reset();
+    CHECK(used.gpu.registers() == Registers{});
+    CHECK(state_of(used) == power_on);
+
+    // What a scene sends depends on what it sent: its commands, by another of the same.
+    Scene sender(200, 150);
+    sender.into = &used.gpu;
+    draw_mixture(sender);
+    CHECK(state_of(used) == state_of(fresh));
+}
+
 TEST_CASE("a picture does not depend on tile size and threads") {
     std::vector<std::uint64_t> hashes;
     for (const unsigned tile_size : {16u, 24u, 64u, 128u})

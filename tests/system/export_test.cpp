@@ -236,6 +236,30 @@ TEST_CASE("what is wrong with an export is one line, and status 2", "[export]") 
     CHECK_THAT(fails({"export", newer.path(), "--format", "din"}), Contains(newer.path()));
 }
 
+TEST_CASE("a reader that stops ends what prints without a word, by SIGPIPE", "[export]") {
+    const std::string trace = own_trace("corridor");
+    for (const std::string& verb : {"export '" + trace + "' --format din",
+                                    "export '" + trace + "' --format csv --zstd",
+                                    "info '" + trace + "'",
+                                    std::string("config"),
+                                    std::string("presets"),
+                                    std::string("completion bash"),
+                                    std::string("export --help")}) {
+        for (const char* const before : {"", "trap '' PIPE; "}) {
+            INFO(before << verb);
+            const TemporaryFolder folder;
+            const std::string said = folder / "said", ended = folder / "ended";
+            // The reader is gone before the first byte.
+            const std::string command = std::string(before) + "(sleep 0.1; '" FFGPU_BINARY "' " +
+                                        verb + " 2> " + said + "; echo $? > " + ended +
+                                        ") | exec true";
+            REQUIRE(std::system(command.c_str()) == 0);
+            CHECK(content(said).empty());
+            CHECK(content(ended) == "141\n"); // 128 + SIGPIPE
+        }
+    }
+}
+
 TEST_CASE("a disk that is full in the middle of an export leaves the former file", "[export]") {
     const TemporaryFolder folder;
     const std::string file = folder / "corridor.din", said = folder / "said";

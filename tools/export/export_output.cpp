@@ -4,6 +4,7 @@
 #include "model/base/input_error.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -20,6 +21,15 @@ bool is_plain_file(const std::string& path) {
     std::error_code ignored;
     return path != "-" && (!std::filesystem::exists(path, ignored) ||
                            std::filesystem::is_regular_file(path, ignored));
+}
+
+// The thread that writes may hold signals back (thread_without_signals): the one that tells that
+// nobody reads any more is to end the program as it does elsewhere.
+void take_broken_pipe_signal() {
+    sigset_t signal;
+    sigemptyset(&signal);
+    sigaddset(&signal, SIGPIPE);
+    pthread_sigmask(SIG_UNBLOCK, &signal, nullptr);
 }
 
 } // namespace
@@ -79,7 +89,9 @@ void ExportOutput::commit() {
 }
 
 void ExportOutput::fail() const {
-    throw InputError(name_ + ": cannot be written: " + std::strerror(errno));
+    const int error = errno;
+    if (error == EPIPE) take_broken_pipe_signal();
+    throw InputError(name_ + ": cannot be written: " + std::strerror(error));
 }
 
 } // namespace ffgpu::tools

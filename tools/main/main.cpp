@@ -1,5 +1,7 @@
 #include "tools/commands/command_line.h"
 
+#include <csignal>
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -16,5 +18,8 @@ void occupy_standard_streams() {
 
 int main(int count, char** arguments) {
     occupy_standard_streams();
+    // Whoever reads no further (ffgpu export ... | head) ends ffgpu without a word, also where the
+    // shell that started it ignores the signal, as those of some schedulers do.
+    std::signal(SIGPIPE, SIG_DFL);
     return ffgpu::tools::run_command_line(count, arguments, FFGPU_VERSION);
 }

@@ -2,8 +2,8 @@
 
 #include "driver/context/offscreen.h"
 #include "driver/entry_points/entry.h"
-#include "model/gpu/functional_gpu.h"
 #include "tests/fuzz/fuzz_target.h"
+#include "tests/fuzz/kept_gpu.h"
 #include "tests/random_calls/random_walk.h"
 
 #include <algorithm>
@@ -42,8 +42,8 @@ void ffgpu::fuzz::run(Bytes bytes) {
     static const gl::Registry registry = gl::read_registry("/usr/share/khronos-api/gl.xml");
     static gl::WalkMemory memory;
     if (registry.empty()) return;
-    FunctionalGpu device({.memory_bytes = std::uint64_t{16} << 20});
-    gl::OffscreenContext context(device, {.width = Width, .height = Height});
+    const KeptGpu<16> kept;
+    gl::OffscreenContext context(kept.gpu, {.width = Width, .height = Height});
     context.make_current();
     Choices choices(bytes);
     gl::RandomWalk walk(registry, memory, [&choices] { return choices.next(); });

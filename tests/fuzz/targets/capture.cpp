@@ -2,13 +2,14 @@
 
 #include "model/base/input_error.h"
 #include "model/capture/capture_reader.h"
-#include "model/gpu/functional_gpu.h"
+#include "tests/fuzz/kept_gpu.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/packing.h"
 
 void ffgpu::fuzz::run(Bytes bytes) {
     const MemoryFile file(pack_capture(bytes));
-    FunctionalGpu gpu({.memory_bytes = std::uint64_t{64} << 20});
+    const KeptGpu<64> kept;
+    FunctionalGpu& gpu = kept.gpu;
     try {
         capture::CaptureReader reader(file.path());
         if (reader.memory_size() > gpu.memory_size()) return;

@@ -1,14 +1,15 @@
 // A trace of an OpenGL program, played on the functional GPU.
 
 #include "model/base/input_error.h"
-#include "model/gpu/functional_gpu.h"
+#include "tests/fuzz/kept_gpu.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/packing.h"
 #include "tools/frames/frame_source.h"
 
 void ffgpu::fuzz::run(Bytes bytes) {
     const MemoryFile file(pack_trace(bytes));
-    FunctionalGpu gpu({.memory_bytes = std::uint64_t{64} << 20});
+    const KeptGpu<64> kept;
+    FunctionalGpu& gpu = kept.gpu;
     try {
         const auto source =
             tools::open_frame_source(file.path(), gpu, {.warn = [](const std::string&) {}});
