@@ -18,6 +18,15 @@ WorkBin fill(bool textured) {
     return bin;
 }
 
+// `unlimited`: cycles of the machine without the limit, whose gain is to be within a tenth.
+void check_gain(const Figures& figures, const char* reckoned_as, std::uint64_t unlimited) {
+    const std::uint64_t gain = figures.at("total_cycles") - unlimited;
+    const std::uint64_t reckoned = figures.at(reckoned_as);
+    REQUIRE(gain > unlimited / 4);
+    CHECK(10 * reckoned >= 9 * gain);
+    CHECK(10 * reckoned <= 11 * gain);
+}
+
 } // namespace
 
 TEST_CASE("a draw bound by the fragment pipe gains what it takes less without its limit") {
@@ -27,12 +36,7 @@ TEST_CASE("a draw bound by the fragment pipe gains what it takes less without it
     const std::uint64_t unlimited = run(config, bin).at("total_cycles");
     config.fragment.quad_cycles = GENERATE(2, 3, 4, 6);
     CAPTURE(config.fragment.quad_cycles);
-    const Figures figures = run(config, bin);
-    const std::uint64_t gain = figures.at("total_cycles") - unlimited;
-    const std::uint64_t reckoned = figures.at("gain_fragment_cycles");
-    REQUIRE(gain > unlimited / 4);
-    CHECK(10 * reckoned >= 9 * gain);
-    CHECK(10 * reckoned <= 11 * gain);
+    check_gain(run(config, bin), "gain_fragment_cycles", unlimited);
 }
 
 // The wait goes on when the texels have come, and for those that were there.
@@ -47,12 +51,7 @@ TEST_CASE("a draw bound by the expansion of its texels gains what it takes less 
     const std::uint64_t unlimited = run(config, bin).at("total_cycles");
     config.texel_cache.decompress_cycles = GENERATE(5, 20);
     CAPTURE(config.texel_cache.fragment_fifo, config.texel_cache.decompress_cycles);
-    const Figures figures = run(config, bin);
-    const std::uint64_t gain = figures.at("total_cycles") - unlimited;
-    const std::uint64_t reckoned = figures.at("gain_texture_cycles");
-    REQUIRE(gain > unlimited / 4);
-    CHECK(10 * reckoned >= 9 * gain);
-    CHECK(10 * reckoned <= 11 * gain);
+    check_gain(run(config, bin), "gain_texture_cycles", unlimited);
 }
 
 } // namespace ffgpu::timing
