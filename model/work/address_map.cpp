@@ -93,7 +93,7 @@ const AddressMap::Texture& AddressMap::placed(const TextureImage& image) {
     Texture& texture = textures_[image.address];
     if (texture.levels.empty() || !(texture.image == image)) {
         texture.image = image;
-        texture.bytes = texture_bytes(image.shape);
+        texture.bytes = {image.address, image.address + texture_bytes(image.shape)};
         texture.clear();
         for (std::uint32_t level = 0; level < image.shape.levels; ++level)
             texture.add(place_level(image, level), texture_shape_.line_bytes);
@@ -124,25 +124,34 @@ const PlacedLevel& AddressMap::surface(const Surface& surface, const CacheShape&
     return entry->second;
 }
 
-std::vector<std::uint64_t>
-AddressMap::memory_written(std::uint64_t at, std::uint64_t bytes, RewrittenLevel rewritten) {
+std::vector<std::uint64_t> AddressMap::memory_written(std::span<const ByteRange> ranges,
+                                                      RewrittenLevel rewritten) {
     std::vector<std::uint64_t> lines;
+    if (ranges.empty()) return lines;
+    ByteRange all = ranges.front();
+    for (const ByteRange& range : ranges)
+        all = {std::min(all.begin, range.begin), std::max(all.end, range.end)};
     for (auto& [address, texture] : textures_) {
-        if (address >= at + bytes) break;
-        if (texture.levels.empty() || address + texture.bytes <= at) continue;
-        for (std::uint32_t level = 0; level < texture.levels.size(); ++level) {
-            const LevelLayout device = level_layout(texture.image.shape, level);
+        if (address >= all.end) break;
+        if (texture.levels.empty() || !texture.bytes.overlaps(all)) continue;
+        for (std::uint32_t number = 0; number < texture.levels.size(); ++number) {
+            const LevelLayout device = level_layout(texture.image.shape, number);
             const std::uint64_t begin = address + device.offset;
-            if (begin >= at + bytes || begin + device.bytes <= at) continue;
-            if (rewritten == RewrittenLevel::NewPlace)
-                texture.set(level, place_level(texture.image, level), texture_shape_.line_bytes);
-            else
-                add_level_lines(texture.levels[level],
+            const ByteRange level{begin, begin + device.bytes};
+            for (const ByteRange& range : ranges) {
+                if (!range.overlaps(level)) continue;
+                if (rewritten == RewrittenLevel::NewPlace) {
+                    texture.set(
+                        number, place_level(texture.image, number), texture_shape_.line_bytes);
+                    break;
+                }
+                add_level_lines(texture.levels[number],
                                 device,
-                                std::max(at, begin) - begin,
-                                std::min(at + bytes, begin + device.bytes) - begin,
+                                std::max(range.begin, level.begin) - level.begin,
+                                std::min(range.end, level.end) - level.begin,
                                 texture_shape_.line_bytes,
                                 lines);
+            }
         }
     }
     sort_lines(lines);
@@ -151,55 +160,24 @@ AddressMap::memory_written(std::uint64_t at, std::uint64_t bytes, RewrittenLevel
 
 std::vector<std::uint64_t> AddressMap::copied(const CopyRectangleCommand& copy,
                                               RewrittenLevel rewritten) {
-    std::vector<std::uint64_t> lines;
-    if (copy.width == 0 || copy.height == 0) return lines;
     const Surface& to = copy.destination;
     const std::uint32_t pixel = format_info(to.format).block_bytes;
     const std::uint64_t first = to.address + std::uint64_t{copy.destination_y} * to.stride +
                                 std::uint64_t{copy.destination_x} * pixel;
-    const std::uint64_t row = std::uint64_t{copy.width} * pixel;
-    if (rewritten == RewrittenLevel::NewPlace)
-        return memory_written(
-            first, (copy.height - 1u) * std::uint64_t{to.stride} + row, rewritten);
-    for (std::uint32_t y = 0; y < copy.height; ++y) {
-        const auto more = memory_written(first + std::uint64_t{y} * to.stride, row, rewritten);
-        lines.insert(lines.end(), more.begin(), more.end());
+    std::vector<ByteRange> rows;
+    for (std::uint32_t y = 0; y < copy.height && copy.width != 0; ++y) {
+        const std::uint64_t begin = first + std::uint64_t{y} * to.stride;
+        rows.push_back({begin, begin + std::uint64_t{copy.width} * pixel});
     }
-    sort_lines(lines);
-    return lines;
+    return memory_written(rows, rewritten);
 }
 
-void AddressMap::drawn_into(const Targets& targets) {
-    Targets::for_each(targets, [this](const Surface& target) {
-        if (target.format == Format::None) return;
-        const Range drawn{target.address, target.address + target.bytes()};
-        if (std::find(drawn_.begin(), drawn_.end(), drawn) != drawn_.end()) return;
-        for (const auto& [address, texture] : textures_) {
-            if (address >= drawn.end) break;
-            if (texture.levels.empty() || address + texture.bytes <= drawn.begin) continue;
-            return drawn_.push_back(drawn);
-        }
-    });
-}
-
-std::vector<std::uint64_t> AddressMap::take_drawn(const Registers& draw) {
-    if (drawn_.empty()) return {};
-    const bool reads = std::any_of(
-        std::begin(draw.images), std::end(draw.images), [this](const TextureImage& image) {
-            if (image.shape.kind == TextureKind::None) return false;
-            const Range read{image.address, image.address + texture_bytes(image.shape)};
-            return std::any_of(drawn_.begin(), drawn_.end(), [&](const Range& drawn) {
-                return drawn.overlaps(read);
-            });
-        });
-    if (!reads) return {};
-    std::vector<std::uint64_t> lines;
-    for (const Range& drawn : std::exchange(drawn_, {})) {
-        const auto more = memory_written(drawn.begin, drawn.end - drawn.begin);
-        lines.insert(lines.end(), more.begin(), more.end());
+bool AddressMap::holds_texels(const ByteRange& range) const {
+    for (const auto& [address, texture] : textures_) {
+        if (address >= range.end) break;
+        if (!texture.levels.empty() && texture.bytes.overlaps(range)) return true;
     }
-    sort_lines(lines);
-    return lines;
+    return false;
 }
 
 } // namespace ffgpu::work

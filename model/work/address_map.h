@@ -13,10 +13,18 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <tuple>
 #include <vector>
 
 namespace ffgpu::work {
+
+// Of device memory, half open.
+struct ByteRange {
+    std::uint64_t begin = 0, end = 0;
+
+    bool overlaps(const ByteRange& other) const { return begin < other.end && other.begin < end; }
+};
 
 class AddressMap {
 public:
@@ -33,12 +41,20 @@ public:
     // A colour or depth target, in the layout of its cache; a pixel's samples lie together.
     const PlacedLevel& surface(const Surface& surface, const CacheShape& cache);
 
-    // [at, at + bytes) of device memory were written. `rewritten`: of the levels that were read
-    // before. Returns the lines of the texel cache that hold what changed in its place, each once,
-    // in rising order.
+    // These bytes of device memory were written. `rewritten`: of the levels that were read before.
+    // Returns the lines of the texel cache that hold what changed in its place, each once, in
+    // rising order.
+    std::vector<std::uint64_t> memory_written(std::span<const ByteRange> ranges,
+                                              RewrittenLevel rewritten);
     std::vector<std::uint64_t>
-    memory_written(std::uint64_t at, std::uint64_t bytes, RewrittenLevel rewritten);
+    memory_written(std::uint64_t at, std::uint64_t bytes, RewrittenLevel rewritten) {
+        const ByteRange range{at, at + bytes};
+        return memory_written(std::span(&range, 1), rewritten);
+    }
     // As the configuration has it.
+    std::vector<std::uint64_t> memory_written(std::span<const ByteRange> ranges) {
+        return memory_written(ranges, texture_shape_.rewritten);
+    }
     std::vector<std::uint64_t> memory_written(std::uint64_t at, std::uint64_t bytes) {
         return memory_written(at, bytes, texture_shape_.rewritten);
     }
@@ -48,22 +64,13 @@ public:
         return copied(copy, texture_shape_.rewritten);
     }
 
-    // A command draws into the targets, which may be levels of textures.
-    void drawn_into(const Targets& targets);
-    // Where the draw reads a texture that was drawn into: the lines of all those, as
-    // memory_written() returns them.
-    std::vector<std::uint64_t> take_drawn(const Registers& draw);
+    // Whether a texture that was read lies there.
+    bool holds_texels(const ByteRange& range) const;
 
 private:
-    struct Range {
-        std::uint64_t begin = 0, end = 0;
-
-        bool overlaps(const Range& other) const { return begin < other.end && other.begin < end; }
-        bool operator==(const Range&) const = default;
-    };
     struct Texture : TextureLines {
         TextureImage image;
-        std::uint64_t bytes = 0;
+        ByteRange bytes;
     };
 
     std::uint64_t place(std::uint64_t bytes);
@@ -72,7 +79,6 @@ private:
 
     const TexelCacheShape texture_shape_;
     std::map<DeviceAddress, Texture> textures_;
-    std::vector<Range> drawn_; // of textures; no draw has read them since
     std::map<std::tuple<DeviceAddress, Format, std::uint32_t, std::uint32_t, std::uint32_t>,
              PlacedLevel>
         surfaces_;

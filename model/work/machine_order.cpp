@@ -79,13 +79,13 @@ void MachineOrder::command(std::shared_ptr<const WholeCommand> command) {
     switch (draw.kind) {
     case WorkKind::Draw:
     case WorkKind::Image: {
-        texels_drawn(draw);
+        texels_drawn(*command);
         PreparedScene scene;
         append(*command, config_, addresses_, scene);
         return out_.scene(std::move(scene));
     }
     case WorkKind::Clear:
-        texels_drawn(draw);
+        texels_drawn(*command);
         return clear(draw);
     case WorkKind::Copy:
         if (tiles_.resolve(draw)) {
@@ -101,7 +101,7 @@ void MachineOrder::gather(const WholeCommand& command) {
     const WorkDraw& draw = command.draw;
     const Targets targets = draw.state ? draw.state->targets : Targets{};
     if (!(targets == tiles_.targets()) || reads_scene(command)) end_scene();
-    texels_drawn(draw);
+    texels_drawn(command);
     for_each_read(command,
                   [&](std::uint64_t at, std::uint64_t bytes) { deferred_.need_range(at, bytes); });
     if (draw.kind == WorkKind::Clear) {
@@ -249,10 +249,13 @@ void MachineOrder::copy(const WorkDraw& draw) {
 }
 
 // What the draw reads of textures that were drawn into before; what it draws into itself.
-void MachineOrder::texels_drawn(const WorkDraw& draw) {
+void MachineOrder::texels_drawn(const WholeCommand& command) {
+    const WorkDraw& draw = command.draw;
     if (!draw.state) return;
-    if (draw.kind != WorkKind::Clear) tell_rewritten(addresses_.take_drawn(*draw.state));
-    addresses_.drawn_into(draw.state->targets);
+    if (draw.kind == WorkKind::Clear) return drawn_texels_.clear(draw);
+    tell_rewritten(drawn_texels_.take(*draw.state));
+    drawn_texels_.begin(draw);
+    drawn_texels_.add(command.quads);
 }
 
 void MachineOrder::tell_rewritten(std::vector<std::uint64_t>&& lines) {

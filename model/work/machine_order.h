@@ -12,6 +12,7 @@
 
 #pragma once
 
+#include "model/work/drawn_texels.h"
 #include "model/work/prepared_work.h"
 #include "model/work/surface_fill.h"
 #include "model/work/surface_lines.h"
@@ -95,7 +96,7 @@ private:
     void gather(const WholeCommand& command);
     void clear(const WorkDraw& draw);
     void copy(const WorkDraw& draw);
-    void texels_drawn(const WorkDraw& draw);
+    void texels_drawn(const WholeCommand& command);
     RewrittenLevel rewritten() const;
     void tell_rewritten(std::vector<std::uint64_t>&& lines);
     void end_scene();
@@ -114,6 +115,7 @@ private:
     const WorkConfig config_;
     MachineSink& out_;
     AddressMap addresses_;
+    DrawnTexels drawn_texels_{addresses_};
     std::vector<Surface> known_; // whose content was told
     Surface shown_;
     std::map<DeviceAddress, Targets> drawn_; // by the first colour target

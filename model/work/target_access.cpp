@@ -1,6 +1,8 @@
 #include "model/work/target_access.h"
 
-#include <initializer_list>
+#include "model/device/compare.h"
+
+#include <array>
 
 namespace ffgpu::work {
 namespace {
@@ -24,23 +26,57 @@ bool depends_on_value(StencilOp op) {
     }
 }
 
-bool tests_value(const StencilFace& face) {
-    if (tells(face.compare) && face.compare_mask != 0) return true;
-    if (face.write_mask == 0) return false;
-    for (const StencilOp op : {face.fail, face.depth_fail, face.depth_pass})
-        if (depends_on_value(op)) return true;
-    return false;
+// How a fragment's stencil and depth test can end, whatever it and the target hold.
+struct Ends {
+    bool stencil_failed = false, depth_failed = false, passed = false;
+
+    bool comes_to_depth() const { return depth_failed || passed; }
+};
+
+Ends possible_ends(const StencilFace* face, const DepthControl& depth) {
+    bool fails = false, passes = true;
+    if (face) {
+        passes = false;
+        for (unsigned value = 0; value < 256; ++value) {
+            const bool pass = compare(
+                face->compare, face->reference & face->compare_mask, value & face->compare_mask);
+            (pass ? passes : fails) = true;
+        }
+    }
+    return {.stencil_failed = fails,
+            .depth_failed = passes && depth.test_enable && depth.compare != Compare::Always,
+            .passed = passes && !(depth.test_enable && depth.compare == Compare::Never)};
 }
 
-// Of an outcome, with the operation of each face: which a primitive shows is not known here.
-PixelBytes stencil_bytes(const Stencil& stencil, Format format, StencilOp StencilFace::*operation) {
-    const auto bits = [operation](const StencilFace& face) -> unsigned {
-        return face.*operation == StencilOp::Keep ? 0u : face.write_mask;
-    };
-    const ClearCommand all{.stencil = true};
-    const unsigned front = bits(stencil.front), back = bits(stencil.back);
-    return {cleared_depth_bytes(format, all, front | back).touched,
-            cleared_depth_bytes(format, all, front & back).covered};
+bool tests_value(const StencilFace& face, const Ends& ends) {
+    if (ends.stencil_failed && ends.comes_to_depth()) return true;
+    if (face.write_mask == 0) return false;
+    return (ends.stencil_failed && depends_on_value(face.fail)) ||
+           (ends.depth_failed && depends_on_value(face.depth_fail)) ||
+           (ends.passed && depends_on_value(face.depth_pass));
+}
+
+struct FaceEnds {
+    const StencilFace& face;
+    Ends ends;
+};
+
+// Of one end, by the operation of each face that can come to it: which a primitive shows is not
+// known here.
+PixelBytes stencil_bytes(const std::array<FaceEnds, 2>& faces,
+                         Format format,
+                         bool Ends::*end,
+                         StencilOp StencilFace::*operation) {
+    unsigned some = 0, all = 0xff;
+    for (const auto& [face, ends] : faces) {
+        if (!(ends.*end)) continue;
+        const unsigned bits = face.*operation == StencilOp::Keep ? 0u : face.write_mask;
+        some |= bits;
+        all &= bits;
+    }
+    const ClearCommand clear{.stencil = true};
+    return {cleared_depth_bytes(format, clear, some).touched,
+            cleared_depth_bytes(format, clear, some & all).covered};
 }
 
 // --- Colour --------------------------------------------------------------------------------------
@@ -73,15 +109,24 @@ DepthAccess depth_access(const Registers& state) {
     DepthAccess access;
     if (format == Format::None) return access;
     const DepthControl& depth = state.depth;
-    access.tests_depth = depth.bounds_enable || (depth.test_enable && tells(depth.compare));
-    if (depth.test_enable && depth.write_enable && depth.compare != Compare::Never)
-        access.depth = cleared_depth_bytes(format, {.depth = true}, 0);
     const Stencil& stencil = state.stencil;
-    if (!stencil.enable || format != Format::Depth24Stencil8) return access;
-    access.tests_stencil = tests_value(stencil.front) || tests_value(stencil.back);
-    access.passed = stencil_bytes(stencil, format, &StencilFace::depth_pass);
-    access.depth_failed = stencil_bytes(stencil, format, &StencilFace::depth_fail);
-    access.stencil_failed = stencil_bytes(stencil, format, &StencilFace::fail);
+    const bool has_stencil = stencil.enable && format == Format::Depth24Stencil8;
+    const StencilFace* const front = has_stencil ? &stencil.front : nullptr;
+    const StencilFace* const back = has_stencil ? &stencil.back : nullptr;
+    const Ends front_ends = possible_ends(front, depth), back_ends = possible_ends(back, depth);
+    access.tests_depth =
+        depth.bounds_enable || (depth.test_enable && tells(depth.compare) &&
+                                (front_ends.comes_to_depth() || back_ends.comes_to_depth()));
+    if (depth.test_enable && depth.write_enable && (front_ends.passed || back_ends.passed))
+        access.depth = cleared_depth_bytes(format, {.depth = true}, 0);
+    if (!has_stencil) return access;
+    const std::array<FaceEnds, 2> faces{{{*front, front_ends}, {*back, back_ends}}};
+    for (const FaceEnds& one : faces)
+        access.tests_stencil = access.tests_stencil || tests_value(one.face, one.ends);
+    access.passed = stencil_bytes(faces, format, &Ends::passed, &StencilFace::depth_pass);
+    access.depth_failed =
+        stencil_bytes(faces, format, &Ends::depth_failed, &StencilFace::depth_fail);
+    access.stencil_failed = stencil_bytes(faces, format, &Ends::stencil_failed, &StencilFace::fail);
     return access;
 }
 

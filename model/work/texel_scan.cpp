@@ -35,14 +35,17 @@ TexelScan::TexelScan(const WorkConfig& config, LookupSink& out)
 
 void TexelScan::draw(const WorkDraw& draw, std::span<const WorkBatch* const> batches) {
     if (!begin(draw)) return;
-    for (const WorkBatch* const batch : batches)
+    for (const WorkBatch* const batch : batches) {
+        drawn_texels_.add(batch->quads);
         add(*batch);
+    }
     if (draw.kind == WorkKind::Image) number_image_pieces();
     tell();
 }
 
 void TexelScan::command(std::shared_ptr<const WholeCommand> command) {
     if (!begin(command->draw)) return;
+    drawn_texels_.add(command->quads);
     for (std::size_t number = 0; number < command->quads.size(); ++number) {
         const unsigned lanes = test_.after_early_test(command->quads[number]);
         lines_of_quad_.begin_quad();
@@ -63,8 +66,8 @@ bool TexelScan::begin(const WorkDraw& draw) {
     textures_.fill(&nothing);
     const Places places{*this};
     if (draw.state) {
-        tell_rewritten(addresses_.take_drawn(*draw.state), out_);
-        addresses_.drawn_into(draw.state->targets);
+        tell_rewritten(drawn_texels_.take(*draw.state), out_);
+        drawn_texels_.begin(draw);
         place_draw(*draw.state, config_, addresses_, places);
     }
     test_ = depth_test_place(draw, config_.depth_test);
@@ -81,7 +84,7 @@ void TexelScan::place_others(const WorkDraw& draw) {
         return depth ? config_.depth_cache : config_.color_cache;
     };
     if (draw.kind == WorkKind::Clear) {
-        if (draw.state) addresses_.drawn_into(draw.state->targets);
+        drawn_texels_.clear(draw);
         for (const TargetClear& of : target_clears(draw))
             if (is_asked_for(draw.clear, of.depth)) addresses_.surface(of.target, shape(of.depth));
         return;

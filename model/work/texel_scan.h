@@ -9,6 +9,7 @@
 #include "model/work/address_map.h"
 #include "model/work/depth_test_masks.h"
 #include "model/work/draw_gatherer.h"
+#include "model/work/drawn_texels.h"
 #include "model/work/lookups.h"
 #include "model/work/quad_lines.h"
 #include "model/work/whole_command.h"
@@ -66,6 +67,7 @@ private:
     const WorkConfig config_;
     LookupSink& out_;
     AddressMap addresses_;
+    DrawnTexels drawn_texels_{addresses_};
     std::array<const TextureLines*, TextureUnits> textures_{};
     QuadLines lines_of_quad_;
     DepthTestPlace test_;

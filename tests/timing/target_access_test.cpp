@@ -96,49 +96,80 @@ TEST_CASE("Depths and stencil values are read and written where the state asks f
     unmasked.compare_mask = 0;
     const StencilFace fails{.compare = Compare::Never, .fail = Replace};
     const StencilFace shadow{.depth_fail = IncrementWrap};
-    check_cases({{"less", depths(Compare::Less), 4, 3},
-                 {"less, masked", depths(Compare::Less, false), 4, 0},
-                 {"always", depths(Compare::Always), 0, 3},
-                 {"always, masked", depths(Compare::Always, false), 0, 0},
-                 {"never", depths(Compare::Never), 0, 0, Ends::DepthFailed},
-                 {"16 bits",
-                  [](Registers& state) {
-                      state.targets.depth = target(1 << 27, Format::Depth16);
-                      depths(Compare::Always)(state);
-                  },
-                  0,
-                  2},
-                 {"bounds",
-                  [](Registers& state) {
-                      depths(Compare::Always, false)(state);
-                      state.depth.bounds_enable = true;
-                  },
-                  4,
-                  0},
-                 {"replaces", stencil(replaces), 0, 1},
-                 {"replaces half of the bits", stencil(half), 4, 1},
-                 {"replaces none of the bits", stencil(masked), 0, 0},
-                 {"increments", stencil(increments), 4, 1},
-                 {"compares", stencil(compares), 4, 0},
-                 {"compares no bits", stencil(unmasked), 0, 0},
-                 {"fails and replaces", stencil(fails), 0, 1, Ends::StencilFailed},
-                 {"fails and keeps", stencil(compares), 4, 0, Ends::StencilFailed},
-                 {"shadow",
-                  [&](Registers& state) {
-                      depths(Compare::Less, false)(state);
-                      stencil(shadow)(state);
-                  },
-                  4,
-                  1,
-                  Ends::DepthFailed},
-                 {"shadow in the light",
-                  [&](Registers& state) {
-                      depths(Compare::Less, false)(state);
-                      stencil(shadow)(state);
-                  },
-                  4,
-                  0}},
-                "depth");
+    // What no fragment comes to: a failed depth test without one, tests behind a stencil test that
+    // never passes, a stencil test that a mask or the largest reference has decided.
+    const StencilFace never_increments{.compare = Compare::Never, .depth_pass = Increment};
+    const StencilFace unmasked_fails{
+        .compare = Compare::Less, .fail = Replace, .depth_pass = Increment, .compare_mask = 0};
+    const StencilFace past_the_largest{.compare = Compare::Less, .reference = 255};
+    const auto behind = [](const StencilFace& face) {
+        return [=](Registers& state) {
+            depths(Compare::Less)(state);
+            stencil(face)(state);
+        };
+    };
+    const auto front_fails = [&](Registers& state) {
+        depths(Compare::Less)(state);
+        state.stencil = {.enable = true, .front = never_increments, .back = replaces};
+    };
+    check_cases(
+        {{"less", depths(Compare::Less), 4, 3},
+         {"less, masked", depths(Compare::Less, false), 4, 0},
+         {"always", depths(Compare::Always), 0, 3},
+         {"always, masked", depths(Compare::Always, false), 0, 0},
+         {"never", depths(Compare::Never), 0, 0, Ends::DepthFailed},
+         {"16 bits",
+          [](Registers& state) {
+              state.targets.depth = target(1 << 27, Format::Depth16);
+              depths(Compare::Always)(state);
+          },
+          0,
+          2},
+         {"bounds",
+          [](Registers& state) {
+              depths(Compare::Always, false)(state);
+              state.depth.bounds_enable = true;
+          },
+          4,
+          0},
+         {"replaces", stencil(replaces), 0, 1},
+         {"replaces half of the bits", stencil(half), 4, 1},
+         {"replaces none of the bits", stencil(masked), 0, 0},
+         {"increments", stencil(increments), 4, 1},
+         {"compares", stencil(compares), 4, 0},
+         {"compares no bits", stencil(unmasked), 0, 0},
+         {"fails and replaces", stencil(fails), 0, 1, Ends::StencilFailed},
+         {"fails and keeps", stencil(compares), 4, 0, Ends::StencilFailed},
+         {"shadow",
+          [&](Registers& state) {
+              depths(Compare::Less, false)(state);
+              stencil(shadow)(state);
+          },
+          4,
+          1,
+          Ends::DepthFailed},
+         {"shadow in the light",
+          [&](Registers& state) {
+              depths(Compare::Less, false)(state);
+              stencil(shadow)(state);
+          },
+          4,
+          0},
+         {"increments where a depth test would fail", stencil(shadow), 0, 0},
+         {"never comes to the depth test", behind(fails), 0, 1, Ends::StencilFailed},
+         {"never, and would increment", behind(never_increments), 0, 0, Ends::StencilFailed},
+         {"fails under its mask", behind(unmasked_fails), 0, 1, Ends::StencilFailed},
+         {"fails past the largest", behind(past_the_largest), 0, 0, Ends::StencilFailed},
+         {"one face comes to the depth test", front_fails, 4, 4},
+         {"increments where a test that never passes lets none through",
+          [&](Registers& state) {
+              depths(Compare::Never)(state);
+              stencil(increments)(state);
+          },
+          0,
+          0,
+          Ends::DepthFailed}},
+        "depth");
 }
 
 auto blending(BlendFactor source, BlendFactor destination, std::uint8_t mask = 15) {

@@ -7,6 +7,7 @@
 #include "model/work/machine_order.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -181,6 +182,7 @@ struct Machine {
     Log log;
     MachineOrder order;
     Registers registers;
+    std::uint8_t lanes_written = 1;
 
     explicit Machine(Architecture architecture)
         : order(
@@ -195,19 +197,27 @@ struct Machine {
         registers.images[0] = image_of(Format::Rgba8, 64, 1);
     }
 
-    // A quad of which one fragment reads texel (x, y).
-    void draw(std::uint16_t x, std::uint16_t y) {
+    void clear() {
+        auto command = std::make_shared<WholeCommand>();
+        command->draw.kind = WorkKind::Clear;
+        command->draw.clear.color = true;
+        command->draw.state = std::make_shared<const Registers>(registers);
+        order.command(std::move(command));
+    }
+
+    // A quad at (at, at) of which one fragment reads texel (x, y).
+    void draw(std::uint16_t x, std::uint16_t y, std::uint16_t at = 0) {
         auto command = std::make_shared<WholeCommand>();
         command->draw.state = std::make_shared<const Registers>(registers);
         command->quads.push_back({.primitive = 0,
-                                  .x = 0,
-                                  .y = 0,
+                                  .x = at,
+                                  .y = at,
                                   .covered = 1,
                                   .after_early_depth = 1,
                                   .after_coverage = 1,
                                   .after_alpha = 1,
                                   .after_stencil = 1,
-                                  .after_depth = 1});
+                                  .after_depth = lanes_written});
         command->units = {0};
         TexelAccess access{};
         access.x0 = x;
@@ -247,27 +257,65 @@ TEST_CASE("A scene that is still gathered keeps the texels that it reads", "[rew
     CHECK(machine.log.rewritten == Lines{machine.log.lines[1]});
 }
 
+// What the machine is told when a texture of 64 x 64 texels is read, written as a target, and read
+// again; 16 texels lie in a line.
+Log read_again(Architecture architecture, const std::function<void(Machine&)>& write) {
+    Machine machine(architecture);
+    machine.draw(9, 9);
+    machine.order.end_frame(0);
+    machine.log.text.clear();
+    const Registers before = machine.registers;
+    machine.registers.targets.color[0].address = TextureAt;
+    machine.registers.images[0].shape.kind = TextureKind::None;
+    write(machine);
+    machine.registers = before;
+    machine.lanes_written = 1;
+    machine.draw(9, 9);
+    machine.draw(9, 9); // It has been told of.
+    machine.order.end_frame(1);
+    return machine.log;
+}
+
+const Architecture Architectures[] = {Architecture::Immediate, Architecture::TileBased};
+
 TEST_CASE("What was drawn into a texture is new to who reads it", "[rewritten]") {
-    for (const Architecture architecture : {Architecture::Immediate, Architecture::TileBased}) {
-        Machine machine(architecture);
-        machine.draw(9, 9);
-        machine.order.end_frame(0);
-        const Lines read = machine.log.lines;
-        machine.log.text.clear();
-        const Surface window = machine.registers.targets.color[0];
-        machine.registers.targets.color[0].address = TextureAt;
-        machine.registers.images[0].shape.kind = TextureKind::None;
-        machine.draw(0, 0); // draws into it and reads nothing
-        machine.registers.targets.color[0] = window;
-        machine.registers.images[0] = image_of(Format::Rgba8, 64, 1);
-        machine.draw(9, 9);
-        machine.draw(9, 9); // It has been told of.
-        machine.order.end_frame(1);
-        CHECK(machine.log.text == (architecture == Architecture::Immediate ? "1 rewritten 1 1 end "
-                                                                           : "1 rewritten 2 end "));
-        CHECK(std::count(machine.log.rewritten.begin(), machine.log.rewritten.end(), read[0]) == 1);
-        CHECK(machine.log.rewritten.size() == 64 * 64 * 4 / 64);
+    for (const Architecture architecture : Architectures) {
+        const bool immediate = architecture == Architecture::Immediate;
+        const Log log = read_again(architecture, [](Machine& machine) { machine.draw(0, 0, 8); });
+        CHECK(log.text == (immediate ? "1 rewritten 1 1 end " : "1 rewritten 2 end "));
+        CHECK(log.rewritten == Lines{log.lines[0]});
+        const Log all = read_again(architecture, [](Machine& machine) { machine.clear(); });
+        CHECK(all.rewritten.size() == 64 * 64 * 4 / 64);
+        CHECK(std::count(all.rewritten.begin(), all.rewritten.end(), all.lines[0]) == 1);
+        const Log corner = read_again(architecture, [](Machine& machine) {
+            machine.registers.scissor = {.x = 60, .y = 60, .width = 4, .height = 4};
+            machine.clear();
+        });
+        CHECK(corner.rewritten.size() == 1);
     }
+}
+
+TEST_CASE("What no pixel was drawn into stays", "[rewritten]") {
+    const std::vector<std::function<void(Machine&)>> writes = {
+        [](Machine& machine) {
+            machine.lanes_written = 0;
+            machine.draw(0, 0, 8);
+        },
+        [](Machine& machine) {
+            machine.registers.blend.write_mask = 0;
+            machine.draw(0, 0, 8);
+        },
+        [](Machine& machine) {
+            machine.registers.blend.write_mask = 0;
+            machine.clear();
+        },
+        [](Machine& machine) {
+            machine.registers.scissor.width = 0;
+            machine.clear();
+        }};
+    for (const Architecture architecture : Architectures)
+        for (const auto& write : writes)
+            CHECK(read_again(architecture, write).rewritten.empty());
 }
 
 } // namespace
