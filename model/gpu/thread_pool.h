@@ -39,8 +39,8 @@ public:
 
 private:
     // Indices from `next` up to `count` have not begun: both in one word, so that they are looked
-    // at and taken together.
-    struct Tickets {
+    // at and taken together. So aligned that every compiler does that without a library's lock.
+    struct alignas(std::uint64_t) Tickets {
         std::uint32_t next = 0, count = 0;
     };
 
@@ -54,6 +54,7 @@ private:
     std::vector<std::thread> workers_;
     Job job_; // the same until all that have begun have ended
     std::atomic<Tickets> tickets_ = Tickets();
+    static_assert(std::atomic<Tickets>::is_always_lock_free);
     std::atomic<std::size_t> left_ = 0; // jobs that have not ended
     std::atomic<bool> stopping_ = false;
 
