@@ -133,7 +133,7 @@ FFGPU_GLX GLXContext glXCreateContextAttribsARB(
     const ContextWish wish = read_context_wish(attributes);
     const GlxConfig* const config = display.config_of(handle);
     const Refusal refused = refusal(wish, config != nullptr);
-    if (refused.error == 0) return create(display, dpy, *config, share, Minor);
+    if (config && refused.error == 0) return create(display, dpy, *config, share, Minor);
     if (wish.major > 1 && refused.of_glx) tell_refused_version(wish.major, wish.minor);
     if (refused.of_glx) {
         display.report_glx(refused.error, Minor);
