@@ -12,13 +12,16 @@ namespace ffgpu::fuzz {
 template <std::uint64_t MemoryMiB>
 class KeptGpu {
 public:
-    KeptGpu() { gpu.reset(); }
+    KeptGpu() { gpu_.reset(); }
     // What waits to be drawn is this input's.
-    ~KeptGpu() { gpu.finish(); }
+    ~KeptGpu() { gpu_.finish(); }
     KeptGpu(const KeptGpu&) = delete;
     KeptGpu& operator=(const KeptGpu&) = delete;
 
-    static inline FunctionalGpu gpu{{.memory_bytes = MemoryMiB << 20}};
+    static FunctionalGpu& gpu() { return gpu_; }
+
+private:
+    static inline FunctionalGpu gpu_{{.memory_bytes = MemoryMiB << 20}};
 };
 
 } // namespace ffgpu::fuzz

@@ -21,7 +21,7 @@ constexpr rtl::PipeOptions memory(unsigned latency, unsigned stall_percent, std:
         .latency = latency, .stall_percent = stall_percent, .seed = seed, .quiet_cycles = 1 << 14};
 }
 
-constexpr std::array Memories{memory(1, 0, 1), memory(20, 25, 2), memory(90, 60, 3)};
+const std::array Memories{memory(1, 0, 1), memory(20, 25, 2), memory(90, 60, 3)};
 
 std::vector<test::Vertex> triangles(test::RandomStates& random, unsigned count) {
     const auto unit = [&] { return static_cast<float>(random.below(65536)) / 32768.0f - 1.0f; };

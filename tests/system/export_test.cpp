@@ -22,6 +22,7 @@
 #include <sstream>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 #include <sys/wait.h>
 #include <zstd.h>
 
@@ -250,9 +251,12 @@ TEST_CASE("a reader that stops ends what prints without a word, by SIGPIPE", "[e
             const TemporaryFolder folder;
             const std::string said = folder / "said", ended = folder / "ended";
             // The reader is gone before the first byte.
-            const std::string command = std::string(before) + "(sleep 0.1; '" FFGPU_BINARY "' " +
-                                        verb + " 2> " + said + "; echo $? > " + ended +
-                                        ") | exec true";
+            const std::string command =
+                fmt::format("{}(sleep 0.1; '" FFGPU_BINARY "' {} 2> {}; echo $? > {}) | exec true",
+                            before,
+                            verb,
+                            said,
+                            ended);
             REQUIRE(std::system(command.c_str()) == 0);
             CHECK(content(said).empty());
             CHECK(content(ended) == "141\n"); // 128 + SIGPIPE

@@ -92,8 +92,14 @@ std::optional<ShownFrame> TracePlayer::play_kept_frame() {
 
 bool TracePlayer::repeat_last_frame() {
     repeats_ = true;
-    for (const std::unique_ptr<Call>& call : last_frame_)
-        play(*call);
+    constexpr std::size_t Soon = 4;
+    for (std::size_t i = 0; i < last_frame_.size(); ++i) {
+        if (i + 2 * Soon < last_frame_.size()) {
+            last_frame_[i + 2 * Soon]->prefetch();
+            last_frame_[i + Soon]->prefetch_values();
+        }
+        play(*last_frame_[i]);
+    }
     windows_.take_shown();
     return !last_frame_.empty();
 }

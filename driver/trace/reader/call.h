@@ -5,8 +5,9 @@
 #include "driver/trace/reader/blob.h"
 #include "driver/trace/reader/value.h"
 
+#include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,10 +34,20 @@ public:
 
     // Argument `index`; Null where the trace has none.
     const Value& argument(std::size_t index) const {
+        if (index < in_order_) [[likely]]
+            return values_[index];
         return index < argument_at_.size() && argument_at_[index] != None
                    ? values_[argument_at_[index]]
                    : NoValue;
     }
+    // Brings it into the processor's caches, for whoever plays it soon: first itself, then its
+    // values.
+    void prefetch() const {
+        __builtin_prefetch(this);
+        __builtin_prefetch(reinterpret_cast<const std::byte*>(this) + 64);
+    }
+    void prefetch_values() const { __builtin_prefetch(values_.data()); }
+
     // The argument of that name; Null where there is none.
     const Value& argument(std::string_view name) const {
         for (std::size_t i = 0; i < signature_->arguments.size(); ++i)
@@ -51,8 +62,8 @@ public:
                                               static_cast<std::uint32_t>(string.bits));
     }
     // The caller may swap() the blob away.
-    Blob& blob(const Value& blob) { return blobs_[blob.bits]; }
-    const Blob& blob(const Value& blob) const { return blobs_[blob.bits]; }
+    Blob& blob(const Value& blob) { return *blobs_[blob.bits]; }
+    const Blob& blob(const Value& blob) const { return *blobs_[blob.bits]; }
 
     // Calls visit(element) for each element of an array or struct.
     template <class Visit>
@@ -77,6 +88,7 @@ private:
         values_.clear();
         text_.clear();
         blob_count_ = 0;
+        in_order_ = 0;
         argument_at_.assign(signature.arguments.size(), None);
         result_at_ = None;
     }
@@ -86,10 +98,14 @@ private:
     std::uint32_t thread_ = 0;
     std::uint32_t flags_ = 0;
     std::uint32_t result_at_ = None;
+    // So many arguments, the first ones, are values_ of their own indices: numbers behind each
+    // other, as most calls have them.
+    std::uint32_t in_order_ = 0;
     std::vector<std::uint32_t> argument_at_; // index into values_
     std::vector<Value> values_;
     std::string text_;
-    std::deque<Blob> blobs_; // The first blob_count_ are of this call, the others are spare.
+    // The first blob_count_ are of this call, the others are spare.
+    std::vector<std::unique_ptr<Blob>> blobs_;
     std::size_t blob_count_ = 0;
 };
 

@@ -182,7 +182,12 @@ void TraceReader::parse_argument(Call& call) {
     if (index >= call.argument_at_.size())
         throw Damage{"expected one of " + std::to_string(call.argument_at_.size()) +
                      " arguments, found argument " + std::to_string(index)};
-    call.argument_at_[index] = static_cast<std::uint32_t>(call.values_.size());
+    const auto at = static_cast<std::uint32_t>(call.values_.size());
+    call.argument_at_[index] = at;
+    if (index == call.in_order_ && at == index)
+        ++call.in_order_;
+    else if (index < call.in_order_) // once more
+        call.in_order_ = static_cast<std::uint32_t>(index);
     values_->parse(call);
 }
 

@@ -166,8 +166,8 @@ Value ValueParser::parse_text(Call& call) {
 Value ValueParser::parse_blob(Call& call) {
     const std::uint64_t length = stream_.uint();
     limit(length, MaxBlobBytes, "a blob's length");
-    if (call.blob_count_ == call.blobs_.size()) call.blobs_.emplace_back();
-    Blob& blob = call.blobs_[call.blob_count_];
+    if (call.blob_count_ == call.blobs_.size()) call.blobs_.push_back(std::make_unique<Blob>());
+    Blob& blob = *call.blobs_[call.blob_count_];
     blob.clear();
     stream_.append(blob, length);
     return number(ValueKind::Blob, call.blob_count_++);

@@ -43,7 +43,7 @@ void ffgpu::fuzz::run(Bytes bytes) {
     static gl::WalkMemory memory;
     if (registry.empty()) return;
     const KeptGpu<16> kept;
-    gl::OffscreenContext context(kept.gpu, {.width = Width, .height = Height});
+    gl::OffscreenContext context(KeptGpu<16>::gpu(), {.width = Width, .height = Height});
     context.make_current();
     Choices choices(bytes);
     gl::RandomWalk walk(registry, memory, [&choices] { return choices.next(); });

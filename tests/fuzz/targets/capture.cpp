@@ -9,7 +9,7 @@
 void ffgpu::fuzz::run(Bytes bytes) {
     const MemoryFile file(pack_capture(bytes));
     const KeptGpu<64> kept;
-    FunctionalGpu& gpu = kept.gpu;
+    FunctionalGpu& gpu = KeptGpu<64>::gpu();
     try {
         capture::CaptureReader reader(file.path());
         if (reader.memory_size() > gpu.memory_size()) return;

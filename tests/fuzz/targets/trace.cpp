@@ -9,7 +9,7 @@
 void ffgpu::fuzz::run(Bytes bytes) {
     const MemoryFile file(pack_trace(bytes));
     const KeptGpu<64> kept;
-    FunctionalGpu& gpu = kept.gpu;
+    FunctionalGpu& gpu = KeptGpu<64>::gpu();
     try {
         const auto source =
             tools::open_frame_source(file.path(), gpu, {.warn = [](const std::string&) {}});
