@@ -84,9 +84,10 @@ class Player:
         return start and loops
 
     def rate(self, loops):
-        """Frames a second; what compiles, uploads and starts is behind."""
+        """Frames a second; what compiles, uploads and starts is behind. None, too, where a player repeats
+        nothing: one that finds no end of a frame in the trace."""
         short, long = self.seconds(1), self.seconds(loops + 1)
-        return loops / (long - short) if short and long and long > short else None
+        return loops / (long - short) if short and long and long - short > 0.05 else None
 
 
 def players(options, display, trace):
