@@ -155,15 +155,11 @@ void FunctionalGpu::begin_command(BinCommand command) {
 
 void FunctionalGpu::open_bin(const Targets& targets) {
     int width = 0, height = 0;
-    bool has_target = false;
     for_each_target(targets, [&](const Surface& surface) {
         bin_writes_.add(surface.address, surface.bytes());
         width = std::max<int>(width, surface.width);
         height = std::max<int>(height, surface.height);
-        has_target = true;
     });
-    // Without targets the scissor alone bounds what is drawn (clip_rectangle in model/raster).
-    if (!has_target) width = height = MaxSurfaceSize;
     bin_targets_ = targets;
     bin_.reset(width, height);
     if (records_values()) tell_contents(targets);

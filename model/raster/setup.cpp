@@ -11,14 +11,17 @@ Rectangle surface_rectangle(const Surface& surface) {
     return {0, 0, surface.width, surface.height};
 }
 
+// Where there is no target, nothing can be drawn.
 Rectangle clip_rectangle(const Registers& registers) {
     const Scissor& scissor = registers.scissor;
     Rectangle clip{scissor.x, scissor.y, scissor.x + scissor.width, scissor.y + scissor.height};
-    clip = intersect(clip, {0, 0, MaxSurfaceSize, MaxSurfaceSize});
-    Targets::for_each(registers.targets, [&clip](const Surface& surface) {
-        if (surface.format != Format::None) clip = intersect(clip, surface_rectangle(surface));
+    bool has_target = false;
+    Targets::for_each(registers.targets, [&](const Surface& surface) {
+        if (surface.format == Format::None) return;
+        clip = intersect(clip, surface_rectangle(surface));
+        has_target = true;
     });
-    return clip;
+    return has_target ? clip : Rectangle{};
 }
 
 } // namespace

@@ -20,7 +20,7 @@ namespace ffgpu {
 struct SetupContext {
     PrimitiveSetup primitive;
     InterpolantLayout layout;
-    Rectangle clip;                // scissor and targets
+    Rectangle clip;                // scissor and targets; empty without a target
     bool multisample = false;      // Primitives cover samples; smoothing is off then.
     std::uint32_t depth_scale = 0; // the target's far plane: 2^24 - 1 or 2^16 - 1
 };
