@@ -63,6 +63,24 @@ TEST_CASE("registers with values that do not exist are refused when something is
     CHECK_NOTHROW(scene.clear(0));
 }
 
+TEST_CASE("without a target nothing is drawn, and what follows is") {
+    const Vertex corner{-1, -1, 0, 1, 1, 1, 1, 1, 0, 0};
+    Vertex right = corner, top = corner;
+    right.x = top.y = 3; // The triangle covers the window.
+    for (const unsigned threads : {1u, 2u}) {
+        Scene scene(64, 64, {.threads = threads});
+        scene.clear(0);
+        const Targets targets = scene.registers.targets;
+        scene.registers.targets = {};
+        scene.draw(PrimitiveType::Triangles, {corner, right, top});
+        scene.gpu.finish();
+        CHECK(counters(scene.gpu).at("fragments_covered") == 0);
+        scene.registers.targets = targets;
+        scene.draw(PrimitiveType::Triangles, {corner, right, top});
+        CHECK(scene.pixel(63, 63) == 0xffffffff);
+    }
+}
+
 TEST_CASE("streams with random words do not crash") {
     std::mt19937 random(99);
     for (int round = 0; round < 300; ++round) {

@@ -125,6 +125,37 @@ TEST_CASE("Arrays, structs and representations nest, and what follows them is fo
     CHECK(call->argument("missing").is_null());
 }
 
+TEST_CASE("Arguments are found in whatever order a trace has them") {
+    const auto read = [](const std::vector<std::pair<unsigned, int>>& arguments) {
+        TraceWriter writer;
+        writer.enter(0, "f", {"a", "b", "c"});
+        for (const auto& [index, value] : arguments) {
+            writer.argument(index);
+            writer.sint(value);
+        }
+        writer.end();
+        writer.leave(0);
+        writer.result();
+        writer.sint(9);
+        writer.end();
+        const TemporaryFile file(in_snappy(writer.bytes));
+        TraceReader reader = open(file);
+        const Call* const call = reader.next();
+        REQUIRE(call);
+        CHECK(to_number<int>(call->result()) == 9);
+        std::vector<int> found;
+        for (std::size_t i = 0; i < 3; ++i)
+            found.push_back(call->argument(i).is_null() ? -1 : to_number<int>(call->argument(i)));
+        return found;
+    };
+    CHECK(read({{0, 1}, {1, 2}, {2, 3}}) == std::vector{1, 2, 3});
+    CHECK(read({{2, 3}, {0, 1}, {1, 2}}) == std::vector{1, 2, 3});
+    CHECK(read({{0, 1}, {2, 3}}) == std::vector{1, -1, 3});
+    CHECK(read({{1, 2}}) == std::vector{-1, 2, -1});
+    // The last one of an argument that comes twice.
+    CHECK(read({{0, 1}, {1, 2}, {0, 4}, {2, 3}}) == std::vector{4, 2, 3});
+}
+
 TEST_CASE("A real number becomes an integer without leaving its range") {
     const auto real = [](double value) {
         return Value{ValueKind::Real, 1, std::bit_cast<std::uint64_t>(value)};

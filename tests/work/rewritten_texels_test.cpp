@@ -295,6 +295,26 @@ TEST_CASE("What was drawn into a texture is new to who reads it", "[rewritten]")
     }
 }
 
+TEST_CASE("Stencil values that a failed test writes are new to who reads them", "[rewritten]") {
+    const auto fails = [](StencilOp op) {
+        return [op](Machine& machine) {
+            Registers& registers = machine.registers;
+            registers.targets.depth = registers.targets.color[0];
+            registers.targets.depth.format = Format::Depth24Stencil8;
+            registers.targets.color[0] = {};
+            const StencilFace face{.compare = Compare::Never, .fail = op};
+            registers.stencil = {.enable = true, .front = face, .back = face};
+            machine.lanes_written = 0;
+            machine.draw(0, 0, 8);
+        };
+    };
+    for (const Architecture architecture : Architectures) {
+        const Log log = read_again(architecture, fails(StencilOp::Replace));
+        CHECK(log.rewritten == Lines{log.lines[0]});
+        CHECK(read_again(architecture, fails(StencilOp::Keep)).rewritten.empty());
+    }
+}
+
 TEST_CASE("What no pixel was drawn into stays", "[rewritten]") {
     const std::vector<std::function<void(Machine&)>> writes = {
         [](Machine& machine) {

@@ -40,14 +40,6 @@ public:
                    ? values_[argument_at_[index]]
                    : NoValue;
     }
-    // Brings it into the processor's caches, for whoever plays it soon: first itself, then its
-    // values.
-    void prefetch() const {
-        __builtin_prefetch(this);
-        __builtin_prefetch(reinterpret_cast<const std::byte*>(this) + 64);
-    }
-    void prefetch_values() const { __builtin_prefetch(values_.data()); }
-
     // The argument of that name; Null where there is none.
     const Value& argument(std::string_view name) const {
         for (std::size_t i = 0; i < signature_->arguments.size(); ++i)
@@ -64,6 +56,14 @@ public:
     // The caller may swap() the blob away.
     Blob& blob(const Value& blob) { return *blobs_[blob.bits]; }
     const Blob& blob(const Value& blob) const { return *blobs_[blob.bits]; }
+
+    // Brings it into the processor's caches, for whoever plays it soon: first itself, then its
+    // values.
+    void prefetch() const {
+        __builtin_prefetch(this);
+        __builtin_prefetch(reinterpret_cast<const std::byte*>(this) + 64);
+    }
+    void prefetch_values() const { __builtin_prefetch(values_.data()); }
 
     // Calls visit(element) for each element of an array or struct.
     template <class Visit>
