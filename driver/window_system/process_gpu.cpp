@@ -80,4 +80,11 @@ void ProcessGpu::frame_shown(const Surface& picture) {
     recorder_->frame_shown(picture); // It may be the last.
 }
 
+void ProcessGpu::read_picture(DeviceAddress at, std::span<std::byte> bytes) {
+    if (recorder_)
+        recorder_->read_picture(at, bytes);
+    else
+        device_->read_memory(at, bytes);
+}
+
 } // namespace ffgpu::gl

@@ -28,6 +28,8 @@ public:
 
     // A frame is done: `picture` is what a window shows from now on.
     void frame_shown(const Surface& picture);
+    // Reads device memory for a window's picture: nothing that the program asked for.
+    void read_picture(DeviceAddress at, std::span<std::byte> bytes);
 
 private:
     ProcessGpu();

@@ -11,8 +11,10 @@
 
 #include "model/device/device.h"
 
+#include <cstddef>
 #include <functional>
 #include <memory>
+#include <span>
 
 namespace ffgpu::gl {
 
@@ -24,6 +26,9 @@ public:
     virtual Device& device() = 0;
     // A frame is done; `picture` is what the window shows.
     virtual void frame_shown(const Surface& picture) = 0;
+    // The bytes of device memory that a window shows. A chip's scan-out reads them: that a host
+    // does it here is no work of the machine's, and in no account of it.
+    virtual void read_picture(DeviceAddress at, std::span<std::byte> bytes) = 0;
     // Completes the files; called at the process's end.
     virtual void finish() = 0;
 };

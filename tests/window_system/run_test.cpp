@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace ffgpu {
 namespace {
@@ -38,6 +39,47 @@ TEST_CASE("children that a recorded program forks leave its files alone") {
         shell(FFGPU_BINARY " replay " + capture + " --no-images -o " + again.string());
     INFO(replay.text);
     CHECK(replay.status == 0);
+}
+
+// Of each frame's figures in a stats.json the number behind "name": the totals' last.
+std::vector<std::string> values_of(const std::string& statistics, const std::string& name) {
+    std::vector<std::string> values;
+    const std::string key = '"' + name + "\": ";
+    for (std::size_t at = statistics.find(key); at != std::string::npos;
+         at = statistics.find(key, at + 1)) {
+        const std::size_t begin = at + key.size();
+        values.push_back(statistics.substr(begin, statistics.find_first_of(",\n}", begin) - begin));
+    }
+    return values;
+}
+
+TEST_CASE("showing pictures is no work of the machine's: a run costs what its capture does") {
+    Display* const display = tests::XServer::display();
+    if (!display) return;
+    ::setenv("DISPLAY", DisplayString(display), 1);
+    const OutputFolder out;
+    fs::create_directories(out.path);
+    const std::string capture = (out.path / "all.ffc").string();
+    const Outcome run = ffgpu_run("-o " + out.path.string() + " --no-images --timing --capture " +
+                                  capture + " -- " FFGPU_FORKS);
+    INFO(run.text);
+    REQUIRE(run.status == 0);
+    const fs::path again = out.path / "again";
+    const Outcome replay =
+        shell(FFGPU_BINARY " replay " + capture + " --timing --no-images -o " + again.string());
+    INFO(replay.text);
+    REQUIRE(replay.status == 0);
+
+    const std::string live = statistics_in(out);
+    std::ifstream file(again / "stats.json");
+    std::stringstream captured;
+    captured << file.rdbuf();
+    CHECK(count_of(live, "host_read") == count_of(captured.str(), "host_read"));
+    const auto cycles = values_of(live, "total_cycles");
+    REQUIRE(cycles.size() == 11); // ten frames, and the totals
+    CHECK(cycles == values_of(captured.str(), "total_cycles"));
+    for (const std::string& bytes : values_of(live, "memory_host_read_bytes"))
+        CHECK(bytes == "0");
 }
 
 TEST_CASE("of two programs that draw at the same time one is recorded, the other named") {

@@ -180,6 +180,12 @@ bool Recording::after_frame(const Frame& frame) {
     return true;
 }
 
+void Recording::read_picture(DeviceAddress at, std::span<std::byte> bytes) {
+    gpu_.hide_from_work(true);
+    gpu_.read_memory(at, bytes);
+    gpu_.hide_from_work(false);
+}
+
 void Recording::write_pictures(const Frame& frame) {
     if (options_.output.empty() || frame.picture.format == Format::None) return;
     for (const View view : options_.views)

@@ -69,6 +69,9 @@ public:
     // The frame is done. True: it was measured.
     bool after_frame(const Frame& frame);
 
+    // Bytes of device memory, read as a person looks at them: no work of the machine's.
+    void read_picture(DeviceAddress at, std::span<std::byte> bytes);
+
     // Completes the files, as far as it can where something goes wrong.
     void finish();
 

@@ -102,6 +102,10 @@ public:
         });
     }
 
+    void read_picture(DeviceAddress at, std::span<std::byte> bytes) override {
+        guarded([&] { recording_->read_picture(at, bytes); });
+    }
+
     void finish() override {
         if (finished_ || !is_own_process()) return;
         finished_ = true;

@@ -52,8 +52,11 @@ void WindowSurface::show_front() {
 }
 
 void WindowSurface::show() {
-    if (target_)
-        target_->show(ProcessGpu::instance().device(), drawable_.readable_front(), window_size_);
+    if (!target_) return;
+    target_->show(
+        drawable_.readable_front(), window_size_, [](DeviceAddress at, std::span<std::byte> bytes) {
+            ProcessGpu::instance().read_picture(at, bytes);
+        });
 }
 
 } // namespace ffgpu::gl

@@ -258,8 +258,11 @@ FFGPU_EGL EGLBoolean eglCopyBuffers(EGLDisplay dpy,
         const auto size = target.size();
         if (!size) throw EglError{EGL_BAD_NATIVE_PIXMAP};
         flush_current();
-        target.show(
-            ProcessGpu::instance().device(), known.surface->drawable().readable_back(), *size);
+        target.show(known.surface->drawable().readable_back(),
+                    *size,
+                    [](ffgpu::DeviceAddress at, std::span<std::byte> bytes) {
+                        ProcessGpu::instance().device().read_memory(at, bytes);
+                    });
         return EGL_TRUE;
     });
 }

@@ -170,12 +170,12 @@ XTarget::Pixels& XTarget::pixels(Size size) {
     return *pixels_;
 }
 
-void XTarget::show(Device& device, const Surface& picture, Size size) {
+void XTarget::show(const Surface& picture, Size size, const Read& read) {
     const Size shown{std::min<unsigned>(size.width, picture.width),
                      std::min<unsigned>(size.height, picture.height)};
     if (!display_ || shown.width == 0 || shown.height == 0) return;
     rows_.resize(std::size_t{picture.stride} * shown.height);
-    device.read_memory(picture.address, rows_);
+    read(picture.address, rows_);
     Pixels& to = pixels(shown);
     convert_rows(rows_, picture.stride, *to.image, *visual_);
     const int top = static_cast<int>(size.height - shown.height);

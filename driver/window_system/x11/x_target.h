@@ -6,8 +6,11 @@
 #include "driver/window_system/x11/xlib.h"
 #include "model/device/device.h"
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace ffgpu::gl {
@@ -32,8 +35,10 @@ public:
     // Asks the server. Nothing: the drawable does not exist (any more).
     std::optional<Size> size();
 
-    // Copies the picture's lower left corner to that of the drawable of `size`.
-    void show(Device& device, const Surface& picture, Size size);
+    // Copies the picture's lower left corner to that of the drawable of `size`; `read` gets its
+    // rows from device memory.
+    using Read = std::function<void(DeviceAddress at, std::span<std::byte> bytes)>;
+    void show(const Surface& picture, Size size, const Read& read);
 
 private:
     struct Pixels; // an XImage with its memory
