@@ -1,6 +1,7 @@
 #include "tests/random_calls/random_walk.h"
 
 #include "driver/entry_points/entry.h"
+#include "driver/lists/list_compiler.h"
 
 #include <algorithm>
 #include <array>
@@ -187,9 +188,7 @@ RandomWalk::pointer(const Call& call, const RegistryParameter& parameter, bool i
 // What would leave the bounds of OpenGL, or of patience.
 bool RandomWalk::is_left_out(Context& context, unsigned command) const {
     const std::string_view name = Commands[command].name;
-    GLint list = 0;
-    entry::GetIntegerv(GL_LIST_INDEX, &list);
-    if (list != 0 && contains(name, "CallList")) return true;
+    if (context.lists().name() != 0 && contains(name, "CallList")) return true;
     // Arrays that lose their buffer would read at its offsets in the program's own memory.
     if (contains(name, "DeleteBuffers")) return true;
     // What a buffer holds may be large as an index.
