@@ -20,6 +20,7 @@ void load_depths(const FragmentPipe& pipe,
                  probed::Lanes<std::uint32_t>& depths,
                  probed::Lanes<std::uint8_t>& stencils) {
     const Surface plane = pipe.depth_target.plane(test.sample);
+    if (plane.format == Format::None) return;
     for_lanes(test.before, batch, [&](unsigned lane, LanePosition at) {
         const StencilDepthPixel pixel =
             load_stencil_depth(plane.format, pixel_address(plane, pipe.memory, at.x, at.y));
@@ -41,6 +42,7 @@ StencilDepthFates told_depth_test(const FragmentPipe& pipe,
     const auto test = std::make_unique<probed::StencilDepth>();
     test->sample = sample;
     test->early = pipe.early_depth;
+    test->on = pipe.stencil_depth.active();
     test->before = batch.live;
     load_depths(pipe, *test, batch, test->stored_depth, test->stored_stencil);
     const StencilDepthFates fates = depth_test(pipe, sample, batch);
@@ -94,7 +96,7 @@ FragmentMask
 run_alpha_test(const FragmentPipe& pipe, const FragmentBatch& batch, const ProbeTap* tap) {
     const FragmentControl& control = pipe.registers->fragment;
     const FragmentMask passed = pipe.stages->alpha_test(control, batch);
-    if (tap && control.alpha_test) tap->probe.alpha_test(tap->batch, {batch.live, passed});
+    if (tap) tap->probe.alpha_test(tap->batch, {control.alpha_test, batch.live, passed});
     return passed;
 }
 
@@ -102,8 +104,7 @@ StencilDepthFates run_depth_test(const FragmentPipe& pipe,
                                  unsigned sample,
                                  const FragmentBatch& batch,
                                  const ProbeTap* tap) {
-    if (!tap || !pipe.stencil_depth.active() || !batch.live.any())
-        return depth_test(pipe, sample, batch);
+    if (!tap || !batch.live.any()) return depth_test(pipe, sample, batch);
     return told_depth_test(pipe, sample, batch, *tap);
 }
 

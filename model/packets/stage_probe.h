@@ -185,13 +185,14 @@ struct Fog {
 };
 
 struct Test {
+    bool on = true;
     FragmentMask before, after;
 };
 
 // Of one sample's plane of the depth target. Depths in its units; where it has no stencil, 0.
 struct StencilDepth {
     unsigned sample = 0;
-    bool early = false;
+    bool early = false, on = true;
     FragmentMask before, after_stencil, after_depth;
     Lanes<std::uint32_t> stored_depth, new_depth;
     Lanes<std::uint8_t> stored_stencil, new_stencil;
@@ -234,6 +235,7 @@ public:
     virtual void antialias(const probed::Batch&, const ColorPlanes& /*before*/) {}
     // fragments: samples, and alpha where it becomes 1. Multisampled targets.
     virtual void sample_mask(const probed::Batch&, const SampleMasks& /*before*/) {}
+    // The two tests are told where they are switched off, too: all pass then, or a stage is wrong.
     virtual void alpha_test(const probed::Batch&, const probed::Test&) {}
     virtual void stencil_depth(const probed::Batch&, const probed::StencilDepth&) {}
     virtual void color_write(const probed::Batch&, const probed::ColorWrite&) {}

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/packets/fragment_batch.h"
+#include "rtl/bundles/fields.h"
 #include "rtl/loop/rtl_stages.h"
 
 #include <map>
@@ -18,6 +19,7 @@ struct LoopLog {
     WaveCycles wave_cycles;
     std::uint64_t faulty_items = 0;            // outputs of its unit so far
     std::optional<StageDifference> difference; // the first
+    const FragmentBatch* batch = nullptr;      // whose coordinates were made, to be sampled next
     std::map<std::pair<std::string, std::string>, std::uint64_t> fragments;
 
     // `feature`: as in StageShare.
@@ -53,6 +55,21 @@ compare_lane(StageDifference at, const char* field, std::uint32_t expected, std:
     at.expected = expected;
     at.got = got;
     loop_log().compare(std::move(at));
+}
+
+// Field by field of a bundle, from the first on.
+template <class Bundle>
+void compare_bundles(const StageDifference& at, const Bundle& expected, const Bundle& got) {
+    const Bits of_model = to_bits(expected), of_unit = to_bits(got);
+    unsigned place = of_model.count;
+    const auto compare_field = [&](FieldName name, const auto&, unsigned width = 32) {
+        place -= width;
+        compare_lane(at,
+                     name.text().c_str(),
+                     static_cast<std::uint32_t>(take(of_model, place, width)),
+                     static_cast<std::uint32_t>(take(of_unit, place, width)));
+    };
+    if (of_model != of_unit) Bundle::visit(expected, compare_field);
 }
 
 } // namespace ffgpu::rtl

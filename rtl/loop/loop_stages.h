@@ -55,6 +55,20 @@ void interpolate_directions(const InterpolantLayout& layout,
                             const FragmentBatch& batch,
                             TexCoordPlanes& out);
 
+// The model's coordinates, of a batch that is to be sampled.
+void make_tex_coords(const InterpolantLayout& layout,
+                     unsigned unit_number,
+                     BatchRuns runs,
+                     const PerspectivePlanes& perspective,
+                     const FragmentBatch& batch,
+                     TexCoordPlanes& out);
+void make_directions(const InterpolantLayout& layout,
+                     unsigned unit_number,
+                     BatchRuns runs,
+                     const PerspectivePlanes& perspective,
+                     const FragmentBatch& batch,
+                     TexCoordPlanes& out);
+
 // level_of_detail, texel_address, texel_decode, filter_tree
 void sample(const TextureUnit& unit,
             TexCoordPlanes& coordinates,

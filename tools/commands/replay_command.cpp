@@ -1,12 +1,12 @@
 #include "model/base/input_error.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/warn.h"
-#include "tools/frames/frame_range.h"
 #include "tools/record/recording_arguments.h"
 #include "tools/replay/interruption.h"
 #include "tools/replay/replay.h"
 #include "tools/rtl/pipe_comparison.h"
 #include "tools/rtl/rtl_comparison.h"
+#include "tools/rtl/wave_range.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -34,16 +34,9 @@ int replay_and_compare(RtlDevice& comparison, ReplayOptions& options) {
     return comparison.equal() ? 0 : 1;
 }
 
-rtl::WaveCycles wave_cycles(const std::string& text) {
-    if (text.empty()) return {};
-    const FrameRange range = parse_frame_range(text, "--fst-cycles");
-    if (range.last == FrameRange{}.last) return {.first = range.first};
-    return {range.first, range.last};
-}
-
 int replay_by_rtl(const Arguments& arguments, ReplayOptions& options) {
     const std::vector<std::string>& units = arguments.rtl;
-    const rtl::WaveCycles cycles = wave_cycles(arguments.fst_cycles);
+    const rtl::WaveCycles cycles = parse_wave_cycles(arguments.fst_cycles);
     if (std::ranges::find(units, "fragment_pipe") == units.end()) {
         RtlComparison comparison({.units = units, .waves = arguments.fst, .wave_cycles = cycles});
         options.stages = &comparison.stages();

@@ -147,4 +147,14 @@ void write_account(const std::string& input,
     std::fflush(out);
 }
 
+void draw_up_to(const std::string& input,
+                const Stages& stages,
+                AccountQuestion question,
+                std::uint64_t command) {
+    question.command = command;
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> nowhere(std::fopen("/dev/null", "w"),
+                                                                  std::fclose);
+    write_account(input, stages, question, nowhere.get());
+}
+
 } // namespace ffgpu::tools

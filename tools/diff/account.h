@@ -21,7 +21,7 @@
 
 namespace ffgpu::tools {
 
-constexpr std::string_view AccountHeader = "ffgpu account 1";
+constexpr std::string_view AccountHeader = "ffgpu account 2";
 
 // What the two sides have in common.
 struct AccountQuestion {
@@ -37,5 +37,11 @@ void write_account(const std::string& input,
                    const Stages& stages,
                    const AccountQuestion& question,
                    std::FILE* out);
+
+// Draws up to the command's end, for what the stages tell of it besides.
+void draw_up_to(const std::string& input,
+                const Stages& stages,
+                AccountQuestion question,
+                std::uint64_t command);
 
 } // namespace ffgpu::tools

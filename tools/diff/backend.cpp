@@ -21,13 +21,14 @@ std::vector<std::string> units_of(const std::string& name) {
 
 } // namespace
 
-Backend::Backend(const std::string& name, const std::string& waves) {
+Backend::Backend(const std::string& name, const std::string& waves, rtl::WaveCycles wave_cycles) {
     if (name == "functional") {
         stages_ = &FastStages;
     } else if (name == "reference") {
         stages_ = &ReferenceStages;
     } else if (name == Rtl || name.starts_with("rtl:")) {
-        rtl_ = open_rtl_stages({.units = units_of(name), .waves = waves});
+        rtl_ =
+            open_rtl_stages({.units = units_of(name), .waves = waves, .wave_cycles = wave_cycles});
         stages_ = &rtl_->table();
     } else {
         throw InputError("--backend " + name +

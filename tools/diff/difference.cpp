@@ -199,8 +199,13 @@ private:
         return false;
     }
 
+    // A fragment that one side alone has.
+    static DifferentEntry covered(const Entry& entry, bool is_a) {
+        return {entry.part, entry.place, "covered", is_a ? "1" : "0", is_a ? "0" : "1"};
+    }
     static DifferentEntry alone(const std::string& line, bool is_a) {
         const Entry entry = entry_of(line);
+        if (entry.part == part_name({AccountStage::Coverage})) return covered(entry, is_a);
         const std::string here = entry.fields.empty() ? "there" : entry.fields[0];
         return {entry.part,
                 entry.place,

@@ -124,6 +124,7 @@ void HistoryCollector::sample_mask(const probed::Batch& batch, const SampleMasks
 }
 
 void HistoryCollector::alpha_test(const probed::Batch& batch, const probed::Test& told) {
+    if (!told.on) return;
     for_lanes(told.before, [&](unsigned lane, FragmentNote& note) {
         note.alpha_passed = told.after.test(lane);
         note.alpha = static_cast<std::uint8_t>(batch.fragments->color.a[lane]);
@@ -131,6 +132,7 @@ void HistoryCollector::alpha_test(const probed::Batch& batch, const probed::Test
 }
 
 void HistoryCollector::stencil_depth(const probed::Batch& batch, const probed::StencilDepth& told) {
+    if (!told.on) return;
     for_lanes(told.before, [&](unsigned lane, FragmentNote& note) {
         note.visits.push_back({.sample = told.sample,
                                .early = told.early,

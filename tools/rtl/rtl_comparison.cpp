@@ -14,18 +14,6 @@ bool is_draw(Opcode opcode) {
     return opcode == Opcode::Draw || opcode == Opcode::DrawImage;
 }
 
-std::string stage_text(const rtl::StageDifference& stage) {
-    return fmt::format("{}, primitive {}, quad ({}, {}), lane {}, {}: {:#x}, the model has {:#x}",
-                       stage.unit,
-                       stage.primitive,
-                       stage.x,
-                       stage.y,
-                       stage.lane,
-                       stage.field,
-                       stage.got,
-                       stage.expected);
-}
-
 std::string difference_text(const RtlDifference& difference) {
     std::string text = fmt::format("rtl: draw {} is the first that parts\n", difference.draw);
     if (difference.stage) text += "rtl:   in " + stage_text(*difference.stage) + '\n';
@@ -51,6 +39,18 @@ std::string share_text(const std::vector<rtl::StageShare>& shares) {
 }
 
 } // namespace
+
+std::string stage_text(const rtl::StageDifference& stage) {
+    return fmt::format("{}, primitive {}, quad ({}, {}), lane {}, {}: {:#x}, the model has {:#x}",
+                       stage.unit,
+                       stage.primitive,
+                       stage.x,
+                       stage.y,
+                       stage.lane,
+                       stage.field,
+                       stage.got,
+                       stage.expected);
+}
 
 std::unique_ptr<rtl::RtlStages> open_rtl_stages(const rtl::LoopOptions& options) {
     const auto open =

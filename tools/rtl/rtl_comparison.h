@@ -23,6 +23,9 @@ struct RtlDifference {
     TargetDifference target{};                   // of none: the stage's values alone did
 };
 
+// "fog, primitive 4, quad (48, 40), lane 1, color: 0x1, the model has 0x2"
+std::string stage_text(const rtl::StageDifference& stage);
+
 // Throws InputError where a unit does not exist, or ffgpu was built without Verilator.
 std::unique_ptr<rtl::RtlStages> open_rtl_stages(const rtl::LoopOptions& options);
 
