@@ -26,9 +26,10 @@ Build = Root / "build-rtl-mutants"
 
 Arithmetic = "float"  # The units of binary32 have one test, around which float_units.sv stands.
 
-# Combinational modules of which not all inputs come up: those that do, and the inputs' widths.
+# Combinational modules for SAT as a whole: widths of inputs and outputs, and which inputs come up.
 Ranges = {"filter_mean": ({"enable_i": 1, "sum_i": 12, "count_i": 5}, {"mean_o": 8},
-                          "count_i >= 5'd1 && count_i <= 5'd16 && {5'd0, sum_i} <= 17'd255 * count_i")}
+                          "count_i >= 5'd1 && count_i <= 5'd16 && {5'd0, sum_i} <= 17'd255 * count_i"),
+          "float_add": ({"enable_i": 1, "a_i": 32, "b_i": 32}, {"sum_o": 32}, "1'b1")}
 
 
 def units():
@@ -168,7 +169,7 @@ def is_equivalent(unit, number, module):
 
 
 def is_equal_in_range(unit, number, module):
-    """The same of a module of few inputs, by SAT over those that come up."""
+    """The same by SAT, over the inputs that come up."""
     inputs, outputs, comes_up = Ranges[module]
     mutated = re.sub(re.escape(f"({mutants.Chosen} == ") + r"(\d+)\)",
                      lambda m: f"(1'b{int(int(m[1]) == number)})",
