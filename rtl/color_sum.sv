@@ -20,7 +20,7 @@ module color_sum (
 );
 
   ffgpu_registers_pkg::fragment_control_t state;
-  ffgpu_pkg::quad_t                       quad;
+  ffgpu_pkg::quad_t                       quad, summed;
   ffgpu_pkg::shade_quad_t                 shaded;
   logic [ffgpu_pkg::Lanes*32-1:0]         color;
 
@@ -38,11 +38,13 @@ module color_sum (
   end
 
   always_comb begin
-    shaded = in_data_i;
+    summed = quad;
     if (state.color_sum) begin
-      shaded.quad.color = color;
+      summed.color = color;
     end
   end
+  assign shaded = {summed, in_data_i.primary, in_data_i.secondary, in_data_i.fog_coordinate,
+                   in_data_i.samples};
 
   pipeline_register #(
     .Width($bits(shaded))

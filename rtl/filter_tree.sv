@@ -99,8 +99,8 @@ module filter_tree (
     end
   end
   always_ff @(posedge clk_i) begin
-    if (taken && !level.last_level) begin
-      fine_q <= level.texels[31:0];
+    if (taken) begin
+      fine_q <= level.texels[31:0];  // looked at behind a finer level alone
     end
     if (taken && level.last_level) begin
       sum_q <= sum;

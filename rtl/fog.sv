@@ -55,30 +55,33 @@ module fog (
   // The colour: f c + (1 - f) fog colour; alpha stays.
   ffgpu_pkg::quad_t      quad, faded;
   ffgpu_pkg::fog_curve_t curve;
+  logic                  fades;
+  logic [15:0]           factor, product;
   logic [Lanes*32-1:0]   color;
 
   assign last  = data[Width*FactorStages +: Width];
   assign quad  = last.quad;
   assign curve = quad.tag ? state_1_i : state_0_i;
 
-  for (genvar lane = 0; lane < Lanes; lane++) begin : g_color
-    for (genvar channel = 0; channel < 3; channel++) begin : g_channel
-      localparam int unsigned At = 32 * lane + 8 * channel;
-      logic [15:0] factor, rest, product;
-      assign factor  = {8'd0, last.values[32*lane +: 8]};
-      assign rest    = 16'd255 - factor;
-      assign product = factor * {8'd0, quad.color[At +: 8]} +
-        rest * {8'd0, curve.color[8*channel +: 8]};
-      assign color[At +: 8] = ffgpu_pkg::divide_255(product);
-    end
-    assign color[32*lane+24 +: 8] = quad.color[32*lane+24 +: 8];
-  end
+  assign fades = valid[FactorStages] && ready[FactorStages] &&
+    curve.mode != ffgpu_registers_pkg::FogModeOff;
 
   always_comb begin
-    faded = quad;
-    if (curve.mode != ffgpu_registers_pkg::FogModeOff) begin
-      faded.color = color;
+    color   = quad.color;
+    factor  = 16'd0;
+    product = 16'd0;
+    if (fades) begin
+      for (int unsigned lane = 0; lane < Lanes; lane++) begin
+        factor = {8'd0, last.values[32*lane +: 8]};
+        for (int unsigned channel = 0; channel < 3; channel++) begin
+          product = factor * {8'd0, quad.color[32*lane+8*channel +: 8]} +
+            (16'd255 - factor) * {8'd0, curve.color[8*channel +: 8]};
+          color[32*lane+8*channel +: 8] = ffgpu_pkg::divide_255(product);
+        end
+      end
     end
+    faded       = quad;
+    faded.color = color;
   end
 
   pipeline_register #(

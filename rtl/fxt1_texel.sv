@@ -4,6 +4,7 @@
 // step between two colours: ((n - i) a + i b) / n to nearest, n being 1, 2, 3 or 6.
 
 module fxt1_texel (
+  input  logic              enable_i,  // low: nobody looks at the colour, which is 0
   input  logic [127:0]      block_i,
   input  logic [2:0]        x_i,
   input  logic [1:0]        y_i,
@@ -18,6 +19,7 @@ module fxt1_texel (
   logic [6:0]        high_at;
   logic [14:0]       first_bits, second_bits, chroma_bits;
   logic [4:0]        first_alpha, second_alpha;
+  logic [25:0]       sum, third, sixth;
   ffgpu_pkg::color_t first, second, mixed;
 
   assign tile      = x_i[2];
@@ -48,7 +50,9 @@ module fxt1_texel (
     second_bits  = chroma_bits;
     first_alpha  = 5'd31;
     second_alpha = 5'd31;
-    if (is_high) begin
+    if (!enable_i) begin
+      steps = 3'd1;
+    end else if (is_high) begin
       step        = high_code;
       steps       = 3'd6;
       is_clear    = high_code == 3'd7;
@@ -89,22 +93,27 @@ module fxt1_texel (
       {second_bits[9:5], second_bits[9:7]},
     second_bits[14:10], second_bits[14:12]};
 
-  for (genvar channel = 0; channel < 4; channel++) begin : g_channel
-    logic [25:0] sum, third, sixth;
-    assign sum = {23'd0, steps - step} * {18'd0, first[8*channel +: 8]} +
-      {23'd0, step} * {18'd0, second[8*channel +: 8]} + {24'd0, steps[2:1]};
-    assign third = sum * 26'd683;
-    assign sixth = sum * 26'd10923;
-    always_comb begin
-      unique case (steps)
-        3'd1:    mixed[8*channel +: 8] = sum[7:0];
-        3'd2:    mixed[8*channel +: 8] = sum[8:1];
-        3'd3:    mixed[8*channel +: 8] = third[18:11];
-        default: mixed[8*channel +: 8] = sixth[23:16];
-      endcase
+  always_comb begin
+    sum   = 26'd0;
+    third = 26'd0;
+    sixth = 26'd0;
+    mixed = 32'd0;
+    if (enable_i && !is_clear) begin
+      for (int unsigned channel = 0; channel < 4; channel++) begin
+        sum = {23'd0, steps - step} * {18'd0, first[8*channel +: 8]} +
+          {23'd0, step} * {18'd0, second[8*channel +: 8]} + {24'd0, steps[2:1]};
+        third = sum * 26'd683;
+        sixth = sum * 26'd10923;
+        unique case (steps)
+          3'd1:    mixed[8*channel +: 8] = sum[7:0];
+          3'd2:    mixed[8*channel +: 8] = sum[8:1];
+          3'd3:    mixed[8*channel +: 8] = third[18:11];
+          default: mixed[8*channel +: 8] = sixth[23:16];
+        endcase
+      end
     end
   end
 
-  assign color_o = is_clear ? 32'd0 : mixed;
+  assign color_o = mixed;
 
 endmodule

@@ -20,13 +20,18 @@ module texel_decode (
 
   // Stage 1. The block's place holds the colour, or the depth in 24 bits, from then on.
   ffgpu_pkg::texel_block_t decoded_d, decoded_q;
-  logic                    decoded_valid, decoded_ready, is_dxt1;
+  logic                    decoded_valid, decoded_ready, takes, is_dxt1, is_s3tc, is_fxt1;
   logic [63:0]             color_block;
   ffgpu_pkg::color_t       plain, blocks, fxt1, value;
   ffgpu_pkg::channel_t     blocks_alpha;
 
   assign is_dxt1 = in_data_i.format == ffgpu_registers_pkg::FormatDxt1Rgb ||
     in_data_i.format == ffgpu_registers_pkg::FormatDxt1Rgba;
+  assign is_s3tc = is_dxt1 || in_data_i.format == ffgpu_registers_pkg::FormatDxt3 ||
+    in_data_i.format == ffgpu_registers_pkg::FormatDxt5;
+  assign is_fxt1 = in_data_i.format == ffgpu_registers_pkg::FormatFxt1Rgb ||
+    in_data_i.format == ffgpu_registers_pkg::FormatFxt1Rgba;
+  assign takes       = in_valid_i && in_ready_o;
   assign color_block = is_dxt1 ? in_data_i.block[63:0] : in_data_i.block[127:64];
 
   pixel_unpack u_plain (
@@ -35,6 +40,7 @@ module texel_decode (
     .color_o (plain)
   );
   s3tc_color u_s3tc_color (
+    .enable_i(takes && is_s3tc),
     .block_i(color_block),
     .texel_i({in_data_i.y, in_data_i.x[1:0]}),
     .four_i (!is_dxt1),
@@ -42,12 +48,14 @@ module texel_decode (
     .color_o(blocks)
   );
   s3tc_alpha u_s3tc_alpha (
+    .enable_i (takes && is_s3tc && !is_dxt1),
     .block_i  (in_data_i.block[63:0]),
     .texel_i  ({in_data_i.y, in_data_i.x[1:0]}),
     .is_dxt5_i(in_data_i.format == ffgpu_registers_pkg::FormatDxt5),
     .alpha_o  (blocks_alpha)
   );
   fxt1_texel u_fxt1 (
+    .enable_i(takes && is_fxt1),
     .block_i(in_data_i.block),
     .x_i    (in_data_i.x),
     .y_i    (in_data_i.y),

@@ -152,7 +152,7 @@ module texture_environment (
   ffgpu_pkg::texture_environment_state_t state_3;
   ffgpu_registers_pkg::combiner_t        combiner_3;
   ffgpu_pkg::shade_quad_t                shaded_3;
-  ffgpu_pkg::quad_t                      quad_3;
+  ffgpu_pkg::quad_t                      quad_3, colored_3;
   logic [1:0]                            alpha_shift;
   logic [127:0]                          color;
 
@@ -173,11 +173,13 @@ module texture_environment (
   end
 
   always_comb begin
-    result_d = shaded_3;
+    colored_3 = quad_3;
     if (combiner_3.enable) begin
-      result_d.quad.color = color;
+      colored_3.color = color;
     end
   end
+  assign result_d = {colored_3, shaded_3.primary, shaded_3.secondary, shaded_3.fog_coordinate,
+                     shaded_3.samples};
 
   pipeline_register #(
     .Width($bits(result_d))

@@ -53,8 +53,8 @@ def mutate_state(text):
 
 
 def mutate_lanes(text):
-    """Another lane's, channel's or unit's bits."""
-    for match in re.finditer(r"(?<!\.)\b(lane|channel|pair|unit)\b", text):
+    """Another lane's, channel's or unit's bits; bits of the number itself stay."""
+    for match in re.finditer(r"(?<!\.)\b(lane|channel|pair|unit)\b(?!\[)", text):
         for other in (f"(0 * {match[1]})", f"({match[1]} ^ 1)"):
             yield "lane", match.start(), match.end(), other
 
