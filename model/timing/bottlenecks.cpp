@@ -7,15 +7,6 @@
 #include <utility>
 
 namespace ffgpu::timing {
-namespace {
-
-// Of a cycle, in sixteenths, whose sums are the same in any order.
-float part(std::uint64_t items, std::uint32_t in_a_cycle) {
-    if (items == 0 || in_a_cycle == 1) return static_cast<float>(static_cast<std::int64_t>(items));
-    return static_cast<float>(16 * items / in_a_cycle) / 16;
-}
-
-} // namespace
 
 Bottlenecks::Bottlenecks(const PipeParts& parts)
     : parts_(parts)
@@ -62,9 +53,10 @@ void Bottlenecks::connect(Place& place) {
         for (const Link* const link : *from)
             to->push_back(&way_of(link));
     const Unit* const unit = place.stage.unit;
-    for (auto& [of, moment] : answers_)
-        if (of == unit) place.memory = &moment;
-    if (!place.memory) place.memory = &answers_.emplace_back(unit, Moment{}).second;
+    for (AtMemory& each : at_memory_)
+        if (each.unit == unit) place.memory = &each;
+    if (!place.memory) place.memory = &at_memory_.emplace_back(AtMemory{.unit = unit});
+    connect_steps(place);
 }
 
 // --- Each cycle --------------------------------------------------------------------------------
@@ -74,6 +66,7 @@ void Bottlenecks::reckon(const PipeLog& log) {
                 log.stages.data(),
                 log.links.data(),
                 log.arrivals.data(),
+                log.passages.data(),
                 log.taken.data()};
     for (const CycleSeen& cycle : log.cycles)
         reckon(cycle, seen);
@@ -91,6 +84,7 @@ void Bottlenecks::reckon(const CycleSeen& cycle, Reader& seen) {
                 way->see(*seen.links++);
         for (Way* const way : place.in)
             way->arrival = *seen.arrivals++;
+        see_passages(place, stage.passages, seen);
         look(place, stage);
     }
     for (std::uint32_t i = 0; i < cycle.taken; ++i)
@@ -119,6 +113,7 @@ void Bottlenecks::look(Place& place, const StageSeen& seen) {
     for (const Way* const way : place.asked)
         asked += way->seen_pushed - way->pushed;
     const Moved moved{taken, given, seen.refused};
+    if (!place.steps.empty()) return go_through_steps(place, moved, seen.request_waits);
     count_work(place, seen, moved);
     // The cycles in which its unit slept were as the last one.
     if (now_ > place.looked + 1) note_stall(place, place.activity, place.unit_was_refused);
@@ -131,8 +126,11 @@ void Bottlenecks::look(Place& place, const StageSeen& seen) {
     place.had_backlog = seen.has_backlog;
 }
 
-void Bottlenecks::note_stall(Place& place, Activity activity, bool refused) {
-    place.on_memory |= activity == Activity::StalledMemory || activity == Activity::StalledRequests;
+void Bottlenecks::note_stall(Place& place, Activity activity, bool refused) const {
+    // Who waits for all that the memory does asks it for nothing meanwhile.
+    const bool drains = place.stage.unit == &parts_.drain;
+    place.on_memory |=
+        activity == Activity::StalledMemory || (activity == Activity::StalledRequests && !drains);
     place.drains |= activity == Activity::StalledOutput && !refused;
 }
 
@@ -147,7 +145,8 @@ void Bottlenecks::take_answers(Place& place) {
                     paths_.share(paths_.extend(answer.path, Resource::TexelL2, answer.at));
                 answer.saved[Resource::TexelL2] += static_cast<float>(way_back);
             }
-            merge(paths_, *place.memory, answer);
+            merge(paths_, place.memory->answer, answer);
+            if (way->fills) way->fills->come(paths_, answer);
             way->freed[way->popped] = answer;
         }
     }
@@ -156,12 +155,6 @@ void Bottlenecks::take_answers(Place& place) {
 // A cycle in which it leaves work behind is all of it work, unless it is refused or could have gone
 // on before.
 void Bottlenecks::count_work(Place& place, const StageSeen& seen, const Moved& moved) {
-    const Stage& stage = place.stage;
-    if (stage.lookups_per_cycle > 0) {
-        const std::uint32_t lookups = seen.lookups - std::exchange(place.lookups, seen.lookups);
-        place.work += part(lookups, stage.lookups_per_cycle);
-        return;
-    }
     if (place.activity == Activity::Busy) {
         const auto gap = static_cast<float>(now_ - place.looked - 1);
         place.busy += gap;
@@ -205,7 +198,9 @@ void Bottlenecks::answer(const AnswerSeen& answer) {
     Way* const back = responses_[request.port];
     if (!back) return;
     back->see(answer.back);
-    if (!request.write) back->send(back->seen_pushed, moment);
+    if (request.write) return;
+    back->send(back->seen_pushed, moment);
+    if (back->fills) back->fills->number_next(request.ticket);
 }
 
 // --- Moments -----------------------------------------------------------------------------------
@@ -223,15 +218,11 @@ void Bottlenecks::find_dependences(const Place& place, const Moved& moved) {
     const Cycle now = now_;
     Dependences& found = found_;
     found.count = 0;
-    // Look-ups are of what is taken; other work holds up all.
     const float work = place.work;
-    const bool looks_up = place.stage.lookups_per_cycle > 0;
     // What is taken does not wait for what is given beside it.
     const bool beside = moved.given == 0 && moved.taken > 0 && place.taken.at < place.last.at &&
-                        place.stage.free_width > 0 && (looks_up || work == 0);
-    if (!beside)
-        found.add({&place.last, looks_up ? 0 : work, {place.stage.resource, looks_up ? 0 : work}});
-    if (looks_up && moved.taken > 0) found.add({&place.taken, work, {place.stage.resource, work}});
+                        place.stage.free_width > 0 && work == 0;
+    if (!beside) found.add({&place.last, work, {place.stage.resource, work}});
     find_port(place.stage, place.taken, moved.taken);
     find_port(place.stage, place.given, moved.given);
     for (const Way* const way : place.in) {
@@ -258,11 +249,9 @@ void Bottlenecks::find_dependences(const Place& place, const Moved& moved) {
             gives = true;
         }
     }
-    if (gives && place.stage.lookups_per_cycle == 0)
-        found.add({&place.taken, place.busy, {place.stage.resource, place.busy}});
-    // Of a unit with two ways through it, it is not known which of them waits.
-    if (place.on_memory && !place.stage.input)
-        found.add({place.stage.unit == &parts_.drain ? &memory_.all() : place.memory, 1});
+    if (gives) found.add({&place.taken, place.busy, {place.stage.resource, place.busy}});
+    if (place.on_memory)
+        found.add({place.stage.unit == &parts_.drain ? &memory_.all() : &place.memory->answer, 1});
     if (place.drains) {
         const Place* last = nullptr;
         for (const Place& other : places_)
@@ -294,7 +283,7 @@ const Dependence& Bottlenecks::explain(const Place& place, const Moved& moved) {
     // Either is over later than all others.
     if (moved.taken > 0 && place.given.at + 1 == now) // A place inside it came free with that.
         return found_.add({&place.given, 1});
-    const Dependence answer{place.memory, 1};
+    const Dependence answer{&place.memory->answer, 1};
     if (slack(answer, now) < more) last = &found_.add(answer);
     const float rest = slack(*last, now);
     last->takes += rest;
@@ -307,14 +296,10 @@ const Dependence& Bottlenecks::explain(const Place& place, const Moved& moved) {
 }
 
 void Bottlenecks::act(Place& place, const Moved& moved) {
-    const Cycle now = now_;
     find_dependences(place, moved);
     const Dependence& last = explain(place, moved);
-    const auto all = std::span<const Dependence>(found_.all).first(found_.count);
-    WaitPaths::Path path = paths_.extend(last.moment->path, last.first.resource, now - 1);
-    path = paths_.extend(path, place.stage.resource, now);
-    saved_ = saved_after(all, last, now);
-    place.last = {now, paths_.share(path), saved_};
+    place.last = moment_after(last, place.stage.resource);
+    saved_ = place.last.saved;
     if (moved.taken > 0) {
         place.taken = place.last;
         place.busy = 0;
@@ -322,7 +307,7 @@ void Bottlenecks::act(Place& place, const Moved& moved) {
     if (moved.given > 0) place.given = place.last;
     pass_on(place);
     place.active = 0;
-    if (moved.taken > 0 || place.stage.lookups_per_cycle == 0) place.work = 0;
+    place.work = 0;
     place.on_memory = place.drains = false;
 }
 
@@ -344,10 +329,30 @@ void Bottlenecks::collect_paths() {
         for (Moments* const moments : {&way.sent, &way.freed})
             for (Moment& moment : *moments)
                 heads_.push_back(&moment.path);
-    for (auto& [unit, moment] : answers_)
-        heads_.push_back(&moment.path);
+    for (AtMemory& each : at_memory_)
+        heads_.insert(heads_.end(), {&each.answer.path, &each.looked_up.path, &each.asked.path});
+    for (FillMoments& fills : fills_)
+        fills.for_each_path([this](WaitPaths::Path& path) { heads_.push_back(&path); });
+    for (Place& place : places_) {
+        for (StepPlace& step : place.steps)
+            heads_.push_back(&step.last.path);
+        for (Inner& each : place.passages) {
+            for (Moments* const moments : {&each.entries, &each.exits})
+                for (Moment& moment : *moments)
+                    heads_.push_back(&moment.path);
+            for (Inner::Begun& unit : each.units)
+                heads_.push_back(&unit.at.path);
+        }
+    }
     memory_.add_heads(heads_);
     paths_.collect(heads_);
+}
+
+Moment Bottlenecks::moment_after(const Dependence& last, Resource resource) {
+    const auto all = std::span<const Dependence>(found_.all).first(found_.count);
+    WaitPaths::Path path = paths_.extend(last.moment->path, last.first.resource, now_ - 1);
+    path = paths_.extend(path, resource, now_);
+    return {now_, paths_.share(path), saved_after(all, last, now_)};
 }
 
 FrameWaits Bottlenecks::end_frame(Cycle now) {
@@ -367,8 +372,19 @@ FrameWaits Bottlenecks::end_frame(Cycle now) {
     for (Way& way : ways_)
         for (Moments* const moments : {&way.sent, &way.freed})
             std::fill(moments->begin(), moments->end(), Moment{});
-    for (auto& [unit, moment] : answers_)
-        moment = {};
+    for (AtMemory& each : at_memory_)
+        each.answer = each.looked_up = each.asked = {};
+    for (FillMoments& fills : fills_)
+        fills.restart();
+    for (Place& place : places_) {
+        for (StepPlace& step : place.steps)
+            step.last = place.last;
+        for (Inner& each : place.passages) {
+            for (Moments* const moments : {&each.entries, &each.exits})
+                std::fill(moments->begin(), moments->end(), Moment{});
+            std::ranges::fill(each.units, Inner::Begun{});
+        }
+    }
     memory_.restart();
     return waits;
 }

@@ -21,6 +21,7 @@
 
 #include "model/base/check.h"
 #include "model/base/ring.h"
+#include "model/timing/fill_moments.h"
 #include "model/timing/frame_waits.h"
 #include "model/timing/link.h"
 #include "model/timing/memory_waits.h"
@@ -37,6 +38,12 @@
 #include <vector>
 
 namespace ffgpu::timing {
+
+// Of a cycle, in sixteenths, whose sums are the same in any order.
+inline float part(std::uint64_t items, std::uint32_t in_a_cycle) {
+    if (items == 0 || in_a_cycle == 1) return static_cast<float>(static_cast<std::int64_t>(items));
+    return static_cast<float>(16 * items / in_a_cycle) / 16;
+}
 
 class Bottlenecks {
 public:
@@ -58,10 +65,12 @@ private:
         // Items: as seen last, and that were looked at.
         std::uint64_t seen_pushed = 0, seen_popped = 0, pushed = 0, popped = 0;
         Cycle arrival = Never;
+        Cycle sent_at = 0; // of the last, by stages with steps
         Moments sent{8}, freed;
         // Requests whose answer has not come, from the oldest on.
         std::uint64_t first_asked = 0;
         Ring<std::uint8_t> answered{};
+        FillMoments* fills = nullptr; // that its items complete
 
         // The first that is still of use.
         std::uint64_t first_sent() const {
@@ -85,16 +94,64 @@ private:
         std::uint64_t taken = 0, given = 0;
         bool refused = false;
     };
+    // What a unit has of the memory.
+    struct AtMemory {
+        const Unit* unit;
+        Moment answer{};             // the last
+        Moment looked_up{}, asked{}; // of stages with steps
+    };
+    struct Inner {
+        const StagePassage& told;
+        std::uint64_t entered = 0, left = 0;
+        Passage counted{}, seen{}; // when the steps at its ends did something last; now
+        Moments entries{8}, exits;
+        const FillMoments* fills = nullptr;
+        // What a unit began with: when, and the cycles that it takes.
+        struct Begun {
+            Moment at{};
+            float cycles = 0;
+            float free_at() const { return static_cast<float>(at.at) + cycles; }
+        };
+        std::vector<Begun> units{}; // the first that is free first
+        std::vector<float> cycles;  // of items, modulo its size
+
+        std::uint32_t coming() const { return seen.entered - counted.entered; }
+        std::uint32_t going() const { return seen.left - counted.left; }
+        std::uint32_t begun() const { return seen.begun - counted.begun; }
+        // Of each item that a unit began with, in the mean.
+        float begun_cycles() const {
+            const auto all = static_cast<float>(seen.begun_cycles - counted.begun_cycles);
+            return begun() == 0 ? 0 : all / static_cast<float>(begun());
+        }
+        float& cycles_of(std::uint64_t item) { return cycles[item & (cycles.size() - 1)]; }
+        float cycles_of(std::uint64_t item) const { return cycles[item & (cycles.size() - 1)]; }
+    };
+    // Of passages, a bit each: where something came, or went; and where the steps at their ends
+    // looked something up, or worked, since they did something last.
+    struct Changed {
+        std::uint64_t came = 0, went = 0, looked_up = 0, worked = 0;
+    };
+    struct StepPlace {
+        const Step& told;
+        std::uint64_t from = 0, to = 0; // bits of its passages
+        bool expands = false;           // what its items waited for
+        Moment last{};
+    };
     struct Place {
         const Stage& stage;
         std::vector<Way*> in, out, asked, answered;
         Moment last;
-        Moment* memory; // its unit's last answer
+        AtMemory* memory;
+        std::vector<Inner> passages{};
+        std::vector<StepPlace> steps{};
+        Changed changed{}; // of these passages
         Cycle looked = 0;
         Activity activity = Activity::Idle; // then
         bool had_backlog = false, was_refused = false;
         bool unit_was_refused = false; // by any of the unit's ways out
-        std::uint32_t lookups = 0;
+        bool request_waits = false;    // of its unit
+        bool is_last = true;           // of its unit's
+        bool gives_by_one = false;     // of its steps
         // Cycles since its last moment: of its work that held up others, and of all of it.
         float work = 0, active = 0;
         Moment taken{}, given{};
@@ -117,6 +174,7 @@ private:
         const StageSeen* stages;
         const LinkSeen* links;
         const Cycle* arrivals;
+        const Passage* passages;
         const TakenSeen* taken;
     };
 
@@ -125,7 +183,7 @@ private:
     void reckon(const CycleSeen& cycle, Reader& seen);
     void answer(const AnswerSeen& answer);
     void look(Place& place, const StageSeen& seen);
-    static void note_stall(Place& place, Activity activity, bool refused);
+    void note_stall(Place& place, Activity activity, bool refused) const;
     void take_answers(Place& place);
     void count_work(Place& place, const StageSeen& seen, const Moved& moved);
     void act(Place& place, const Moved& moved);
@@ -135,6 +193,23 @@ private:
     // Returns the one that was over last.
     const Dependence& explain(const Place& place, const Moved& moved);
     void pass_on(Place& place);
+    static void send(const std::vector<Way*>& ways, const Moment& moment);
+    // Of stages with steps:
+    struct StepMoved {
+        std::uint64_t taken = 0, given = 0, coming = 0, lookups = 0;
+        float worked = 0;
+    };
+    void connect_steps(Place& place);
+    static void see_passages(Place& place, std::uint64_t seen, Reader& log);
+    void go_through_steps(Place& place, const Moved& moved, bool request_waits);
+    static bool acts(const Place& place, const StepPlace& step, const Moved& moved, bool unit_asks);
+    StepMoved moved_by(const Place& place, const Step& step, const Moved& moved) const;
+    void act(Place& place, StepPlace& step, const StepMoved& moved);
+    void find_dependences(const Place& place, const StepPlace& step, const StepMoved& moved);
+    const Dependence& explain(const Place& place, const StepPlace& step);
+    void pass_on(Place& place, const StepPlace& step, const StepMoved& moved);
+    void ask(Place& place);
+    Moment moment_after(const Dependence& last, Resource resource);
     void take_requests(const TakenSeen& taken);
     void charge(Saved& entry);
     void collect_paths();
@@ -145,9 +220,10 @@ private:
     MemoryWaits memory_;
     std::deque<Way> ways_;
     std::vector<Place> places_;
-    std::deque<std::pair<const Unit*, Moment>> answers_; // the last of each unit
-    std::vector<Way*> requests_, responses_;             // by the arbiter's ports
-    std::vector<WaitPaths::Path*> heads_;                // of collect_paths()
+    std::deque<AtMemory> at_memory_;
+    std::deque<FillMoments> fills_;
+    std::vector<Way*> requests_, responses_; // by the arbiter's ports
+    std::vector<WaitPaths::Path*> heads_;    // of collect_paths()
     Dependences found_;
     // What the furthest stage that did something saved since the frame began, and what of it was
     // charged to somebody.

@@ -28,6 +28,7 @@ bool ColorTiming::read_pixels(Activity& reason) {
         blame(reason, Activity::StalledRequests);
         return false;
     }
+    parked_.count_look_up();
     interlock_.enter(token.quad());
     parked_.park(ports_.quads_in.pop(), walk_.end());
     return true;
@@ -66,6 +67,7 @@ bool ColorTiming::look_up(Activity& reason) {
             blame(reason, Activity::StalledRequests);
             return false;
         }
+        parked_.count_look_up();
         if (observer_) observer_->color_line(name_of(token), {line, walk_.missed, now()});
         if (ports_.blocks && draw.has_values) follow_values(token, line);
         if (walk_.next < lines.size()) return true;

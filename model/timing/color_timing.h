@@ -35,6 +35,8 @@ public:
     std::string state() const override;
 
     void set_observer(QuadObserver* observer) { observer_ = observer; } // or null
+    // The quads that wait for their colours.
+    const ParkedQuads& quads() const { return parked_; }
 
 private:
     Activity step() override;

@@ -28,6 +28,7 @@ bool DepthTiming::read_pixels(Activity& reason) {
         blame(reason, Activity::StalledRequests);
         return false;
     }
+    late_.count_look_up();
     interlock_.enter(token.quad());
     late_.park(token, late_walk_.end());
     ports_.late_in.pop();

@@ -170,6 +170,7 @@ bool DepthTiming::look_up_lines(Path path,
             continue;
         }
         if (!walk.look_up(ports_.cache, wanted)) break;
+        (path == Path::Early ? early_ : late_).count_look_up();
         if (observer_) observer_->depth_line(name_of(token), {wanted.number, walk.missed, now()});
         --budget.lookups;
         if (ports_.blocks && draw.has_values && wanted.written != 0)

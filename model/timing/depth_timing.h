@@ -42,6 +42,9 @@ public:
     std::string state() const override;
 
     void set_observer(QuadObserver* observer) { observer_ = observer; } // or null
+    // The quads that wait for their depths.
+    const ParkedQuads& early() const { return early_; }
+    const ParkedQuads& late() const { return late_; }
 
 private:
     enum class Path { Early, Late };

@@ -10,8 +10,10 @@
 #include "model/base/ring.h"
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
+#include "model/timing/passage.h"
 #include "model/timing/tokens.h"
 
+#include <span>
 #include <vector>
 
 namespace ffgpu::timing {
@@ -45,7 +47,8 @@ public:
         , width_(config.raster.quads_per_cycle)
         , in_order_(config.fragment.distribution == Distribution::Triangles)
         , places_(config.fragment.pipe_queue)
-        , finished_(width_) {}
+        , finished_(width_)
+        , passages_(width_) {}
 
     // A quad came in and takes `pipe`.
     void enter(std::uint32_t pipe) {
@@ -56,7 +59,9 @@ public:
         return in_order_ ? finished_[pipe].size() < places_ : out_.can_push();
     }
     void push(std::size_t pipe, const QuadToken& quad) {
-        in_order_ ? finished_[pipe].push_back(quad) : out_.push(quad);
+        if (!in_order_) return out_.push(quad);
+        finished_[pipe].push_back(quad);
+        ++passages_[pipe].entered;
     }
 
     // Once a cycle, when all pipes have worked: quads whose turn it is leave. Tells whether any
@@ -68,6 +73,7 @@ public:
             if (pipe.empty() || !out_.can_push()) break;
             out_.push(pipe.front());
             pipe.pop_front();
+            passages_[order_.front()].leave();
             order_.pop_front();
             any = true;
         }
@@ -75,6 +81,10 @@ public:
     }
 
     bool is_empty() const { return order_.empty(); }
+    // Where they leave in order: from each pipe to the way out. Else there are none.
+    std::span<const Passage> passages() const {
+        return std::span(passages_).first(in_order_ ? width_ : 0);
+    }
 
 private:
     Channel<QuadToken>& out_;
@@ -83,6 +93,7 @@ private:
     std::size_t places_; // of each pipe, for quads whose turn has not come
     Ring<std::uint32_t> order_;
     std::vector<Ring<QuadToken>> finished_;
+    std::vector<Passage> passages_;
 };
 
 } // namespace ffgpu::timing

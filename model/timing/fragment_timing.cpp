@@ -17,8 +17,17 @@ void FragmentTiming::distribute() {
         const std::uint32_t number = fragment_pipe(config_, ports_.quads_in.front());
         Pipe& pipe = pipes_[number];
         pipe.waiting.push_back(ports_.quads_in.pop());
+        ++pipe.passage.entered;
         exit_.enter(number);
     }
+}
+
+void FragmentTiming::send(std::size_t number) {
+    Pipe& pipe = pipes_[number];
+    exit_.push(number, pipe.waiting.front());
+    pipe.waiting.pop_front();
+    pipe.passage.leave();
+    ++pipe.passage.worked;
 }
 
 // A quad leaves at the end of its cycles.
@@ -29,11 +38,11 @@ Activity FragmentTiming::go_round(std::size_t number) {
         pipe.cycles_left = config_.fragment.cycles(pipe.waiting.front().draw().combiners);
     if (pipe.cycles_left > 1) {
         --pipe.cycles_left;
+        ++pipe.passage.worked;
         return Activity::Busy;
     }
     if (!exit_.can_push(number)) return Activity::StalledOutput;
-    exit_.push(number, pipe.waiting.front());
-    pipe.waiting.pop_front();
+    send(number);
     pipe.inside = false;
     return Activity::Busy;
 }
@@ -43,14 +52,14 @@ Activity FragmentTiming::step(std::size_t number) {
     Pipe& pipe = pipes_[number];
     if (pipe.cycles_left > 0) {
         --pipe.cycles_left;
+        ++pipe.passage.worked;
         return Activity::Busy;
     }
     if (pipe.waiting.empty()) return Activity::Idle;
     if (!exit_.can_push(number)) return Activity::StalledOutput;
     const std::uint32_t cycles = config_.fragment.cycles(pipe.waiting.front().draw().combiners);
     pipe.cycles_left = std::max(cycles, 1u) - 1;
-    exit_.push(number, pipe.waiting.front());
-    pipe.waiting.pop_front();
+    send(number);
     return Activity::Busy;
 }
 

@@ -32,9 +32,14 @@ public:
 
     std::string state() const override;
 
+    // To each pipe, and behind them.
+    const Passage& to_pipe(std::size_t pipe) const { return pipes_[pipe].passage; }
+    const PipeExit& exit() const { return exit_; }
+
 private:
     struct Pipe {
         Ring<QuadToken> waiting;
+        Passage passage{};             // through them
         std::uint32_t cycles_left = 0; // before it takes a quad again
         bool inside = false;           // with entry_cycles: the first that waits
     };
@@ -53,6 +58,7 @@ private:
     void distribute();
     Activity step(std::size_t number);
     Activity go_round(std::size_t number);
+    void send(std::size_t number);
 
     const TimingConfig& config_;
     const Ports ports_;

@@ -15,8 +15,12 @@ bool GeometryTiming::begin_next() {
         const auto unit = std::min_element(free_at_.begin(), free_at_.end());
         if (*unit > now()) return false;
         const unsigned lights = vertex.draw.prepared().geometry.lights;
-        *unit = now() + config.transform_cycles + lights * config.light_cycles;
+        const Cycle cycles = config.transform_cycles + lights * config.light_cycles;
+        *unit = now() + cycles;
         done_at = *unit - 1;
+        passage_.enter_unit(cycles);
+    } else {
+        ++passage_.entered;
     }
     order_.push_back({ports_.vertices_in.pop(), done_at});
     return true;
@@ -50,6 +54,7 @@ bool GeometryTiming::send_next() {
     if (next_primitive_ != end_primitive_) return true;
     assembling_ = false;
     order_.pop_front();
+    passage_.leave();
     return true;
 }
 

@@ -8,6 +8,7 @@
 #include "model/base/ring.h"
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
+#include "model/timing/passage.h"
 #include "model/timing/tokens.h"
 #include "model/timing/unit.h"
 
@@ -32,6 +33,8 @@ public:
         , free_at_(config.vertex.units) {}
 
     std::string state() const override;
+    // From a vertex' begin to its last primitive.
+    const Passage& passage() const { return passage_; }
 
 private:
     struct Shaded {
@@ -51,6 +54,7 @@ private:
     const Ports ports_;
     std::vector<Cycle> free_at_; // of each unit
     Ring<Shaded> order_;         // vertices in the units, and those that wait for their turn
+    Passage passage_;            // through these
 
     Cycle next_change_ = 0; // where nothing moved: a unit is done
 

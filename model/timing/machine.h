@@ -136,6 +136,9 @@ public:
 private:
     void attach_units(std::uint32_t seed);
     std::vector<Stage> stages();
+    void add_vertex_steps(Stage& fetch, Stage& transform, Stage& set_up);
+    void add_texture_steps(Stage& stage);
+    void add_fragment_steps(Stage& stage);
     void look_for_bottlenecks(Pace pace);
     bool must_wait();
     void check_progress();

@@ -5,6 +5,121 @@
 
 namespace ffgpu::timing {
 
+namespace {
+
+// Quads are looked up, wait for their data, and leave.
+void add_parked(Stage& stage,
+                const ParkedQuads& quads,
+                const Link& answers,
+                std::uint32_t width,
+                std::uint32_t lookups_per_cycle) {
+    stage.passages = {{.passage = &quads.passage(),
+                       .places = static_cast<std::uint32_t>(quads.capacity()),
+                       .answers = &answers}};
+    stage.steps = {{.from = {0}, .gives = true, .width = width},
+                   {.to = {0},
+                    .takes = true,
+                    .width = width,
+                    .lookups_per_cycle = lookups_per_cycle,
+                    .asks = true}};
+}
+
+// Of all pipes; where quads leave in the order in which they came, they wait for that behind them.
+void add_exit(Stage& stage,
+              const PipeExit& exit,
+              std::uint32_t places,
+              const std::vector<std::size_t>& last_steps) {
+    if (exit.passages().empty()) return;
+    Step out{.gives = true, .width = static_cast<std::uint32_t>(last_steps.size())};
+    for (std::size_t pipe = 0; pipe < last_steps.size(); ++pipe) {
+        out.from.push_back(stage.passages.size());
+        Step& last = stage.steps[last_steps[pipe]];
+        last.to.push_back(stage.passages.size());
+        last.gives = false;
+        stage.passages.push_back(
+            {.passage = &exit.passages()[pipe], .places = places, .through = 0, .back = 1});
+    }
+    stage.steps.push_back(std::move(out));
+}
+
+} // namespace
+
+void Machine::add_vertex_steps(Stage& fetch, Stage& transform, Stage& set_up) {
+    const VertexConfig& vertex = config.vertex;
+    const std::uint32_t width = vertex.vertices_per_cycle, units = config.setup.units;
+    const std::uint32_t most = fetch.free_width;
+    const CachePort& indices = vertex.index_cache_lines > 0 ? index_port : vertex_port;
+    fetch.passages = {{.passage = &vertex_fetch.to_vertices(),
+                       .places = vertex.index_queue,
+                       .answers = &indices.responses},
+                      {.passage = &vertex_fetch.to_geometry(),
+                       .places = vertex.fetch_queue,
+                       .answers = &vertex_port.responses,
+                       .works_first = true}};
+    fetch.steps = {
+        {.from = {1}, .gives = true, .width = width, .free_width = most, .free_cycles = 0},
+        {.from = {0},
+         .to = {1},
+         .width = width,
+         .free_width = most,
+         .lookups_per_cycle = width,
+         .asks = true},
+        {.to = {0}, .takes = true, .width = width, .free_width = most, .asks = true}};
+    transform.passages = {{.passage = &geometry.passage(),
+                           .places = std::max(vertex.order_entries, vertex.units),
+                           .through = 0,
+                           .back = 1,
+                           .units = vertex.units}};
+    transform.steps = {{.to = {0}, .takes = true, .width = width},
+                       {.from = {0}, .gives = true, .width = std::max(width, units)}};
+    set_up.passages = {{.passage = &setup.passage(), .places = units, .through = 0, .back = 1}};
+    set_up.steps = {{.to = {0}, .takes = true, .width = units, .takes_when_done = true},
+                    {.from = {0}, .gives = true, .width = units}};
+}
+
+void Machine::add_texture_steps(Stage& stage) {
+    const std::uint32_t pipes = config.raster.quads_per_cycle;
+    stage.steps = {{.takes = true, .width = pipes}};
+    const std::vector<CachePort*> caches = texel_caches.first_level();
+    std::vector<std::size_t> filters;
+    for (const TexturePipe& pipe : texture.pipes()) {
+        const std::size_t tags = stage.passages.size(), filter = tags + 1;
+        stage.passages.push_back({.passage = &pipe.to_tags(),
+                                  .places = config.fragment.pipe_queue,
+                                  .through = 0,
+                                  .back = 1,
+                                  .works_first = true});
+        stage.passages.push_back({.passage = &pipe.to_filter(),
+                                  .places = config.texel_cache.fragment_fifo,
+                                  .answers = &caches[filters.size() % caches.size()]->responses,
+                                  .works_first = true});
+        stage.steps[0].to.push_back(tags);
+        filters.push_back(stage.steps.size());
+        stage.steps.push_back({.from = {filter}, .gives = true});
+        stage.steps.push_back({.from = {tags}, .to = {filter}, .asks = true});
+    }
+    add_exit(stage, texture.exit(), config.fragment.pipe_queue, filters);
+}
+
+void Machine::add_fragment_steps(Stage& stage) {
+    const std::uint32_t pipes = config.raster.quads_per_cycle;
+    const FragmentConfig& fragments = config.fragment;
+    stage.steps = {{.takes = true, .width = pipes}};
+    std::vector<std::size_t> last;
+    for (std::size_t pipe = 0; pipe < pipes; ++pipe) {
+        stage.passages.push_back({.passage = &fragment.to_pipe(pipe),
+                                  .places = fragments.pipe_queue,
+                                  .through = 0,
+                                  .back = 1,
+                                  .works_first = fragments.entry_cycles > 0});
+        stage.steps[0].to.push_back(pipe);
+        last.push_back(stage.steps.size());
+        stage.steps.push_back(
+            {.from = {pipe}, .gives = true, .free_cycles = fragments.entry_cycles + 1});
+    }
+    add_exit(stage, fragment.exit(), fragments.pipe_queue, last);
+}
+
 // The way of the work: what each waits for is behind it, or the memory. What is before the pipe
 // waits for nobody behind it.
 std::vector<Stage> Machine::stages() {
@@ -17,29 +132,41 @@ std::vector<Stage> Machine::stages() {
     Stage early = stage(Resource::Depth, depth, pipes, pipes);
     early.input = &raster_to_depth;
     early.output = &depth_to_texture;
-    early.lookups = {&depth_port.cache.statistics().accesses};
-    early.lookups_per_cycle = config.depth_cache.lookups_per_cycle * pipes;
-    Stage late = early;
+    const std::uint32_t depth_lookups = config.depth_cache.lookups_per_cycle * pipes;
+    add_parked(early, depth.early(), depth_port.responses, pipes, depth_lookups);
+    Stage late = stage(Resource::Depth, depth, pipes, pipes);
     late.input = &fragment_to_depth;
     late.output = &depth_to_color;
+    late.is_answered = false;
+    add_parked(late, depth.late(), depth_port.responses, pipes, depth_lookups);
     Stage blend = stage(Resource::Color, color, pipes, pipes);
-    blend.lookups = {&color_port.cache.statistics().accesses};
-    blend.lookups_per_cycle = config.color_cache.lookups_per_cycle * pipes;
+    add_parked(blend,
+               color.quads(),
+               color_port.responses,
+               pipes,
+               config.color_cache.lookups_per_cycle * pipes);
     Stage textured = stage(Resource::Texture, texture, pipes, pipes);
     textured.expands = config.texel_cache.decompress_cycles > 0;
-    std::vector<Stage> stages{
-        stage(Resource::Host, host, 1, Any),
-        stage(Resource::CommandProcessor, command_processor, 1, 1),
-        stage(Resource::VertexFetch, vertex_fetch, vertex.vertices_per_cycle, Most),
-        stage(Resource::Geometry, geometry, vertex.vertices_per_cycle, vertex.vertices_per_cycle),
-        stage(Resource::Clip, clip, set_ups, set_ups),
-        stage(Resource::Setup, setup, set_ups, Most),
-        stage(Resource::Raster, raster, pipes, pipes),
-        early,
-        textured,
-        stage(Resource::Fragment, fragment, pipes, pipes),
-        late,
-        blend};
+    if (config.texture.rate == TexelRate::Samples) add_texture_steps(textured);
+    Stage combined = stage(Resource::Fragment, fragment, pipes, pipes);
+    add_fragment_steps(combined);
+    Stage fetch = stage(Resource::VertexFetch, vertex_fetch, vertex.vertices_per_cycle, Most);
+    Stage transform =
+        stage(Resource::Geometry, geometry, vertex.vertices_per_cycle, vertex.vertices_per_cycle);
+    Stage set_up = stage(Resource::Setup, setup, set_ups, Most);
+    add_vertex_steps(fetch, transform, set_up);
+    std::vector<Stage> stages{stage(Resource::Host, host, 1, Any),
+                              stage(Resource::CommandProcessor, command_processor, 1, 1),
+                              fetch,
+                              transform,
+                              stage(Resource::Clip, clip, set_ups, set_ups),
+                              set_up,
+                              stage(Resource::Raster, raster, pipes, pipes),
+                              early,
+                              textured,
+                              combined,
+                              late,
+                              blend};
     if (tiles) {
         const std::vector<Stage> more = tiles->stages();
         stages.insert(stages.begin() + 6, more.begin(), more.end()); // behind set-up

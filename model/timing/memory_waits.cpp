@@ -5,6 +5,11 @@
 #include <algorithm>
 
 namespace ffgpu::timing {
+namespace {
+
+constexpr float Ever = 1e6F; // cycles, more than a frame's wait
+
+} // namespace
 
 void merge(WaitPaths& paths, Moment& last, const Moment& next) {
     const bool is_later = next.at >= last.at;
@@ -74,11 +79,11 @@ const Moment& MemoryWaits::answer(WaitPaths& paths,
                                   const Moment* asked,
                                   Cycle now) {
     last_ = memory_channel(config_, request.address);
-    Moment& channel = channels_[last_];
+    Channel& channel = channels_[last_];
     std::array<Dependence, 2> all{};
     std::size_t count = 0;
-    if (asked) all[count++] = own(channel, *asked, request, now);
-    if (is_ours_ || !asked) all[count++] = turn(channel, asked, request, now);
+    if (asked) all[count++] = own(channel.last, *asked, request, now);
+    if (is_ours_ || !asked) all[count++] = turn(channel.last, asked, request, now);
     const std::span<const Dependence> known = std::span(all).first(count);
     const Dependence& last = last_of(known, now);
     WaitPaths::Path path = last.moment->path;
@@ -86,32 +91,50 @@ const Moment& MemoryWaits::answer(WaitPaths& paths,
         path =
             paths.extend(path, Resource::MemoryLatency, now - static_cast<Cycle>(last.then.cycles));
     path = paths.extend(path, is_ours_ ? Resource::MemoryBandwidth : Resource::MemoryLatency, now);
-    channel = {now, paths.share(path), saved_after(known, last, now)};
-    merge(paths, all_, channel);
-    return channel;
+    Saved saved;
+    if (asked && is_ours_) {
+        saved = channel.turns.answer(all[0], all[1], now);
+    } else {
+        saved = saved_after(known, last, now);
+        channel.turns.note_answer(asked ? asked->at : request.issued, saved, now);
+    }
+    channel.last = {now, paths.share(path), saved};
+    merge(paths, all_, channel.last);
+    return channel.last;
 }
 
-Moment MemoryWaits::taken(WaitPaths& paths, const Moment& asked, Cycle now) const {
-    const Moment& channel = channels_[last_];
+Moment MemoryWaits::taken(WaitPaths& paths, const Moment& asked, Cycle now) {
+    if (taken_.at < now) taken_before_ = taken_;
+    const Moment& channel = channels_[last_].last;
     const auto since = static_cast<float>(now - channel.at);
-    const std::array both{Dependence{&asked, 1},
-                          Dependence{&channel, since, {Resource::MemoryBandwidth, since}}};
-    const auto known = std::span(both).first(now > asked.at + 1 && is_ours_ ? 2 : 1);
+    // One that goes in the cycle behind another waited for its turn, else for a place in the
+    // memory. In one that serves at once there is a place, whoever was served here.
+    const bool waited = now > asked.at + 1 && is_ours_;
+    const Dependence other = taken_before_.at + 1 == now
+                                 ? Dependence{&taken_before_, 1, {Resource::MemoryBandwidth, Ever}}
+                                 : Dependence{&channel,
+                                              since,
+                                              {Resource::MemoryBandwidth, since},
+                                              {Resource::MemoryBandwidth, Ever}};
+    const std::array both{Dependence{&asked, 1}, other};
+    const auto known = std::span(both).first(waited ? 2 : 1);
     const Dependence& last = last_of(known, now);
-    const Resource why = &last == &both[1] ? Resource::MemoryBandwidth : Resource::Links;
+    const Resource why =
+        &last == &both[1] && last.moment == &channel ? Resource::MemoryBandwidth : Resource::Links;
     const WaitPaths::Path path = paths.extend(last.moment->path, why, now);
-    return {now, paths.share(path), saved_after(known, last, now)};
+    taken_ = {now, paths.share(path), saved_after(known, last, now)};
+    return taken_;
 }
 
 void MemoryWaits::restart() {
-    std::fill(channels_.begin(), channels_.end(), Moment{});
-    all_ = {};
+    std::fill(channels_.begin(), channels_.end(), Channel{});
+    all_ = taken_ = taken_before_ = {};
 }
 
 void MemoryWaits::add_heads(std::vector<WaitPaths::Path*>& heads) {
-    for (Moment& channel : channels_)
-        heads.push_back(&channel.path);
-    heads.push_back(&all_.path);
+    for (Channel& channel : channels_)
+        heads.push_back(&channel.last.path);
+    heads.insert(heads.end(), {&all_.path, &taken_.path, &taken_before_.path});
 }
 
 } // namespace ffgpu::timing

@@ -6,6 +6,7 @@
 
 #include "model/timing/memory/config.h"
 #include "model/timing/memory_request.h"
+#include "model/timing/memory_turns.h"
 #include "model/timing/moment.h"
 
 #include <vector>
@@ -21,7 +22,7 @@ public:
     const Moment&
     answer(WaitPaths& paths, const MemoryRequest& request, const Moment* asked, Cycle now);
     // The arbiter takes a request of this moment: without a wait, or when the memory had a place.
-    Moment taken(WaitPaths& paths, const Moment& asked, Cycle now) const;
+    Moment taken(WaitPaths& paths, const Moment& asked, Cycle now);
 
     // All that was answered.
     const Moment& all() const { return all_; }
@@ -29,6 +30,11 @@ public:
     void add_heads(std::vector<WaitPaths::Path*>& heads);
 
 private:
+    struct Channel {
+        Moment last{}; // answer
+        MemoryTurns turns{};
+    };
+
     float alone(const MemoryRequest& request) const;
     bool stood_behind(const Moment& before, Cycle asked) const;
     Dependence
@@ -38,10 +44,11 @@ private:
 
     const MemoryConfig config_;
     const bool is_ours_;
-    const float cycle_;            // of the memory's clock, in the machine's, in whole sixteenths
-    std::vector<Moment> channels_; // the last answer of each
-    std::size_t last_ = 0;         // channel that answered
+    const float cycle_; // of the memory's clock, in the machine's, in whole sixteenths
+    std::vector<Channel> channels_;
+    std::size_t last_ = 0; // channel that answered
     Moment all_;
+    Moment taken_, taken_before_; // the last that was, in this cycle, and in one before
 };
 
 // Both are over.

@@ -5,6 +5,7 @@
 
 #include "model/base/ring.h"
 #include "model/timing/line_cache.h"
+#include "model/timing/passage.h"
 #include "model/timing/tokens.h"
 
 #include <algorithm>
@@ -19,7 +20,12 @@ public:
 
     bool is_full() const { return quads_.size() >= capacity_; }
     bool empty() const { return quads_.empty(); }
-    void park(const QuadToken& quad, std::uint64_t ticket) { quads_.push_back({quad, ticket}); }
+    void park(const QuadToken& quad, std::uint64_t ticket) {
+        quads_.push_back({quad, ticket});
+        ++passage_.entered;
+    }
+    // A line of the quad that is parked next.
+    void count_look_up() { ++passage_.looked_up; }
 
     std::size_t size() const { return quads_.size(); }
     std::uint64_t front_ticket() const { return quads_.front().ticket; }
@@ -29,9 +35,13 @@ public:
     }
     QuadToken pop() {
         const QuadToken quad = quads_.front().quad;
+        passage_.leave(quads_.front().ticket);
         quads_.pop_front();
         return quad;
     }
+
+    const Passage& passage() const { return passage_; }
+    std::size_t capacity() const { return capacity_; }
 
 private:
     struct Parked {
@@ -41,6 +51,7 @@ private:
 
     std::size_t capacity_;
     Ring<Parked> quads_;
+    Passage passage_;
 };
 
 // The way through the lines of one quad, one look-up after the other.

@@ -6,6 +6,7 @@
 #include "model/timing/account.h"
 #include "model/timing/command_ledger.h"
 #include "model/timing/memory_request.h"
+#include "model/timing/passage.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,14 +19,16 @@ struct LinkSeen {
     std::uint32_t pushed = 0, popped = 0;
 };
 
-// A stage whose unit was called in the cycle. Its links follow: in, out, asked, answered; and of
-// those by which work comes in, when the oldest item arrives.
+// A stage whose unit was called in the cycle. Its links follow: in, out, asked, answered; of those
+// by which work comes in, when the oldest item arrives; and those of the passages between its steps
+// that changed.
 struct StageSeen {
     std::uint32_t stage = 0;
-    std::uint32_t lookups = 0; // of its counters, modulo 2^32
     Activity activity = Activity::Idle;
-    bool refused = false;      // by one of its ways out
-    bool unit_refused = false; // by any of its unit's
+    std::uint64_t passages = 0; // that changed: a bit each
+    bool refused = false;       // by one of its ways out
+    bool unit_refused = false;  // by any of its unit's
+    bool request_waits = false; // of its unit, for a place on the way to the memory
     bool has_backlog = false;
 };
 
@@ -53,6 +56,7 @@ struct PipeLog {
     std::vector<StageSeen> stages;
     std::vector<LinkSeen> links;
     std::vector<Cycle> arrivals; // Never: of none
+    std::vector<Passage> passages;
     std::vector<TakenSeen> taken;
 
     void clear() {
@@ -61,6 +65,7 @@ struct PipeLog {
         stages.clear();
         links.clear();
         arrivals.clear();
+        passages.clear();
         taken.clear();
     }
 };

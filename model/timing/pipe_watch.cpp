@@ -24,7 +24,9 @@ PipeWatch::PipeWatch(const Clock& clock, const PipeParts& parts)
     , taken_(parts.requests.size()) {
     check(parts.stages.size() < 63, "a bit for each stage");
     for (const Stage& stage : parts.stages) {
-        Place& place = places_.emplace_back(Place{&stage, StageLinks(stage), {}, {}});
+        Place& place = places_.emplace_back(Place{&stage, StageLinks(stage), {}, {}, {}});
+        check(stage.passages.size() <= 64, "a bit for each passage");
+        place.passages.resize(stage.passages.size());
         const StageLinks& links = place.links;
         for (const auto* const more : {&links.in, &links.out, &links.asked, &links.answered})
             place.all.insert(place.all.end(), more->begin(), more->end());
@@ -71,23 +73,33 @@ std::uint32_t PipeWatch::note_taken(PipeLog& log) {
     return ports;
 }
 
-void PipeWatch::look(std::size_t place, PipeLog& log) const {
+std::uint64_t PipeWatch::note_passages(Place& place, PipeLog& log) {
+    std::uint64_t changed = 0;
+    for (std::size_t i = 0; i < place.passages.size(); ++i) {
+        const Passage& now = *place.stage->passages[i].passage;
+        if (place.passages[i] == now) continue;
+        place.passages[i] = now;
+        log.passages.push_back(now);
+        changed |= std::uint64_t{1} << i;
+    }
+    return changed;
+}
+
+void PipeWatch::look(std::size_t place, PipeLog& log) {
     const Cycle now = clock_.now();
-    const Place& at = places_[place];
+    Place& at = places_[place];
     const Stage& stage = *at.stage;
     const auto refuses = [now](const Link* link) { return link->refused_at() == now; };
-    std::uint64_t lookups = 0;
-    for (const Counter* const counter : stage.lookups)
-        lookups += counter->value();
     log.stages.push_back(
         {.stage = static_cast<std::uint32_t>(place),
-         .lookups = static_cast<std::uint32_t>(lookups),
          .activity = stage.unit->activity(),
          .refused = std::ranges::any_of(at.links.out, refuses),
          .unit_refused = std::ranges::any_of(at.unit_out, refuses),
+         .request_waits = std::ranges::any_of(at.links.asked, refuses),
          .has_backlog = stage.input ? stage.input->arrival() <= now : stage.unit->has_backlog()});
     for (const Link* const link : at.links.in)
         log.arrivals.push_back(link->arrival());
+    log.stages.back().passages = note_passages(at, log);
     const std::size_t links = log.links.size();
     log.links.resize(links + at.all.size());
     LinkSeen* next = log.links.data() + links;

@@ -42,9 +42,12 @@ private:
         StageLinks links;
         std::vector<const Link*> all;      // of these, one kind behind the other
         std::vector<const Link*> unit_out; // of its unit, but for requests
+        std::vector<Passage> passages;     // between its steps, as seen last
     };
 
-    void look(std::size_t place, PipeLog& log) const;
+    void look(std::size_t place, PipeLog& log);
+    // Those that changed; returns their bits.
+    static std::uint64_t note_passages(Place& place, PipeLog& log);
     // Returns the number of ports.
     std::uint32_t note_taken(PipeLog& log);
 

@@ -42,12 +42,14 @@ bool SetupTiming::begin_next() {
         const bool is_last_piece = ++next_piece_ == primitive.piece_count;
         record.last = token.last && is_last_piece;
         units_.push_back({record, now() + cycles - 1});
+        passage_.enter_unit(cycles);
         if (!is_last_piece) return true;
         next_piece_ = 0;
         ports_.primitives_in.pop();
         return true;
     }
     units_.push_back({record, now() + cycles - 1});
+    passage_.enter_unit(cycles);
     ports_.primitives_in.pop();
     return true;
 }
@@ -60,6 +62,7 @@ bool SetupTiming::send_next() {
     if (!ends_here && !ports_.setups_out.can_push()) return false;
     if (!ends_here) ports_.setups_out.push(record);
     units_.pop_front();
+    passage_.leave();
     return true;
 }
 

@@ -8,6 +8,7 @@
 #include "model/base/ring.h"
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
+#include "model/timing/passage.h"
 #include "model/timing/tokens.h"
 #include "model/timing/unit.h"
 
@@ -29,6 +30,8 @@ public:
         , ports_(ports) {}
 
     std::string state() const override;
+    // Through the units.
+    const Passage& passage() const { return passage_; }
 
 private:
     struct InUnit {
@@ -48,6 +51,7 @@ private:
     const TimingConfig& config_;
     const Ports ports_;
     Ring<InUnit> units_;           // those that work, in the order of the primitives
+    Passage passage_;              // through them
     Cycle next_change_ = 0;        // where nothing moved: a unit is done
     std::uint32_t next_piece_ = 0; // of the first primitive that waits
 };

@@ -12,6 +12,7 @@ bool TexturePipe::begin(TextureStatistics& statistics, Activity& reason) {
     }
     current_ = waiting_.front();
     waiting_.pop_front();
+    to_tags_.leave();
     comparing_ = true;
     ticket_ = 0;
     const PreparedQuad& quad = current_.quad();
@@ -54,6 +55,12 @@ bool TexturePipe::stream_data(PipeExit& out, std::size_t pipe, Cycle now, Activi
 
 bool TexturePipe::compare_tags(TextureStatistics& statistics, Cycle now, Activity& reason) {
     if (config_.texture.rate == TexelRate::Texels) return stream_tags(statistics, now, reason);
+    const bool worked = compare(statistics, now, reason);
+    to_tags_.worked += worked;
+    return worked;
+}
+
+bool TexturePipe::compare(TextureStatistics& statistics, Cycle now, Activity& reason) {
     if (miss_cycles_left_ > 0 && --miss_cycles_left_ > 0) return true;
     if (!comparing_ && !begin(statistics, reason)) return false;
     const auto lines = current_.scene->work.lines_of(current_.quad());
@@ -76,6 +83,7 @@ bool TexturePipe::compare_tags(TextureStatistics& statistics, Cycle now, Activit
     }
     if (share_.is_done()) {
         parked_.push_back({current_, ticket_});
+        ++to_filter_.entered;
         comparing_ = false;
     }
     return true;
@@ -103,6 +111,7 @@ bool TexturePipe::filter(PipeExit& out, std::size_t pipe, Cycle now, Activity& r
     }
     if (filter_cycles_left_ > 1) {
         --filter_cycles_left_;
+        ++to_filter_.worked;
         return true;
     }
     if (!out.can_push(pipe)) {
@@ -110,6 +119,8 @@ bool TexturePipe::filter(PipeExit& out, std::size_t pipe, Cycle now, Activity& r
         return false;
     }
     out.push(pipe, parked_.front().quad);
+    to_filter_.leave(parked_.front().ticket);
+    ++to_filter_.worked;
     parked_.pop_front();
     --read_;
     filtering_ = false;

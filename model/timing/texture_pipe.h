@@ -33,7 +33,10 @@ public:
     bool can_take() const {
         return waiting_.size() + stream_.quads() < config_.fragment.pipe_queue;
     }
-    void take(const QuadToken& quad) { waiting_.push_back(quad); }
+    void take(const QuadToken& quad) {
+        waiting_.push_back(quad);
+        ++to_tags_.entered;
+    }
     void set_observer(QuadObserver* observer) { observer_ = observer; }
 
     // Quads that wait for the tags, or with their texels for the filter.
@@ -54,6 +57,10 @@ public:
         return comparing_ || miss_cycles_left_ > 0 || !waiting_.empty() || stream_.is_comparing();
     }
 
+    // From the way in to the tags, and from there to the filter (not with TexelRate::Texels).
+    const Passage& to_tags() const { return to_tags_; }
+    const Passage& to_filter() const { return to_filter_; }
+
     // One cycle's work of each part, which has some; false, and the reason, where it did none.
     bool compare_tags(TextureStatistics& statistics, Cycle now, Activity& reason);
     bool filter(PipeExit& out, std::size_t pipe, Cycle now, Activity& reason);
@@ -67,6 +74,7 @@ private:
         Cycle ready_at = 0;
     };
 
+    bool compare(TextureStatistics& statistics, Cycle now, Activity& reason);
     bool begin(TextureStatistics& statistics, Activity& reason);
     bool stream_tags(TextureStatistics& statistics, Cycle now, Activity& reason);
     bool stream_data(PipeExit& out, std::size_t pipe, Cycle now, Activity& reason);
@@ -87,6 +95,7 @@ private:
     bool filtering_ = false;
     QuadObserver* observer_ = nullptr;
     TexelStream stream_; // TexelRate::Texels
+    Passage to_tags_, to_filter_;
 };
 
 } // namespace ffgpu::timing

@@ -32,6 +32,8 @@ public:
     std::string state() const override;
     const TextureStatistics& statistics() const { return statistics_; }
     void set_observer(QuadObserver* observer);
+    const std::vector<TexturePipe>& pipes() const { return pipes_; }
+    const PipeExit& exit() const { return exit_; }
 
 private:
     Activity step() override;

@@ -66,6 +66,7 @@ bool VertexFetch::ask_index(Activity& reason) {
     named_.push_back({{draw_, position_, false}, has_index_line_ ? index_ticket_ : 0, 0});
     if (named_.back().vertex.ends_draw()) in_draw_ = false;
     ++position_;
+    ++to_vertices_.entered;
     return true;
 }
 
@@ -102,9 +103,12 @@ bool VertexFetch::ask_vertex(Activity& reason) {
             return false;
         }
         ticket_ = std::max(ticket_, result.ticket);
+        ++to_geometry_.looked_up;
         if (++next_line_ != end_line_) return true;
     }
     waiting_.push_back({vertex, ticket_, vertex.shade ? work.vertex_bytes : 0});
+    ++to_geometry_.entered;
+    to_vertices_.leave(next.ticket);
     named_.pop_front();
     return true;
 }
@@ -127,6 +131,7 @@ bool VertexFetch::forward(std::uint32_t& bytes, Activity& reason) {
     first.bytes_left -= sent;
     if (first.bytes_left > 0) return sent > 0;
     ports_.vertices_out.push(first.vertex);
+    to_geometry_.leave(first.ticket);
     waiting_.pop_front();
     return true;
 }
@@ -135,10 +140,13 @@ Activity VertexFetch::step() {
     ports_.cache.begin_cycle(ports_.responses_in);
     ports_.index_cache.begin_cycle(ports_.index_responses_in);
     Activity reason = Activity::Idle, ask_reason = Activity::Idle;
-    std::uint32_t bytes = config_.fetch_bytes_per_cycle == 0 ? ~0u : config_.fetch_bytes_per_cycle;
+    const std::uint32_t most =
+        config_.fetch_bytes_per_cycle == 0 ? ~0u : config_.fetch_bytes_per_cycle;
+    std::uint32_t bytes = most;
     bool moved = false;
     for (std::uint32_t i = 0; i < config_.vertices_per_cycle && forward(bytes, reason); ++i)
         moved = true;
+    to_geometry_.worked += bytes < most;
     for (std::uint32_t i = 0; i < config_.vertices_per_cycle && ask_vertex(ask_reason); ++i)
         moved = true;
     for (std::uint32_t i = 0; i < config_.vertices_per_cycle && ask_index(ask_reason); ++i)

@@ -8,6 +8,7 @@
 #include "model/base/ring.h"
 #include "model/timing/channel.h"
 #include "model/timing/line_cache.h"
+#include "model/timing/passage.h"
 #include "model/timing/tokens.h"
 #include "model/timing/unit.h"
 
@@ -42,6 +43,9 @@ public:
 
     std::string state() const override;
     const VertexStatistics& statistics() const { return statistics_; }
+    // Through the queue of indices that were asked for, and that of vertices.
+    const Passage& to_vertices() const { return to_vertices_; }
+    const Passage& to_geometry() const { return to_geometry_; }
 
 private:
     struct Waiting {
@@ -73,11 +77,13 @@ private:
     std::uint64_t index_line_ = 0, index_ticket_ = 0; // of the line that was asked for last
     bool has_index_line_ = false;                     // in this draw
     Ring<Waiting> named_;                             // vertices whose index was asked for
+    Passage to_vertices_;
 
     // The vertices.
     std::uint64_t next_line_ = 0, end_line_ = 0; // of named_'s first; equal: not begun
     std::uint64_t ticket_ = 0;
     Ring<Waiting> waiting_;
+    Passage to_geometry_;
     std::deque<std::uint32_t> recent_; // the post-transform reuse, the next to go first
 };
 

@@ -39,6 +39,21 @@ TEST_CASE("a draw bound by the fragment pipe gains what it takes less without it
     check_gain(run(config, bin), "gain_fragment_cycles", unlimited);
 }
 
+// Quads that share a pipe, in squares, or as their primitives take turns and so leave in order.
+TEST_CASE("a draw bound by its combiners gains what it takes less without them") {
+    WorkBin bin = fill(true);
+    auto state = std::make_shared<Registers>(*bin.draws[0].state);
+    state->combiners[0].enable = true;
+    bin.draws[0].state = state;
+    TimingConfig config;
+    config.memory.bytes_per_cycle = 256;
+    config.fragment.distribution = GENERATE(Distribution::Tiles, Distribution::Triangles);
+    const std::uint64_t unlimited = run(config, bin).at("total_cycles");
+    config.fragment.combiner_cycles = GENERATE(2, 3, 6);
+    CAPTURE(config.fragment.distribution, config.fragment.combiner_cycles);
+    check_gain(run(config, bin), "gain_fragment_cycles", unlimited);
+}
+
 // The wait goes on when the texels have come, and for those that were there.
 TEST_CASE("a draw bound by the expansion of its texels gains what it takes less without it") {
     WorkBin bin = fill(true);

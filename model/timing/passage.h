@@ -1,0 +1,38 @@
+// Passage: a queue inside a unit, from one of its steps to the next, in order: what it tells of
+// the items that have passed. Counts are modulo 2^32.
+
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+namespace ffgpu::timing {
+
+struct Passage {
+    std::uint32_t entered = 0, left = 0; // items
+    std::uint32_t looked_up = 0;         // lines, by the step before it
+    std::uint32_t worked = 0;            // cycles, by the step behind it
+    // Units that began with an item that came, and the cycles that they take for it.
+    std::uint32_t begun = 0, begun_cycles = 0;
+    std::uint64_t awaited = 0; // the last of the fills that those that left waited for
+
+    // An item comes, which takes a unit so many cycles, this one included.
+    void enter_unit(std::uint64_t cycles) {
+        ++entered;
+        ++begun;
+        begun_cycles += static_cast<std::uint32_t>(cycles);
+    }
+    bool operator==(const Passage& other) const {
+        using Words = std::array<std::uint64_t, 4>;
+        const auto one = std::bit_cast<Words>(*this), two = std::bit_cast<Words>(other);
+        return ((one[0] ^ two[0]) | (one[1] ^ two[1]) | (one[2] ^ two[2]) | (one[3] ^ two[3])) == 0;
+    }
+    void leave(std::uint64_t ticket = 0) {
+        ++left;
+        awaited = std::max(awaited, ticket);
+    }
+};
+
+} // namespace ffgpu::timing
