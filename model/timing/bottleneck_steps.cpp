@@ -25,6 +25,7 @@ void Bottlenecks::connect_steps(Place& place) {
         if (!way.fills) way.fills = &fills_.emplace_back(way.link->places());
         each.fills = way.fills;
     }
+    check(place.passages.size() <= 64, "a bit for each passage");
     const auto bits = [](const std::vector<std::size_t>& passages) {
         std::uint64_t all = 0;
         for (const std::size_t i : passages)

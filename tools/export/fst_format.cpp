@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <fstapi.h>
+#include <malloc.h>
 #include <unistd.h>
 #endif
 
@@ -61,6 +62,9 @@ public:
         if (++waiting_ < MostWaiting) return;
         fstWriterFlushContext(writer_); // where time goes on
         waiting_ = 0;
+        // What the writer let go of at the flush before: large blocks of all sizes, of which the
+        // allocator would keep more and more.
+        ::malloc_trim(0);
     }
 
     // The writer does not say where a disk was full: what was written is looked at.

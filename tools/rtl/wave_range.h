@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "rtl/bundles/wave_cycles.h"
+#include "rtl/loop/rtl_stages.h"
 
 #include <string>
 
