@@ -5,12 +5,6 @@
 #include <algorithm>
 
 namespace ffgpu::timing {
-namespace {
-
-constexpr float Ever = 1e6F; // cycles, more than a frame's wait
-
-} // namespace
-
 void merge(WaitPaths& paths, Moment& last, const Moment& next) {
     const bool is_later = next.at >= last.at;
     const auto between = static_cast<float>(
@@ -110,12 +104,13 @@ Moment MemoryWaits::taken(WaitPaths& paths, const Moment& asked, Cycle now) {
     // One that goes in the cycle behind another waited for its turn, else for a place in the
     // memory. In one that serves at once there is a place, whoever was served here.
     const bool waited = now > asked.at + 1 && is_ours_;
-    const Dependence other = taken_before_.at + 1 == now
-                                 ? Dependence{&taken_before_, 1, {Resource::MemoryBandwidth, Ever}}
-                                 : Dependence{&channel,
-                                              since,
-                                              {Resource::MemoryBandwidth, since},
-                                              {Resource::MemoryBandwidth, Ever}};
+    const Dependence other =
+        taken_before_.at + 1 == now
+            ? Dependence{&taken_before_, 1, {Resource::MemoryBandwidth, NoTurn}}
+            : Dependence{&channel,
+                         since,
+                         {Resource::MemoryBandwidth, since},
+                         {Resource::MemoryBandwidth, NoTurn}};
     const std::array both{Dependence{&asked, 1}, other};
     const auto known = std::span(both).first(waited ? 2 : 1);
     const Dependence& last = last_of(known, now);
