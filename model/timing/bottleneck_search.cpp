@@ -6,7 +6,7 @@
 namespace ffgpu::timing {
 namespace {
 
-constexpr std::size_t LinksInLog = 1 << 13; // before it is handed over: as caches hold them
+constexpr std::size_t StagesInLog = 1 << 11; // before it is handed over: as caches hold them
 
 } // namespace
 
@@ -37,7 +37,7 @@ BottleneckSearch::BottleneckSearch(const Clock& clock, PipeParts parts, bool bes
 
 void BottleneckSearch::end_cycle(std::size_t charged) {
     watch_.end_cycle(charged, logs_[written_]);
-    if (logs_[written_].links.size() >= LinksInLog || !thread_) hand_over();
+    if (logs_[written_].stages.size() >= StagesInLog || !thread_) hand_over();
 }
 
 // A job is begun when the one before it is done: where two wait at the most, that of the log to be

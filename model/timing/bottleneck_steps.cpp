@@ -70,11 +70,11 @@ bool Bottlenecks::acts(const Place& place,
 
 // A way through them in which the unit goes, so that what it does behind something in the same
 // cycle finds it.
-void Bottlenecks::go_through_steps(Place& place, const Moved& moved, bool request_waits) {
+void Bottlenecks::go_through_steps(Place& place, const Moved& moved) {
     const bool asks = std::ranges::any_of(
         place.asked, [](const Way* way) { return way->pushed != way->seen_pushed; });
     // A request that has waited for a place goes before anything is looked up.
-    if (std::exchange(place.request_waits, request_waits)) ask(place);
+    if (place.request_waits) ask(place);
     for (StepPlace& step : place.steps)
         if (acts(place, step, moved, asks)) act(place, step, moved_by(place, step.told, moved));
     for (std::uint64_t left = place.changed.came | place.changed.went; left != 0;
@@ -113,7 +113,7 @@ Bottlenecks::moved_by(const Place& place, const Step& step, const Moved& moved) 
 void Bottlenecks::find_dependences(const Place& place,
                                    const StepPlace& step,
                                    const StepMoved& moved) {
-    found_.count = 0;
+    found_.begin(now_);
     const Resource resource = place.stage.resource;
     const auto taken = static_cast<float>(moved.taken);
     const std::uint64_t items = std::max(moved.taken, moved.given);
@@ -172,19 +172,15 @@ void Bottlenecks::find_dependences(const Place& place,
 }
 
 // What none of them explains was waited for behind what the unit did, or was answered, last.
-const Dependence& Bottlenecks::explain(const Place& place, const StepPlace& step) {
-    const auto find_last = [&] {
-        const std::span<Dependence> all = std::span(found_.all).first(found_.count);
-        return &all[static_cast<std::size_t>(&last_of(all, now_) - all.data())];
+void Bottlenecks::explain(const Place& place, const StepPlace& step) {
+    const float more = found_.least();
+    if (more == 0) return;
+    const auto give_all_to = [&](std::size_t last) {
+        found_[last].then = {place.stage.resource, found_.least()};
+        found_.lengthen(last, found_.least());
     };
-    Dependence* last = find_last();
-    float more = slack(*last, now_);
-    if (more == 0) return *last;
-    if (step.expands && last->then.cycles == 0) { // All of it is what has come becoming of use.
-        last->takes += more;
-        last->then = {place.stage.resource, more};
-        return *last;
-    }
+    if (step.expands && found_.last_one().then.cycles == 0) // What has come becomes of use.
+        return give_all_to(found_.last());
     Dependence other{&place.memory->answer, 1};
     float least = slack(other, now_);
     if (step.told.asks && place.memory->asked.at == now_) { // What it looked up found a place.
@@ -203,20 +199,20 @@ const Dependence& Bottlenecks::explain(const Place& place, const StepPlace& step
         for (const StepPlace& one : each.steps)
             if (&one != &step) look_at(one.last);
     }
-    if (least < more) last = &found_.add(other);
-    more = slack(*last, now_);
-    last->takes += more;
-    if (place.stage.expands && !step.told.from.empty() && last->then.cycles == 0)
-        last->then = {place.stage.resource, more};
-    return *last;
+    if (least < more) found_.add(other);
+    const std::size_t last = found_.last();
+    if (place.stage.expands && !step.told.from.empty() && found_[last].then.cycles == 0)
+        return give_all_to(last);
+    found_.lengthen(last, found_.least());
 }
 
 void Bottlenecks::act(Place& place, StepPlace& step, const StepMoved& moved) {
     find_dependences(place, step, moved);
-    step.last = moment_after(explain(place, step), place.stage.resource);
+    explain(place, step);
+    move_on(step.last, place.stage.resource);
     // The furthest of them stands for the stage.
     if (place.last.at < now_ || !step.told.takes) place.last = step.last;
-    saved_ = place.last.saved;
+    saved_ = &place.last.saved;
     pass_on(place, step, moved);
 }
 
@@ -267,13 +263,12 @@ void Bottlenecks::ask(Place& place) {
     AtMemory& memory = *place.memory;
     for (Way* const way : place.asked) {
         if (way->pushed == way->seen_pushed) continue;
-        found_.count = 0;
+        found_.begin(now_);
         found_.add({&memory.asked, 0});
         if (memory.looked_up.at == now_ || memory.asked.at < memory.looked_up.at)
             found_.add({&memory.looked_up, 0});
         found_.add({&way->place_freed(way->seen_pushed - 1), 1});
-        const std::span<const Dependence> all = std::span(found_.all).first(found_.count);
-        memory.asked = moment_after(last_of(all, now_), place.stage.resource);
+        move_on(memory.asked, place.stage.resource);
         for (; way->pushed < way->seen_pushed; ++way->pushed)
             way->send(way->pushed, memory.asked);
     }

@@ -3,6 +3,7 @@
 #include "model/timing/link.h"
 
 #include <algorithm>
+#include <bit>
 #include <string>
 #include <utility>
 
@@ -28,6 +29,7 @@ Bottlenecks::Bottlenecks(const PipeParts& parts)
     for (const Link* const link : parts.responses)
         responses_.push_back(link ? &way_of(link) : nullptr);
     paths_.restart(0);
+    saved_ = &places_.front().last.saved;
 }
 
 Bottlenecks::Way& Bottlenecks::way_of(const Link* link) {
@@ -52,6 +54,8 @@ void Bottlenecks::connect(Place& place) {
                                    std::pair{&links.answered, &place.answered}})
         for (const Link* const link : *from)
             to->push_back(&way_of(link));
+    for (const auto* const ways : {&place.in, &place.out, &place.asked, &place.answered})
+        place.ways.insert(place.ways.end(), ways->begin(), ways->end());
     const Unit* const unit = place.stage.unit;
     for (AtMemory& each : at_memory_)
         if (each.unit == unit) place.memory = &each;
@@ -62,12 +66,11 @@ void Bottlenecks::connect(Place& place) {
 // --- Each cycle --------------------------------------------------------------------------------
 
 void Bottlenecks::reckon(const PipeLog& log) {
-    Reader seen{log.answers.data(),
-                log.stages.data(),
-                log.links.data(),
-                log.arrivals.data(),
-                log.passages.data(),
-                log.taken.data()};
+    Reader seen{log.answers.begin(),
+                log.stages.begin(),
+                log.links.begin(),
+                log.passages.begin(),
+                log.taken.begin()};
     for (const CycleSeen& cycle : log.cycles)
         reckon(cycle, seen);
 }
@@ -79,11 +82,8 @@ void Bottlenecks::reckon(const CycleSeen& cycle, Reader& seen) {
     for (std::uint32_t i = 0; i < cycle.stages; ++i) {
         const StageSeen& stage = *seen.stages++;
         Place& place = places_[stage.stage];
-        for (const auto* const ways : {&place.in, &place.out, &place.asked, &place.answered})
-            for (Way* const way : *ways)
-                way->see(*seen.links++);
-        for (Way* const way : place.in)
-            way->arrival = *seen.arrivals++;
+        for (std::uint64_t left = stage.links; left != 0; left &= left - 1)
+            place.ways[static_cast<std::size_t>(std::countr_zero(left))]->see(*seen.links++);
         see_passages(place, stage.passages, seen);
         look(place, stage);
     }
@@ -99,21 +99,28 @@ void Bottlenecks::reckon(const CycleSeen& cycle, Reader& seen) {
 // What was saved since the last charge.
 void Bottlenecks::charge(Saved& entry) {
     for (std::size_t i = 0; i < Saved::Lanes; ++i)
-        entry.cycles[i] += saved_.cycles[i] - charged_.cycles[i];
-    charged_ = saved_;
+        entry.cycles[i] += saved_->cycles[i] - charged_.cycles[i];
+    charged_ = *saved_;
 }
 
 void Bottlenecks::look(Place& place, const StageSeen& seen) {
-    take_answers(place);
     std::uint64_t taken = 0, given = 0, asked = 0;
-    for (const Way* const way : place.in)
-        taken += way->seen_popped - way->popped;
-    for (const Way* const way : place.out)
-        given += way->seen_pushed - way->pushed;
-    for (const Way* const way : place.asked)
-        asked += way->seen_pushed - way->pushed;
+    if (seen.links != 0) {
+        take_answers(place);
+        for (const Way* const way : place.in)
+            taken += way->going();
+        for (const Way* const way : place.out)
+            given += way->coming();
+        for (const Way* const way : place.asked)
+            asked += way->coming();
+    }
     const Moved moved{taken, given, seen.refused};
-    if (!place.steps.empty()) return go_through_steps(place, moved, seen.request_waits);
+    if (!place.steps.empty()) {
+        if ((seen.links | seen.passages) != 0 || place.request_waits)
+            go_through_steps(place, moved);
+        place.request_waits = seen.request_waits;
+        return;
+    }
     count_work(place, seen, moved);
     // The cycles in which its unit slept were as the last one.
     if (now_ > place.looked + 1) note_stall(place, place.activity, place.unit_was_refused);
@@ -217,7 +224,7 @@ void Bottlenecks::find_port(const Stage& stage, const Moment& before, std::uint6
 void Bottlenecks::find_dependences(const Place& place, const Moved& moved) {
     const Cycle now = now_;
     Dependences& found = found_;
-    found.count = 0;
+    found.begin(now);
     const float work = place.work;
     // What is taken does not wait for what is given beside it.
     const bool beside = moved.given == 0 && moved.taken > 0 && place.taken.at < place.last.at &&
@@ -263,43 +270,38 @@ void Bottlenecks::find_dependences(const Place& place, const Moved& moved) {
 // What none of them explains was waited for behind what the stage gave in the cycle before, where
 // it takes, else behind the last of them, or behind an answer of the memory that came meanwhile: a
 // unit that still does something else does not say that it waits for it.
-const Dependence& Bottlenecks::explain(const Place& place, const Moved& moved) {
-    const Cycle now = now_;
-    const auto find_last = [&] {
-        const std::span<Dependence> all = std::span(found_.all).first(found_.count);
-        return &all[static_cast<std::size_t>(&last_of(all, now) - all.data())];
-    };
-    Dependence* last = find_last();
-    if (slack(*last, now) == 0) return *last;
+void Bottlenecks::explain(const Place& place, const Moved& moved) {
+    if (found_.least() == 0) return;
     if (place.stage.free_width == 0) { // It carries bytes between what it sends.
-        Dependence& own = found_.all[0];
-        const float carried = std::min(place.active, slack(own, now));
-        own.takes += carried;
-        own.first.cycles += carried;
-        last = find_last();
+        const float carried = std::min(place.active, found_.slack_of(0));
+        found_[0].first.cycles += carried;
+        found_.lengthen(0, carried);
     }
-    const float more = slack(*last, now);
-    if (more == 0) return *last;
+    const float more = found_.least();
+    if (more == 0) return;
     // Either is over later than all others.
-    if (moved.taken > 0 && place.given.at + 1 == now) // A place inside it came free with that.
-        return found_.add({&place.given, 1});
-    const Dependence answer{&place.memory->answer, 1};
-    if (slack(answer, now) < more) last = &found_.add(answer);
-    const float rest = slack(*last, now);
-    last->takes += rest;
-    if (place.stage.expands && place.on_memory) {
-        check(last->then.cycles == 0 || last->then.resource == place.stage.resource,
-              "what comes behind the way is the stage's own");
-        last->then = {place.stage.resource, last->then.cycles + rest};
+    if (moved.taken > 0 && place.given.at + 1 == now_) { // A place inside it came free with that.
+        found_.add({&place.given, 1});
+        return;
     }
-    return *last;
+    const Dependence answer{&place.memory->answer, 1};
+    if (slack(answer, now_) < more) found_.add(answer);
+    const std::size_t last = found_.last();
+    const float rest = found_.least();
+    found_.lengthen(last, rest);
+    if (place.stage.expands && place.on_memory) {
+        Dependence::Part& then = found_[last].then;
+        check(then.cycles == 0 || then.resource == place.stage.resource,
+              "what comes behind the way is the stage's own");
+        then = {place.stage.resource, then.cycles + rest};
+    }
 }
 
 void Bottlenecks::act(Place& place, const Moved& moved) {
     find_dependences(place, moved);
-    const Dependence& last = explain(place, moved);
-    place.last = moment_after(last, place.stage.resource);
-    saved_ = place.last.saved;
+    explain(place, moved);
+    move_on(place.last, place.stage.resource);
+    saved_ = &place.last.saved;
     if (moved.taken > 0) {
         place.taken = place.last;
         place.busy = 0;
@@ -348,24 +350,26 @@ void Bottlenecks::collect_paths() {
     paths_.collect(heads_);
 }
 
-Moment Bottlenecks::moment_after(const Dependence& last, Resource resource) {
-    const auto all = std::span<const Dependence>(found_.all).first(found_.count);
+void Bottlenecks::move_on(Moment& moment, Resource resource) {
+    const Dependence& last = found_.last_one();
     WaitPaths::Path path = paths_.extend(last.moment->path, last.first.resource, now_ - 1);
     path = paths_.extend(path, resource, now_);
-    return {now_, paths_.share(path), saved_after(all, last, now_)};
+    saved_after(found_, moment.saved);
+    moment.at = now_;
+    moment.path = paths_.share(path);
 }
 
 FrameWaits Bottlenecks::end_frame(Cycle now) {
     const Place* last = &places_.front();
     for (const Place& place : places_)
         if (place.last.at > last->last.at) last = &place;
-    saved_ = last->last.saved;
+    saved_ = &last->last.saved;
     const WaitPaths::Path path = paths_.extend(last->last.path, Resource::Links, now);
     check(paths_.end(path) == now, "a frame's path goes from its begin to its end");
     FrameWaits waits{
-        .runs = paths_.runs(path), .saved = saved_, .saved_by = std::exchange(saved_by_, {})};
+        .runs = paths_.runs(path), .saved = *saved_, .saved_by = std::exchange(saved_by_, {})};
     charge(waits.saved_at_end);
-    saved_ = charged_ = {};
+    charged_ = {};
     paths_.restart(now);
     for (Place& place : places_)
         place.last = place.taken = place.given = {now, 0, {}};

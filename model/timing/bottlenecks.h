@@ -80,7 +80,10 @@ private:
         void see(const LinkSeen& seen) {
             seen_pushed += static_cast<std::uint32_t>(seen.pushed - seen_pushed);
             seen_popped += static_cast<std::uint32_t>(seen.popped - seen_popped);
+            arrival = seen.arrival;
         }
+        std::uint64_t coming() const { return seen_pushed - pushed; }
+        std::uint64_t going() const { return seen_popped - popped; }
         void send(std::uint64_t item, const Moment& moment) {
             sent.make_room(first_sent(), item);
             sent[item] = moment;
@@ -140,6 +143,7 @@ private:
     struct Place {
         const Stage& stage;
         std::vector<Way*> in, out, asked, answered;
+        std::vector<Way*> ways{}; // all of these, in this order
         Moment last;
         AtMemory* memory;
         std::vector<Inner> passages{};
@@ -158,22 +162,11 @@ private:
         float busy = 0; // Since it took anything: all cycles of its work.
         bool on_memory = false, drains = false;
     };
-    static constexpr std::size_t Most = 48; // dependences of a moment
-    struct Dependences {
-        std::array<Dependence, Most> all; // the first of them
-        std::size_t count = 0;
-        Dependence& add(const Dependence& one) {
-            check(count < Most, "so many dependences at the most");
-            return all[count++] = one;
-        }
-    };
-
     // What is left to read of a log.
     struct Reader {
         const AnswerSeen* answers;
         const StageSeen* stages;
         const LinkSeen* links;
-        const Cycle* arrivals;
         const Passage* passages;
         const TakenSeen* taken;
     };
@@ -190,8 +183,8 @@ private:
     // All into found_.
     void find_dependences(const Place& place, const Moved& moved);
     void find_port(const Stage& stage, const Moment& before, std::uint64_t items);
-    // Returns the one that was over last.
-    const Dependence& explain(const Place& place, const Moved& moved);
+    // Until one of them is all that was waited for.
+    void explain(const Place& place, const Moved& moved);
     void pass_on(Place& place);
     static void send(const std::vector<Way*>& ways, const Moment& moment);
     // Of stages with steps:
@@ -201,15 +194,16 @@ private:
     };
     void connect_steps(Place& place);
     static void see_passages(Place& place, std::uint64_t seen, Reader& log);
-    void go_through_steps(Place& place, const Moved& moved, bool request_waits);
+    void go_through_steps(Place& place, const Moved& moved);
     static bool acts(const Place& place, const StepPlace& step, const Moved& moved, bool unit_asks);
     StepMoved moved_by(const Place& place, const Step& step, const Moved& moved) const;
     void act(Place& place, StepPlace& step, const StepMoved& moved);
     void find_dependences(const Place& place, const StepPlace& step, const StepMoved& moved);
-    const Dependence& explain(const Place& place, const StepPlace& step);
+    void explain(const Place& place, const StepPlace& step);
     void pass_on(Place& place, const StepPlace& step, const StepMoved& moved);
     void ask(Place& place);
-    Moment moment_after(const Dependence& last, Resource resource);
+    // Of what was found, which it may be one of.
+    void move_on(Moment& moment, Resource resource);
     void take_requests(const TakenSeen& taken);
     void charge(Saved& entry);
     void collect_paths();
@@ -225,9 +219,10 @@ private:
     std::vector<Way*> requests_, responses_; // by the arbiter's ports
     std::vector<WaitPaths::Path*> heads_;    // of collect_paths()
     Dependences found_;
-    // What the furthest stage that did something saved since the frame began, and what of it was
+    // What the stage that did something last saved since the frame began, and what of it was
     // charged to somebody.
-    Saved saved_, charged_;
+    const Saved* saved_;
+    Saved charged_;
     std::vector<Saved> saved_by_;
 };
 

@@ -23,21 +23,28 @@ Saved MemoryTurns::answer(const Dependence& own, const Dependence& turn, Cycle n
     std::array<RequestInTurn::Before, Kept> before;
     std::size_t count = 0;
     float waited = more; // beyond its turn behind all that came before it
-    const auto add = [&](bool came_later) {
-        for (std::size_t k = 0; k < Kept; ++k) {
-            AnsweredRequest& served = served_[(next_ + k) % Kept];
-            if (served.answered == 0 || (served.asked > asked.at) != came_later) continue;
-            const float later = std::max(between(served.answered, now) - turn.takes, 0.0F) - rest;
-            if (!came_later) waited = std::min(waited, later);
-            // One that came later was served first as it was: it goes on to be, but where it comes
-            // when this one is done.
-            const float sooner = came_later ? std::max(between(served.asked, now), waited)
-                                            : between(served.asked, asked.at);
-            before[count++] = {&served, later, sooner, came_later};
-        }
+    const auto waited_behind = [&](const AnsweredRequest& served) {
+        return std::max(between(served.answered, now) - turn.takes, 0.0F) - rest;
     };
-    add(false);
-    add(true);
+    std::array<AnsweredRequest*, Kept> later_ones;
+    std::size_t later_count = 0;
+    for (std::size_t k = 0; k < Kept; ++k) {
+        AnsweredRequest& served = served_[(next_ + k) % Kept];
+        if (served.answered == 0) continue;
+        if (served.asked > asked.at) {
+            later_ones[later_count++] = &served;
+            continue;
+        }
+        const float later = waited_behind(served);
+        waited = std::min(waited, later);
+        before[count++] = {&served, later, between(served.asked, asked.at), false};
+    }
+    // One that came later was served first as it was: it goes on to be, but where it comes when
+    // this one is done.
+    for (AnsweredRequest* const served : std::span(later_ones).first(later_count)) {
+        const float sooner = std::max(between(served->asked, now), waited);
+        before[count++] = {served, waited_behind(*served), sooner, true};
+    }
     const auto [saved, idle] = saved_in_turn({.asked = asked.saved,
                                               .alone = alone,
                                               .takes = turn.takes,

@@ -74,22 +74,20 @@ const Moment& MemoryWaits::answer(WaitPaths& paths,
                                   Cycle now) {
     last_ = memory_channel(config_, request.address);
     Channel& channel = channels_[last_];
-    std::array<Dependence, 2> all{};
-    std::size_t count = 0;
-    if (asked) all[count++] = own(channel.last, *asked, request, now);
-    if (is_ours_ || !asked) all[count++] = turn(channel.last, asked, request, now);
-    const std::span<const Dependence> known = std::span(all).first(count);
-    const Dependence& last = last_of(known, now);
+    found_.begin(now);
+    if (asked) found_.add(own(channel.last, *asked, request, now));
+    if (is_ours_ || !asked) found_.add(turn(channel.last, asked, request, now));
+    const Dependence& last = found_.last_one();
     WaitPaths::Path path = last.moment->path;
-    if (&last == &all[0] && asked)
+    if (found_.last() == 0 && asked)
         path =
             paths.extend(path, Resource::MemoryLatency, now - static_cast<Cycle>(last.then.cycles));
     path = paths.extend(path, is_ours_ ? Resource::MemoryBandwidth : Resource::MemoryLatency, now);
     Saved saved;
     if (asked && is_ours_) {
-        saved = channel.turns.answer(all[0], all[1], now);
+        saved = channel.turns.answer(found_[0], found_[1], now);
     } else {
-        saved = saved_after(known, last, now);
+        saved_after(found_, saved);
         channel.turns.note_answer(asked ? asked->at : request.issued, saved, now);
     }
     channel.last = {now, paths.share(path), saved};
@@ -97,7 +95,7 @@ const Moment& MemoryWaits::answer(WaitPaths& paths,
     return channel.last;
 }
 
-Moment MemoryWaits::taken(WaitPaths& paths, const Moment& asked, Cycle now) {
+const Moment& MemoryWaits::taken(WaitPaths& paths, const Moment& asked, Cycle now) {
     if (taken_.at < now) taken_before_ = taken_;
     const Moment& channel = channels_[last_].last;
     const auto since = static_cast<float>(now - channel.at);
@@ -111,13 +109,16 @@ Moment MemoryWaits::taken(WaitPaths& paths, const Moment& asked, Cycle now) {
                          since,
                          {Resource::MemoryBandwidth, since},
                          {Resource::MemoryBandwidth, NoTurn}};
-    const std::array both{Dependence{&asked, 1}, other};
-    const auto known = std::span(both).first(waited ? 2 : 1);
-    const Dependence& last = last_of(known, now);
+    found_.begin(now);
+    found_.add({&asked, 1});
+    if (waited) found_.add(other);
+    const Dependence& last = found_.last_one();
     const Resource why =
-        &last == &both[1] && last.moment == &channel ? Resource::MemoryBandwidth : Resource::Links;
+        found_.last() == 1 && last.moment == &channel ? Resource::MemoryBandwidth : Resource::Links;
     const WaitPaths::Path path = paths.extend(last.moment->path, why, now);
-    taken_ = {now, paths.share(path), saved_after(known, last, now)};
+    taken_.at = now;
+    taken_.path = paths.share(path);
+    saved_after(found_, taken_.saved);
     return taken_;
 }
 

@@ -22,7 +22,7 @@ public:
     const Moment&
     answer(WaitPaths& paths, const MemoryRequest& request, const Moment* asked, Cycle now);
     // The arbiter takes a request of this moment: without a wait, or when the memory had a place.
-    Moment taken(WaitPaths& paths, const Moment& asked, Cycle now);
+    const Moment& taken(WaitPaths& paths, const Moment& asked, Cycle now);
 
     // All that was answered.
     const Moment& all() const { return all_; }
@@ -47,6 +47,7 @@ private:
     const float cycle_; // of the memory's clock, in the machine's, in whole sixteenths
     std::vector<Channel> channels_;
     std::size_t last_ = 0; // channel that answered
+    Dependences found_;
     Moment all_;
     Moment taken_, taken_before_; // the last that was, in this cycle, and in one before
 };

@@ -10,13 +10,15 @@
 
 #pragma once
 
+#include "model/base/check.h"
 #include "model/timing/resource.h"
 #include "model/timing/wait_paths.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <span>
+#include <limits>
 
 namespace ffgpu::timing {
 
@@ -46,18 +48,65 @@ struct Dependence {
     Part then{};     // and what without another, behind the first
 };
 
-// Of these, how long the moment did not wait for it.
+// How long a moment in that cycle did not wait for it.
 inline float slack(const Dependence& dependence, Cycle at) {
     const auto since = static_cast<std::int64_t>(at - std::min(dependence.moment->at, at));
     return std::max(static_cast<float>(since) - dependence.takes, 0.0F);
 }
-// The dependence that was over last; of several the first.
-const Dependence& last_of(std::span<const Dependence> all, Cycle at);
-// `last`: last_of() them. By vectors; the plain form is what it must equal.
-Saved saved_after(std::span<const Dependence> all, const Dependence& last, Cycle at);
-Saved saved_after_plainly(std::span<const Dependence> all, const Dependence& last, Cycle at);
-inline Saved saved_after(std::span<const Dependence> all, Cycle at) {
-    return saved_after(all, last_of(all, at), at);
-}
+
+// Those of a moment in one cycle.
+class Dependences {
+public:
+    static constexpr std::size_t Most = 48;
+
+    // Those of another moment.
+    void begin(Cycle at) {
+        at_ = at;
+        count_ = 0;
+        least_ = std::numeric_limits<float>::max();
+    }
+    // Returns its place.
+    std::size_t add(const Dependence& one) {
+        check(count_ < Most, "so many dependences at the most");
+        all_[count_] = one;
+        slack_[count_] = slack(one, at_);
+        if (slack_[count_] < least_) {
+            least_ = slack_[count_];
+            last_ = count_;
+        }
+        return count_++;
+    }
+    // It takes more than was known.
+    void lengthen(std::size_t place, float cycles) {
+        all_[place].takes += cycles;
+        slack_[place] = slack(all_[place], at_);
+        last_ = static_cast<std::size_t>(std::min_element(slack_.begin(), slack_.begin() + count_) -
+                                         slack_.begin());
+        least_ = slack_[last_];
+    }
+
+    Cycle at() const { return at_; }
+    std::size_t count() const { return count_; }
+    const Dependence& operator[](std::size_t place) const { return all_[place]; }
+    Dependence& operator[](std::size_t place) { return all_[place]; }
+    float slack_of(std::size_t place) const { return slack_[place]; }
+    // The one that was over last; of several the first. There is one.
+    std::size_t last() const { return last_; }
+    const Dependence& last_one() const { return all_[last_]; }
+    // The moment did not wait for that so long.
+    float least() const { return least_; }
+
+private:
+    std::array<Dependence, Most> all_; // the first of them
+    std::array<float, Most> slack_;
+    std::size_t count_ = 0, last_ = 0;
+    float least_ = 0;
+    Cycle at_ = 0;
+};
+
+// How much sooner a moment is that depends on these; it may be of one of theirs. By vectors; the
+// plain form is what it must equal.
+void saved_after(const Dependences& all, Saved& result);
+Saved saved_after_plainly(const Dependences& all);
 
 } // namespace ffgpu::timing

@@ -34,27 +34,25 @@ HWY_INLINE hn::Vec<D> allowed(D d, std::size_t first, const Dependence& by, floa
     return hn::Add(hn::Add(with_first, lanes_of(d, first, by.then)), hn::Set(d, more));
 }
 
-Saved saved_after_lanes(std::span<const Dependence> all, const Dependence& last, Cycle at) {
+void saved_after_lanes(const Dependences& all, Saved& result) {
     const hn::CappedTag<float, WideLanes> wide;
     const hn::CappedTag<float, 4> narrow;
     constexpr std::size_t Step = hn::MaxLanes(wide), Vectors = WideLanes / Step;
-    const float least = slack(last, at);
+    const float least = all.least();
     std::array<hn::Vec<decltype(wide)>, Vectors> saved;
     for (std::size_t i = 0; i < Vectors; ++i)
-        saved[i] = allowed(wide, i * Step, last, 0);
-    auto rest = allowed(narrow, WideLanes, last, 0);
-    for (const Dependence& each : all) {
-        if (&each == &last) continue;
-        const float more = slack(each, at) - least;
+        saved[i] = allowed(wide, i * Step, all[0], all.slack_of(0) - least);
+    auto rest = allowed(narrow, WideLanes, all[0], all.slack_of(0) - least);
+    for (std::size_t place = 1; place < all.count(); ++place) {
+        const Dependence& each = all[place];
+        const float more = all.slack_of(place) - least;
         for (std::size_t i = 0; i < Vectors; ++i)
             saved[i] = hn::Min(allowed(wide, i * Step, each, more), saved[i]);
         rest = hn::Min(allowed(narrow, WideLanes, each, more), rest);
     }
-    Saved result;
     for (std::size_t i = 0; i < Vectors; ++i)
         hn::StoreU(saved[i], wide, result.cycles.data() + i * Step);
     hn::StoreU(rest, narrow, result.cycles.data() + WideLanes);
-    return result;
 }
 
 } // namespace
@@ -66,8 +64,8 @@ namespace ffgpu::timing {
 
 HWY_EXPORT(saved_after_lanes);
 
-Saved saved_after(std::span<const Dependence> all, const Dependence& last, Cycle at) {
-    return HWY_DYNAMIC_DISPATCH(saved_after_lanes)(all, last, at);
+void saved_after(const Dependences& all, Saved& result) {
+    HWY_DYNAMIC_DISPATCH(saved_after_lanes)(all, result);
 }
 
 } // namespace ffgpu::timing

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "model/timing/account.h"
+#include "model/timing/clock.h"
 #include "model/timing/command_ledger.h"
 #include "model/timing/memory_request.h"
 #include "model/timing/passage.h"
@@ -17,15 +18,15 @@ namespace ffgpu::timing {
 // A link at the end of a cycle. Items since the machine's start, modulo 2^32.
 struct LinkSeen {
     std::uint32_t pushed = 0, popped = 0;
+    Cycle arrival = Never; // of the oldest item
 };
 
-// A stage whose unit was called in the cycle. Its links follow: in, out, asked, answered; of those
-// by which work comes in, when the oldest item arrives; and those of the passages between its steps
-// that changed.
+// A stage whose unit was called in the cycle. What changed since it was called before follows: of
+// its links - in, out, asked, answered - and of the passages between its steps.
 struct StageSeen {
+    std::uint64_t links = 0, passages = 0; // that changed: a bit each
     std::uint32_t stage = 0;
     Activity activity = Activity::Idle;
-    std::uint64_t passages = 0; // that changed: a bit each
     bool refused = false;       // by one of its ways out
     bool unit_refused = false;  // by any of its unit's
     bool request_waits = false; // of its unit, for a place on the way to the memory
@@ -50,21 +51,44 @@ struct CycleSeen {
     std::uint32_t answers = 0, stages = 0, taken = 0;
 };
 
+// What is written one behind the other. Its memory stays.
+template <class Item>
+class Written {
+public:
+    // For so many more at the most; those that are written are then taken.
+    Item* room(std::size_t items) {
+        if (items_.size() < count_ + items) items_.resize(2 * (count_ + items));
+        return items_.data() + count_;
+    }
+    void take_until(const Item* end) { count_ = static_cast<std::size_t>(end - items_.data()); }
+    void add(const Item& item) {
+        *room(1) = item;
+        ++count_;
+    }
+
+    std::size_t size() const { return count_; }
+    const Item* begin() const { return items_.data(); }
+    const Item* end() const { return items_.data() + count_; }
+    void clear() { count_ = 0; }
+
+private:
+    std::vector<Item> items_;
+    std::size_t count_ = 0;
+};
+
 struct PipeLog {
-    std::vector<CycleSeen> cycles;
-    std::vector<AnswerSeen> answers;
-    std::vector<StageSeen> stages;
-    std::vector<LinkSeen> links;
-    std::vector<Cycle> arrivals; // Never: of none
-    std::vector<Passage> passages;
-    std::vector<TakenSeen> taken;
+    Written<CycleSeen> cycles;
+    Written<AnswerSeen> answers;
+    Written<StageSeen> stages;
+    Written<LinkSeen> links;
+    Written<Passage> passages;
+    Written<TakenSeen> taken;
 
     void clear() {
         cycles.clear();
         answers.clear();
         stages.clear();
         links.clear();
-        arrivals.clear();
         passages.clear();
         taken.clear();
     }

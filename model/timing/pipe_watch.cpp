@@ -13,7 +13,9 @@ namespace {
 constexpr std::uint64_t ArbiterBit = std::uint64_t{1} << 63;
 
 LinkSeen seen(const Link& link) {
-    return {static_cast<std::uint32_t>(link.pushed()), static_cast<std::uint32_t>(link.popped())};
+    return {static_cast<std::uint32_t>(link.pushed()),
+            static_cast<std::uint32_t>(link.popped()),
+            link.arrival()};
 }
 
 } // namespace
@@ -24,14 +26,28 @@ PipeWatch::PipeWatch(const Clock& clock, const PipeParts& parts)
     , taken_(parts.requests.size()) {
     check(parts.stages.size() < 63, "a bit for each stage");
     for (const Stage& stage : parts.stages) {
-        Place& place = places_.emplace_back(Place{&stage, StageLinks(stage), {}, {}, {}});
+        Place& place =
+            places_.emplace_back(Place{.stage = &stage, .links = {}, .beside = {}, .passages = {}});
         check(stage.passages.size() <= 64, "a bit for each passage");
-        place.passages.resize(stage.passages.size());
-        const StageLinks& links = place.links;
-        for (const auto* const more : {&links.in, &links.out, &links.asked, &links.answered})
-            place.all.insert(place.all.end(), more->begin(), more->end());
-        std::ranges::remove_copy_if(
-            stage.unit->outputs(), std::back_inserter(place.unit_out), &Link::carries_requests);
+        for (const StagePassage& each : stage.passages)
+            place.passages.push_back({each.passage});
+        const StageLinks links(stage);
+        const auto add = [&](const std::vector<const Link*>& more) {
+            std::uint64_t bits = 0;
+            for (const Link* const link : more) {
+                bits |= std::uint64_t{1} << place.links.size();
+                place.links.push_back({link});
+            }
+            return bits;
+        };
+        add(links.in);
+        place.out = add(links.out);
+        place.asked = add(links.asked);
+        add(links.answered);
+        check(place.links.size() <= 64, "a bit for each link");
+        for (const Link* const link : stage.unit->outputs())
+            if (!link->carries_requests() && std::ranges::count(links.out, link) == 0)
+                place.beside.push_back(link);
         std::uint64_t bits = 0; // of all stages of its unit
         for (std::size_t i = 0; i < parts.stages.size(); ++i)
             bits |= std::uint64_t{parts.stages[i].unit == stage.unit} << i;
@@ -51,7 +67,8 @@ void PipeWatch::end_cycle(std::size_t charged, PipeLog& log) {
     CycleSeen cycle{.now = clock_.now(),
                     .charged = charged,
                     .answers = static_cast<std::uint32_t>(answers_.size())};
-    log.answers.insert(log.answers.end(), answers_.begin(), answers_.end());
+    for (const AnswerSeen& answer : answers_)
+        log.answers.add(answer);
     answers_.clear();
     for (std::uint64_t left = called & ~ArbiterBit; left != 0; left &= left - 1) {
         look(static_cast<std::size_t>(std::countr_zero(left)), log);
@@ -59,7 +76,7 @@ void PipeWatch::end_cycle(std::size_t charged, PipeLog& log) {
     }
     if ((called & ArbiterBit) != 0 && parts_.arbiter.activity() == Activity::Busy)
         cycle.taken = note_taken(log);
-    log.cycles.push_back(cycle);
+    log.cycles.add(cycle);
 }
 
 std::uint32_t PipeWatch::note_taken(PipeLog& log) {
@@ -67,44 +84,62 @@ std::uint32_t PipeWatch::note_taken(PipeLog& log) {
     for (std::size_t port = 0; port < taken_.size(); ++port) {
         const Link& link = *parts_.requests[port];
         if (std::exchange(taken_[port], link.popped()) == link.popped()) continue;
-        log.taken.push_back({port, seen(link)});
+        log.taken.add({port, seen(link)});
         ++ports;
     }
     return ports;
 }
 
-std::uint64_t PipeWatch::note_passages(Place& place, PipeLog& log) {
-    std::uint64_t changed = 0;
-    for (std::size_t i = 0; i < place.passages.size(); ++i) {
-        const Passage& now = *place.stage->passages[i].passage;
-        if (place.passages[i] == now) continue;
-        place.passages[i] = now;
-        log.passages.push_back(now);
-        changed |= std::uint64_t{1} << i;
+void PipeWatch::note_links(Place& place, Cycle now, StageSeen& stage, PipeLog& log) {
+    std::uint64_t changed = 0, refused = 0, bit = 1;
+    LinkSeen* next = log.links.room(place.links.size());
+    for (WatchedLink& each : place.links) {
+        const Link& link = *each.link;
+        const std::uint64_t pushed = link.pushed(), popped = link.popped();
+        refused |= link.refused_at() == now ? bit : 0;
+        if (std::exchange(each.moves, pushed + popped) != pushed + popped) {
+            next->pushed = static_cast<std::uint32_t>(pushed);
+            next->popped = static_cast<std::uint32_t>(popped);
+            next->arrival = link.arrival();
+            ++next;
+            changed |= bit;
+        }
+        bit <<= 1;
     }
-    return changed;
+    log.links.take_until(next);
+    stage.links = changed;
+    stage.refused = (refused & place.out) != 0;
+    stage.request_waits = (refused & place.asked) != 0;
+    stage.unit_refused = stage.refused;
+    for (const Link* const link : place.beside)
+        stage.unit_refused |= link->refused_at() == now;
+}
+
+void PipeWatch::note_passages(Place& place, StageSeen& stage, PipeLog& log) {
+    std::uint64_t changed = 0, bit = 1;
+    Passage* next = log.passages.room(place.passages.size());
+    for (WatchedPassage& each : place.passages) {
+        if (each.seen != *each.passage) {
+            *next++ = each.seen = *each.passage;
+            changed |= bit;
+        }
+        bit <<= 1;
+    }
+    log.passages.take_until(next);
+    stage.passages = changed;
 }
 
 void PipeWatch::look(std::size_t place, PipeLog& log) {
     const Cycle now = clock_.now();
     Place& at = places_[place];
     const Stage& stage = *at.stage;
-    const auto refuses = [now](const Link* link) { return link->refused_at() == now; };
-    log.stages.push_back(
-        {.stage = static_cast<std::uint32_t>(place),
-         .activity = stage.unit->activity(),
-         .refused = std::ranges::any_of(at.links.out, refuses),
-         .unit_refused = std::ranges::any_of(at.unit_out, refuses),
-         .request_waits = std::ranges::any_of(at.links.asked, refuses),
-         .has_backlog = stage.input ? stage.input->arrival() <= now : stage.unit->has_backlog()});
-    for (const Link* const link : at.links.in)
-        log.arrivals.push_back(link->arrival());
-    log.stages.back().passages = note_passages(at, log);
-    const std::size_t links = log.links.size();
-    log.links.resize(links + at.all.size());
-    LinkSeen* next = log.links.data() + links;
-    for (const Link* const link : at.all)
-        *next++ = seen(*link);
+    StageSeen& seen = *log.stages.room(1);
+    seen.stage = static_cast<std::uint32_t>(place);
+    seen.activity = stage.unit->activity();
+    seen.has_backlog = stage.input ? stage.input->arrival() <= now : stage.unit->has_backlog();
+    note_links(at, now, seen, log);
+    note_passages(at, seen, log);
+    log.stages.take_until(&seen + 1);
 }
 
 } // namespace ffgpu::timing

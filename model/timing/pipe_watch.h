@@ -37,17 +37,27 @@ public:
     void done(const MemoryRequest& request, std::uint64_t cycle) override;
 
 private:
+    // What is looked at, and as it was seen last.
+    struct WatchedLink {
+        const Link* link;
+        std::uint64_t moves = 0; // items that came, and that went
+    };
+    struct WatchedPassage {
+        const Passage* passage;
+        Passage seen{};
+    };
     struct Place {
         const Stage* stage;
-        StageLinks links;
-        std::vector<const Link*> all;      // of these, one kind behind the other
-        std::vector<const Link*> unit_out; // of its unit, but for requests
-        std::vector<Passage> passages;     // between its steps, as seen last
+        std::vector<WatchedLink> links;   // in, out, asked, answered
+        std::uint64_t out = 0, asked = 0; // bits of these
+        std::vector<const Link*> beside;  // by which its unit gives, but not this stage
+        std::vector<WatchedPassage> passages;
     };
 
     void look(std::size_t place, PipeLog& log);
-    // Those that changed; returns their bits.
-    static std::uint64_t note_passages(Place& place, PipeLog& log);
+    // Those that changed since, into the log; their bits into the stage, with who was refused.
+    static void note_links(Place& place, Cycle now, StageSeen& stage, PipeLog& log);
+    static void note_passages(Place& place, StageSeen& stage, PipeLog& log);
     // Returns the number of ports.
     std::uint32_t note_taken(PipeLog& log);
 

@@ -58,6 +58,12 @@ std::vector<std::array<Cycle, 3>> begins(const Chain& chain, std::size_t free) {
     return begin;
 }
 
+Saved saved_after(const Dependences& all) {
+    Saved saved;
+    saved_after(all, saved);
+    return saved;
+}
+
 Moment moment_of(const Chain& chain,
                  const std::vector<std::array<Cycle, 3>>& begin,
                  const std::vector<std::array<Moment, 3>>& moments,
@@ -68,13 +74,15 @@ Moment moment_of(const Chain& chain,
         return Dependence{&moments[of][in], takes, {Stages[in], takes - 1}};
     };
     const Moment start;
-    std::vector<Dependence> all{{&start}};
-    if (item > 0) all.push_back(work(item - 1, stage));
-    if (stage > 0) all.push_back(work(item, stage - 1));
-    const std::size_t places = stage < 2 ? chain.places[stage + 1] : 0;
-    if (stage < 2 && item > places) all.push_back({&moments[item - places - 1][stage + 1]});
     const Cycle at = begin[item][stage];
-    return {at, 0, saved_after(all, at)};
+    Dependences all;
+    all.begin(at);
+    all.add({&start});
+    if (item > 0) all.add(work(item - 1, stage));
+    if (stage > 0) all.add(work(item, stage - 1));
+    const std::size_t places = stage < 2 ? chain.places[stage + 1] : 0;
+    if (stage < 2 && item > places) all.add({&moments[item - places - 1][stage + 1]});
+    return {at, 0, saved_after(all)};
 }
 
 TEST_CASE("what moments save without a stage's limits is what a run without them takes less") {
@@ -103,21 +111,30 @@ TEST_CASE("a wait beyond all that a moment depends on is waited without any reso
     first.saved[Resource::Host] = 4;
     second.saved[Resource::Host] = 20;
     // 10 + 5 and 30 + 2 were over in cycle 32; without the host 11 and 12.
-    const std::array all{Dependence{&first, 5}, Dependence{&second, 2}};
+    Dependences all;
+    const auto depend = [&](Cycle at) {
+        all.begin(at);
+        all.add({&first, 5});
+        all.add({&second, 2});
+    };
     for (const Cycle at : {32u, 33u, 500u}) {
-        CHECK(&last_of(all, at) == &all[1]);
-        CHECK(saved_after(all, at)[Resource::Host] == 20);
+        depend(at);
+        CHECK(all.last() == 1);
+        CHECK(all.least() == static_cast<float>(at - 32));
+        CHECK(saved_after(all)[Resource::Host] == 20);
     }
     second.saved[Resource::Host] = 25; // Then the first would be over last.
-    CHECK(saved_after(all, 32)[Resource::Host] == 21);
-    CHECK(saved_after(all, 32)[Resource::Clip] == 0);
+    depend(32);
+    CHECK(saved_after(all)[Resource::Host] == 21);
+    CHECK(saved_after(all)[Resource::Clip] == 0);
 }
 
 TEST_CASE("vectors save what the plain form does, resource by resource") {
     RandomWork random(1);
     for (int round = 0; round < 2000; ++round) {
         std::vector<Moment> moments(1 + random.below(12));
-        std::vector<Dependence> all;
+        Dependences all;
+        all.begin(100 + random.below(50));
         const auto part = [&] {
             return Dependence::Part{static_cast<Resource>(random.below(Resources)),
                                     static_cast<float>(random.below(160)) / 16};
@@ -126,11 +143,13 @@ TEST_CASE("vectors save what the plain form does, resource by resource") {
             moment.at = random.below(100);
             for (std::size_t i = 0; i < Resources; ++i)
                 moment.saved.cycles[i] = static_cast<float>(random.below(1600)) / 16;
-            all.push_back({&moment, static_cast<float>(random.below(30)), part(), part()});
+            all.add({&moment, static_cast<float>(random.below(30)), part(), part()});
         }
-        const Cycle at = 100 + random.below(50);
-        const Dependence& last = last_of(all, at);
-        CHECK(saved_after(all, last, at).cycles == saved_after_plainly(all, last, at).cycles);
+        if (round % 2 == 0) all.lengthen(all.last(), all.least());
+        const Saved plainly = saved_after_plainly(all);
+        CHECK(saved_after(all).cycles == plainly.cycles);
+        saved_after(all, moments.back().saved); // of one of them
+        CHECK(moments.back().saved.cycles == plainly.cycles);
     }
 }
 
@@ -155,7 +174,10 @@ Moment run(const MemoryConfig& config, const Reads& reads, std::size_t count) {
         answer = memory.answer(paths, request, &asked, answered);
         const Dependence on{reads.waits_for_answer ? &answer : &asked, 1};
         const Cycle next = reads.waits_for_answer ? answered + 1 : asked.at + reads.pace;
-        asked = {next, 0, saved_after(std::span(&on, 1), next)};
+        Dependences known;
+        known.begin(next);
+        known.add(on);
+        asked = {next, 0, saved_after(known)};
     }
     return answer;
 }
