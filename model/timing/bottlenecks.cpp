@@ -363,12 +363,23 @@ FrameWaits Bottlenecks::end_frame(Cycle now) {
     const Place* last = &places_.front();
     for (const Place& place : places_)
         if (place.last.at > last->last.at) last = &place;
-    saved_ = &last->last.saved;
     const WaitPaths::Path path = paths_.extend(last->last.path, Resource::Links, now);
     check(paths_.end(path) == now, "a frame's path goes from its begin to its end");
+    // A channel of the memory serves all of a frame's requests in it, in any order.
+    const Moment begin{frame_begin_, 0, {}};
+    found_.begin(last->last.at);
+    found_.add({&last->last, 0});
+    memory_.for_each_channel_work([&](float cycles) {
+        found_.add({&begin, cycles, {Resource::MemoryBandwidth, cycles}});
+    });
+    Saved saved;
+    saved_after(found_, saved);
+    saved_ = &saved;
     FrameWaits waits{
-        .runs = paths_.runs(path), .saved = *saved_, .saved_by = std::exchange(saved_by_, {})};
+        .runs = paths_.runs(path), .saved = saved, .saved_by = std::exchange(saved_by_, {})};
     charge(waits.saved_at_end);
+    saved_ = &places_.front().last.saved;
+    frame_begin_ = now;
     charged_ = {};
     paths_.restart(now);
     for (Place& place : places_)

@@ -13,7 +13,8 @@
 //   - the last moment of the stages behind it, where it waited until they are done.
 // What it waited for beyond all of these it waited for behind what it gave in the cycle before,
 // which freed a place inside it, else behind the last of them.
-// The moment that is last, at the end of a frame, is the frame's.
+// The moment that is last, at the end of a frame, is the frame's. That one depends on all the work
+// that each channel of the memory has had since the frame's begin, too.
 //
 // All that it reads of the machine is a log (pipe_watch.h); it changes nothing in it.
 
@@ -209,7 +210,7 @@ private:
     void collect_paths();
 
     const PipeParts& parts_;
-    Cycle now_ = 0;
+    Cycle now_ = 0, frame_begin_ = 0;
     WaitPaths paths_;
     MemoryWaits memory_;
     std::deque<Way> ways_;

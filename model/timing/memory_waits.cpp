@@ -77,6 +77,7 @@ const Moment& MemoryWaits::answer(WaitPaths& paths,
     found_.begin(now);
     if (asked) found_.add(own(channel.last, *asked, request, now));
     if (is_ours_ || !asked) found_.add(turn(channel.last, asked, request, now));
+    if (is_ours_) channel.worked += static_cast<double>(found_[found_.count() - 1].takes);
     const Dependence& last = found_.last_one();
     WaitPaths::Path path = last.moment->path;
     if (found_.last() == 0 && asked)

@@ -26,6 +26,13 @@ public:
 
     // All that was answered.
     const Moment& all() const { return all_; }
+    // Cycles that each channel was at work since the start: whatever came sooner, it had all of
+    // that to do. None of a memory that is not ours.
+    template <class Add>
+    void for_each_channel_work(const Add& add) const {
+        for (const Channel& channel : channels_)
+            add(static_cast<float>(channel.worked));
+    }
     void restart();
     void add_heads(std::vector<WaitPaths::Path*>& heads);
 
@@ -33,6 +40,7 @@ private:
     struct Channel {
         Moment last{}; // answer
         MemoryTurns turns{};
+        double worked = 0; // cycles, whole sixteenths
     };
 
     float alone(const MemoryRequest& request) const;

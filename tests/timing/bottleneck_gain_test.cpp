@@ -27,6 +27,16 @@ void check_gain(const Figures& figures, const char* reckoned_as, std::uint64_t u
     CHECK(10 * reckoned <= 11 * gain);
 }
 
+// Beside the draw the host writes so many bytes.
+Figures run_beside_host(const TimingConfig& config, const WorkBin& bin, std::uint64_t bytes) {
+    GpuTiming timing(config);
+    work::CommandAssembler assembler(timing);
+    assembler.bin(std::make_shared<const WorkBin>(bin));
+    timing.host_transfer({.before_draw = 1, .is_write = true, .at = 1 << 26, .bytes = bytes});
+    assembler.end_frame(0);
+    return figures_of(timing);
+}
+
 } // namespace
 
 TEST_CASE("a draw bound by the fragment pipe gains what it takes less without its limit") {
@@ -67,6 +77,23 @@ TEST_CASE("a draw bound by the expansion of its texels gains what it takes less 
     config.texel_cache.decompress_cycles = GENERATE(5, 20);
     CAPTURE(config.texel_cache.fragment_fifo, config.texel_cache.decompress_cycles);
     check_gain(run(config, bin), "gain_texture_cycles", unlimited);
+}
+
+// Without the bus all of the host's bytes come while the draw's are still to be moved: the memory
+// moves both, and the frame takes no less.
+TEST_CASE("a frame bound by the host's bus gains what the memory leaves it") {
+    const WorkBin bin = fill(true);
+    TimingConfig config;
+    config.memory.channels = GENERATE(1, 2);
+    const std::uint64_t bus = GENERATE(1, 2);
+    config.memory.bytes_per_cycle = 8 / config.memory.channels;
+    config.host.bytes_per_cycle = 0;
+    const std::uint64_t bytes = 2 * bus * run_beside_host(config, bin, 0).at("total_cycles");
+    const std::uint64_t unlimited = run_beside_host(config, bin, bytes).at("total_cycles");
+    config.host.bytes_per_cycle = static_cast<std::uint32_t>(bus);
+    const Figures figures = run_beside_host(config, bin, bytes);
+    CAPTURE(bytes, figures.at("total_cycles"), unlimited);
+    check_gain(figures, "gain_host_cycles", unlimited);
 }
 
 } // namespace ffgpu::timing
