@@ -36,7 +36,8 @@ module quad_collect (
   assign is_unit_last = value_i.place[7];
 
   // The attribute's lanes into their places, if it is this quad's: what waits stays as it is.
-  // What a unit's coordinates do not carry does not matter.
+  // What a unit's coordinates do not carry does not matter, nor what they are of a quad without
+  // values, which asks for nothing.
   always_comb begin
     primary     = primary_q;
     secondary   = secondary_q;
@@ -52,7 +53,7 @@ module quad_collect (
       if (in_data_i.has_values && attribute == ffgpu_pipe_pkg::AttributeFog) begin
         fog[32*lane +: 32] = value_i.values[32*lane +: 32];
       end
-      if (in_data_i.has_values && attribute[5:4] != 2'd0) begin
+      if (attribute[5:4] != 2'd0) begin
         coordinates[96*lane + 32*attribute[1:0] +: 32] = value_i.values[32*lane +: 32];
       end
     end
