@@ -3,6 +3,7 @@
 #include <csignal>
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <unistd.h>
 
 namespace {
@@ -14,10 +15,18 @@ void occupy_standard_streams() {
         if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDONLY) != stream) return;
 }
 
+// What one batch of work was kept in is taken again by the next: given back to the system in
+// between its pages would be cleared anew, which was a fifth of the time of recording.
+void keep_freed_memory() {
+    ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
+    ::mallopt(M_MMAP_THRESHOLD, 32 << 20); // the largest that glibc takes
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
     occupy_standard_streams();
+    keep_freed_memory();
     // Whoever reads no further (ffgpu export ... | head) ends ffgpu without a word, also where the
     // shell that started it ignores the signal, as those of some schedulers do.
     std::signal(SIGPIPE, SIG_DFL);
