@@ -22,7 +22,7 @@ cp "$Package" "$root/tmp/ffgpu.deb"
 needs=$(dpkg-deb -f "$Package" Depends | sed 's/([^)]*)//g; s/ //g; s/|[^,]*//g; s/,/ /g')
 inside apt-get update -qq
 # shellcheck disable=SC2086
-inside env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $needs >/dev/null
+inside env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $needs zsh fish >/dev/null
 files >"$root/tmp/before"
 
 inside dpkg -i /tmp/ffgpu.deb >/dev/null
@@ -32,6 +32,9 @@ inside ffgpu replay /usr/share/ffgpu/traces/corridor.trace -o /tmp/out --frames 
 [ -s "$root/tmp/out/stats.json" ] || fail "no statistics"
 [ -e "$root/usr/share/man/man1/ffgpu-replay.1" ] || [ -e "$root/usr/share/man/man1/ffgpu-replay.1.gz" ] ||
     fail "no manual page"
+[ "$(inside zsh -c 'autoload -U compinit; compinit -u -d /tmp/zcompdump; print $_comps[ffgpu]')" = _ffgpu ] ||
+    fail "zsh knows no completion"
+[ "$(inside fish -c 'complete -C "ffgpu repl"' | cut -f1)" = replay ] || fail "fish knows no completion"
 
 inside dpkg --purge ffgpu >/dev/null
 files >"$root/tmp/after"
