@@ -34,7 +34,7 @@ inside ffgpu replay /usr/share/ffgpu/traces/corridor.trace -o /tmp/out --frames 
     fail "no manual page"
 [ "$(inside zsh -c 'autoload -U compinit; compinit -u -d /tmp/zcompdump; print $_comps[ffgpu]')" = _ffgpu ] ||
     fail "zsh knows no completion"
-[ "$(inside fish -c 'complete -C "ffgpu repl"' | cut -f1)" = replay ] || fail "fish knows no completion"
+[ "$(inside env HOME=/tmp fish -c 'complete -C "ffgpu repl"' | cut -f1)" = replay ] || fail "fish knows no completion"
 
 inside dpkg --purge ffgpu >/dev/null
 files >"$root/tmp/after"
