@@ -25,6 +25,7 @@
 #include "model/timing/memory/config.h"
 #include "model/work/config.h"
 
+#include <algorithm>
 #include <string_view>
 #include <type_traits>
 
@@ -63,6 +64,13 @@ struct TimingConfig {
                 .color_cache = color_cache,
                 .tiles = tiles,
                 .depth_test = depth.test};
+    }
+
+    // Of primitives from geometry to the clipper: on their way, as many a cycle as the wider end
+    // takes, and in the queue.
+    std::uint32_t primitive_places() const {
+        if (clip.kept_places != 0) return clip.kept_places;
+        return clip.queue + (vertex.latency - 1) * std::max(vertex.vertices_per_cycle, setup.units);
     }
 
     // What depends on values of depths and colours; empty: nothing.

@@ -31,11 +31,6 @@ Cycle latency_of_quads(const TimingConfig& config) {
     return config.interpolator.is_on() ? config.interpolator.latency : config.raster.latency;
 }
 
-// Of primitives a cycle.
-std::size_t assembly_width(const TimingConfig& config) {
-    return std::max(config.vertex.vertices_per_cycle, config.setup.units);
-}
-
 } // namespace
 
 Machine::Machine(const SimulationContext& kernel,
@@ -66,7 +61,8 @@ Machine::Machine(const SimulationContext& kernel,
     , drained(clock, 1)
     , draws(clock, 4)
     , vertices(clock, config.vertex.fetch_queue)
-    , primitives(clock, config.clip.queue, config.vertex.latency, assembly_width(config))
+    , primitives(
+          clock, config.primitive_places() - (config.vertex.latency - 1), config.vertex.latency)
     , clipped(clock, config.setup.queue)
     , setups(clock, config.setup.queue)
     , bins(clock, 1)

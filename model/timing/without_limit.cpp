@@ -56,10 +56,7 @@ void without_bandwidth(MemoryConfig& memory) {
     memory.memory_clocks = memory.core_clocks = 1;
 }
 
-// A link without latency keeps the places of its delay line.
 void without_links(TimingConfig& config) {
-    const std::uint32_t width = std::max(config.vertex.vertices_per_cycle, config.setup.units);
-    config.clip.queue += (config.vertex.latency - 1) * width;
     config.vertex.latency = config.fragment.latency = 1;
 }
 
@@ -83,6 +80,8 @@ bool has_limit(const TimingConfig& config, Resource resource) {
 }
 
 TimingConfig without_limit(TimingConfig config, Resource resource) {
+    // A delay line keeps its places, whatever its width and latency are now.
+    config.clip.kept_places = config.primitive_places();
     switch (resource) {
     case Resource::Host:
         config.host.bytes_per_cycle = 0;

@@ -1,6 +1,7 @@
 // The gain without a unit is reckoned right where that unit alone limits a draw: stages before and
 // behind it then take in one cycle and give in another.
 
+#include "model/timing/without_limit.h"
 #include "tests/timing/analytic_scenes.h"
 #include "tests/timing/machine_figures.h"
 
@@ -44,7 +45,7 @@ TEST_CASE("a draw bound by the fragment pipe gains what it takes less without it
     TimingConfig config;
     config.memory.bytes_per_cycle = 256;
     const std::uint64_t unlimited = run(config, bin).at("total_cycles");
-    config.fragment.quad_cycles = GENERATE(2, 3, 4, 6);
+    config.fragment.quad_cycles = GENERATE(2u, 3u, 4u, 6u);
     CAPTURE(config.fragment.quad_cycles);
     check_gain(run(config, bin), "gain_fragment_cycles", unlimited);
 }
@@ -59,7 +60,7 @@ TEST_CASE("a draw bound by its combiners gains what it takes less without them")
     config.memory.bytes_per_cycle = 256;
     config.fragment.distribution = GENERATE(Distribution::Tiles, Distribution::Triangles);
     const std::uint64_t unlimited = run(config, bin).at("total_cycles");
-    config.fragment.combiner_cycles = GENERATE(2, 3, 6);
+    config.fragment.combiner_cycles = GENERATE(2u, 3u, 6u);
     CAPTURE(config.fragment.distribution, config.fragment.combiner_cycles);
     check_gain(run(config, bin), "gain_fragment_cycles", unlimited);
 }
@@ -72,11 +73,24 @@ TEST_CASE("a draw bound by the expansion of its texels gains what it takes less 
     bin.draws[0].state = state;
     TimingConfig config;
     config.memory.bytes_per_cycle = 256;
-    config.texel_cache.fragment_fifo = GENERATE(1, 2);
+    config.texel_cache.fragment_fifo = GENERATE(1u, 2u);
     const std::uint64_t unlimited = run(config, bin).at("total_cycles");
-    config.texel_cache.decompress_cycles = GENERATE(5, 20);
+    config.texel_cache.decompress_cycles = GENERATE(5u, 20u);
     CAPTURE(config.texel_cache.fragment_fifo, config.texel_cache.decompress_cycles);
     check_gain(run(config, bin), "gain_texture_cycles", unlimited);
+}
+
+// A wider or shorter way from geometry would hold more, or fewer, primitives, which is no limit of
+// the resource: a draw bound by memory would gain by it.
+TEST_CASE("a machine without a limit keeps the places of its ways") {
+    TimingConfig config;
+    config.vertex.latency = GENERATE(1u, 40u, 400u);
+    config.setup.units = GENERATE(1u, 4u);
+    const std::uint32_t places =
+        config.clip.queue + (config.vertex.latency - 1) * config.setup.units;
+    CHECK(config.primitive_places() == places);
+    for (std::size_t i = 0; i < Resources; ++i)
+        CHECK(without_limit(config, static_cast<Resource>(i)).primitive_places() == places);
 }
 
 // Without the bus all of the host's bytes come while the draw's are still to be moved: the memory
@@ -84,8 +98,8 @@ TEST_CASE("a draw bound by the expansion of its texels gains what it takes less 
 TEST_CASE("a frame bound by the host's bus gains what the memory leaves it") {
     const WorkBin bin = fill(true);
     TimingConfig config;
-    config.memory.channels = GENERATE(1, 2);
-    const std::uint64_t bus = GENERATE(1, 2);
+    config.memory.channels = GENERATE(1u, 2u);
+    const std::uint64_t bus = GENERATE(1u, 2u);
     config.memory.bytes_per_cycle = 8 / config.memory.channels;
     config.host.bytes_per_cycle = 0;
     const std::uint64_t bytes = 2 * bus * run_beside_host(config, bin, 0).at("total_cycles");

@@ -13,6 +13,9 @@ struct ClipConfig {
     static constexpr std::string_view Name = "clip";
     std::uint32_t plane_cycles = 4;
     std::uint32_t queue = 16;
+    // No parameter: those of a machine that this one is compared with (without_limit.h); 0: its
+    // own.
+    std::uint32_t kept_places = 0;
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
