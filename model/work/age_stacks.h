@@ -32,13 +32,21 @@ public:
         const Entry latest = 2 * time + 1;
         if (stack[0] <= latest) return 0;
         if (stack[depth_ - 1] > latest) return depth_;
-        const Entry* first = stack; // of `rest` places, of which the last but one may be later
-        for (std::uint32_t rest = depth_; rest > 1;) {
-            const std::uint32_t half = rest / 2;
-            first += first[half - 1] > latest ? half : 0;
-            rest -= half;
-        }
-        return static_cast<std::uint32_t>(first - stack) + (*first > latest);
+        // A group at a time: most lines stand near the top.
+        std::uint32_t at = 0;
+        while (at + Group < depth_ && stack[at + Group - 1] > latest)
+            at += Group;
+        if (at + Group <= depth_) return at + later_in_group(stack + at, latest);
+        while (stack[at] > latest)
+            ++at;
+        return at;
+    }
+
+    // It will be asked for the line's position soon, and is larger than the processor's caches.
+    void prefetch(std::uint64_t line) const {
+        const Entry* const stack = entries_.data() + set_of(line);
+        __builtin_prefetch(stack);
+        __builtin_prefetch(stack + depth_ - 1);
     }
 
     // Of the set of `line`, above the position.
@@ -95,9 +103,16 @@ public:
 private:
     using Entry = std::uint32_t; // twice the time, and Hole; 0: none
     static constexpr Entry Hole = 1;
+    static constexpr std::uint32_t Group = 16; // a line of most processors' caches
 
     std::size_t set_of(std::uint64_t line) const {
         return static_cast<std::size_t>(line & mask_) * depth_;
+    }
+    static std::uint32_t later_in_group(const Entry* group, Entry latest) {
+        std::uint32_t later = 0;
+        for (std::uint32_t i = 0; i < Group; ++i)
+            later += group[i] > latest;
+        return later;
     }
     // `end` if none is above it.
     static std::uint32_t uppermost_hole(const Entry* stack, std::uint32_t end) {

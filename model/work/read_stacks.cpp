@@ -64,6 +64,11 @@ ReadStacks::Found ReadStacks::look_up(std::uint64_t line, std::uint64_t number) 
     return found;
 }
 
+void ReadStacks::prefetch(std::uint64_t line) const {
+    for (const AgeStacks& stack : stacks_)
+        stack.prefetch(line);
+}
+
 // It was at `at`, and is on top now: those before it are behind it.
 void ReadStacks::find_recent(unsigned at, Found& found) {
     found.depth = at;
@@ -84,6 +89,7 @@ void ReadStacks::find_recent(unsigned at, Found& found) {
 // the holes above it first.
 void ReadStacks::find_older(std::uint32_t id, Found& found) {
     const Line& line = lines_[id];
+    prefetch(line.line);
     Sharers sharers;
     for (unsigned i = 0; i < recent_.size(); ++i)
         if (recent_.use(i).left <= line.left) sharers.add(recent_.shared(i, line.line));
@@ -113,6 +119,7 @@ void ReadStacks::oldest_leaves() {
     for (AgeStacks& stack : stacks_)
         if (stack.use(line.line, use.left, line.left) == 0 && use.left > 0) break;
     recent_.drop_oldest();
+    if (recent_.size() > 0) prefetch(recent_.line(recent_.size() - 1)); // the next that leaves
 }
 
 std::vector<std::uint32_t> ReadStacks::older_first() const {

@@ -77,6 +77,7 @@ private:
     Line& record(std::uint32_t id);
     void find_recent(unsigned at, Found& found);
     void find_older(std::uint32_t id, Found& found);
+    void prefetch(std::uint64_t line) const;
     void oldest_leaves();
     void all_leave();
     std::vector<std::uint32_t> older_first() const;

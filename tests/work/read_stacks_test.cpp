@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -61,15 +62,17 @@ std::uint64_t next_line(std::mt19937& random, std::uint64_t before) {
 // Of 1, 2, 4 ... sets.
 using Plain = std::vector<PlainStacks>;
 
-void check_found(const ReadStacks::Found& found, const Plain& plain, std::uint64_t line) {
-    constexpr std::uint32_t MostWays = 9;
+void check_found(const ReadStacks::Found& found,
+                 const Plain& plain,
+                 std::uint64_t line,
+                 std::uint32_t most_ways) {
     REQUIRE(found.known == plain[0].has(line));
     if (!found.known) return;
     REQUIRE(found.depth == plain[0].position(line));
     for (std::size_t level = 0; level < 5; ++level) {
         const std::size_t position = plain[level + 1].position(line);
         const std::size_t told = level < found.positions.size() ? found.positions[level] : 0;
-        REQUIRE(told == std::min<std::size_t>(position, MostWays));
+        REQUIRE(told == std::min<std::size_t>(position, most_ways));
     }
 }
 
@@ -78,18 +81,26 @@ bool throws_out(std::mt19937& random, std::uint64_t number) {
     return number / 2500 % 2 == 1 && random() % 40 == 0;
 }
 
-// Times that end soon are counted anew many times.
+// Times that end soon are counted anew many times. Stacks are searched in groups: of a depth less
+// than one, of whole ones, and with a rest.
 TEST_CASE("lines stand in all stacks where plain lists of lines say", "[curves]") {
-    for (const AgeStacks::Time most_times : {1u << 30, 1000u}) {
+    using Shape = std::pair<std::uint32_t, AgeStacks::Time>; // most ways, most times
+    for (const auto& [most_ways, most_times] : {Shape{9, 1u << 30},
+                                                Shape{9, 1000},
+                                                Shape{1, 1000},
+                                                Shape{16, 1000},
+                                                Shape{32, 2000},
+                                                Shape{37, 2000}}) {
+        INFO(most_ways << " ways");
         std::mt19937 random(most_times);
-        ReadStacks stacks(32, 9, most_times);
+        ReadStacks stacks(32, most_ways, most_times);
         Plain plain;
         for (std::uint64_t sets = 1; sets <= 32; sets *= 2)
             plain.emplace_back(sets);
         std::uint64_t line = 0;
         for (std::uint64_t number = 0; number < 20000; ++number) {
             line = next_line(random, line);
-            check_found(stacks.look_up(line, number), plain, line);
+            check_found(stacks.look_up(line, number), plain, line, most_ways);
             for (PlainStacks& sets : plain)
                 sets.use(line);
             if (throws_out(random, number)) {
