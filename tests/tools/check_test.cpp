@@ -6,7 +6,9 @@
 #include "tests/tools/tool.h"
 #include "tools/check/reports.h"
 #include "tools/image/image.h"
+#include "tools/replay/interruption.h"
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -129,12 +131,118 @@ TEST_CASE("A suite that is wrong is one line with its place") {
     CHECK_THAT(error("max_rmse = 'x'\n" + std::string(One)),
                Contains(":1: max_rmse: expected a "
                         "number"));
-    CHECK_THAT(error(One + std::string("max_rmse = -1\n")), Contains(":4: max_rmse: below 0"));
+    CHECK_THAT(error(One + std::string("max_rmse = -1\n")),
+               Contains(":4: max_rmse: expected a number not below 0"));
     CHECK_THAT(error(One + std::string("samples = 3\n")), Contains("samples: expected 1 or 4"));
     CHECK_THAT(error(One + std::string("name = '../x'\n")), Contains("is not one of a folder"));
     CHECK_THAT(error(One + std::string(One)), Contains("there is a trace clears before"));
     CHECK_THAT(error("[[trace]\n"), Contains(":1"));
+    CHECK_THAT(error(One + std::string("frames = '2-x'\n")), Contains(":4: frames 2-x: expected"));
+    CHECK_THAT(error(One + std::string("max_rmse = nan\n")), Contains("expected a number"));
     CHECK(run({"check", "/no/such/suite.toml", "-o", "/tmp"}) == 2);
+}
+
+TEST_CASE("A suite whose output would be written over references draws nothing") {
+    const Workshop shop;
+    shop.suite(One);
+    REQUIRE(shop.check({"--update"}) == 0);
+    const std::string kept = content(shop.folder / "wanted/frame_0000.png");
+    fs::create_directory(shop.folder / "out2");
+    fs::create_directory_symlink(shop.folder / "wanted", shop.folder / "out2/clears");
+    CHECK(run({"check", shop.folder / "suite.toml", "-o", shop.folder / "out2"}) == 2);
+    shop.suite(One + std::string("name = 'wanted'\nframes = '1'\n"));
+    CHECK(run({"check", shop.folder / "suite.toml", "-o", shop.folder.path()}) == 2);
+    CHECK(run({"check", shop.folder / "suite.toml", "-o", shop.folder.path(), "--update"}) == 2);
+    CHECK(content(shop.folder / "wanted/frame_0000.png") == kept);
+    CHECK_FALSE(fs::exists(shop.folder / "wanted/stats.json"));
+}
+
+TEST_CASE("A reference that cannot be looked at is one line, or an error of its frame") {
+    const Workshop shop;
+    shop.suite(One);
+    REQUIRE(shop.check({"--update"}) == 0);
+    fs::remove(shop.folder / "wanted/frame_0001.png");
+    fs::create_symlink("frame_0001.png", shop.folder / "wanted/frame_0001.png"); // no end
+    fs::remove(shop.folder / "wanted/frame_0002.png");
+    fs::create_directory(shop.folder / "wanted/frame_0002.png");
+    std::ofstream(shop.folder / "wanted/frame_0003.png") << "\x89PNG\r\n";
+    CHECK(shop.check() == 1);
+    CHECK_THAT(shop.junit(), Contains("tests=\"4\" failures=\"0\" errors=\"3\""));
+}
+
+TEST_CASE("Pictures beside a frame in the references are no frames") {
+    const Workshop shop;
+    shop.suite(One);
+    REQUIRE(shop.check({"--update"}) == 0);
+    fs::copy(shop.folder / "wanted/frame_0001.png",
+             shop.folder / "wanted/frame_0001_difference.png");
+    CHECK(shop.check() == 0);
+}
+
+TEST_CASE("Frames that a suite asks for and its trace does not have are told of") {
+    const Workshop shop;
+    shop.suite(One);
+    REQUIRE(shop.check({"--update"}) == 0);
+    shop.suite(One + std::string("frames = '0-9'\n"));
+    int status = -1;
+    const std::string said = printed(stderr, [&] { status = shop.check(); });
+    CHECK(status == 0);
+    CHECK_THAT(said, Contains("ends before frame 4, 9 was asked for"));
+}
+
+TEST_CASE("A suite that is interrupted reports what it drew, and what it did not") {
+    const Workshop shop;
+    shop.suite(One + std::string("name = 'first'\n") + One);
+    REQUIRE(shop.check({"--update"}) == 0);
+    const Suite suite = read_suite(shop.folder / "suite.toml");
+    const Interruption interruption;
+    CheckOptions options;
+    options.output = shop.folder / "stopped";
+    options.on_frame = [](const CheckedFrame& frame) {
+        if (frame.trace == "first" && frame.name == "frame_0003") std::raise(SIGTERM);
+    };
+    const std::vector<CheckedFrame> frames = check_suite(suite, options);
+    REQUIRE(frames.size() == 5);
+    CHECK(frames[3].verdict == Verdict::Passed);
+    CHECK(frames[4].trace == "clears");
+    CHECK(frames[4].verdict == Verdict::Error);
+    CHECK_THAT(frames[4].message, StartsWith("interrupted"));
+}
+
+TEST_CASE("A report names files of any name as a page's addresses") {
+    CheckedFrame frame;
+    frame.trace = "t";
+    frame.verdict = Verdict::Failed;
+    frame.picture = "a#b?c%20 d\xC3\xA4:e/frame_0000.png";
+    CHECK_THAT(html_report("s", {frame}),
+               Contains("<img src=\"a%23b%3Fc%2520%20d%C3%A4%3Ae/frame_0000.png\""));
+}
+
+TEST_CASE("Reports are XML whatever bytes a name has") {
+    CheckedFrame frame;
+    frame.name = "frame_0000";
+    // RFC 3629: a lone byte, an overlong form, a surrogate, beyond Unicode; XML: no U+FFFE.
+    for (const char* const wrong : {"\xFF",
+                                    "\x80",
+                                    "\xC0\xAF",
+                                    "\xE0\x80\x80",
+                                    "\xED\xA0\x80",
+                                    "\xF4\x90\x80\x80",
+                                    "\xEF\xBF\xBE",
+                                    "\xEF\xBF\xBF",
+                                    "\xC3",
+                                    "\xF0\x9F\x98"}) {
+        INFO(wrong);
+        frame.trace = std::string("a") + wrong;
+        CHECK_THAT(junit_report("s", {frame}),
+                   Contains("classname=\"a\xEF\xBF\xBD") && !Contains(wrong));
+    }
+    for (const char* const right :
+         {"\xC3\xA4", "\xE6\x97\xA5", "\xF0\x9F\x98\x80", "\xEF\xBF\xBD"}) {
+        frame.trace = right;
+        CHECK_THAT(junit_report("s", {frame}),
+                   Contains("classname=\"" + std::string(right) + "\""));
+    }
 }
 
 TEST_CASE("What stands in reports cannot break out of them") {

@@ -70,6 +70,38 @@ TEST_CASE("Each bad input is one clear line and exit status 2") {
     CHECK(run({"compare", "/nonexistent", "/nonexistent"}) == 2);
 }
 
+TEST_CASE("A folder where a text is expected is one line") {
+    const TemporaryFolder folder;
+    const TemporaryFile file(trace::in_snappy(clears(1)));
+    const auto said = [](const std::vector<std::string>& words) {
+        return printed(stderr, [&] { CHECK(run(words) == 2); });
+    };
+    const std::string line = "ffgpu: " + folder.path() + ": cannot be read\n";
+    CHECK(said({"config", "--config", folder.path()}) == line);
+    CHECK(said({"replay", file.path(), "-o", folder / "out", "--config", folder.path()}) == line);
+    CHECK(said({"check", folder.path(), "-o", folder / "out"}) == line);
+}
+
+TEST_CASE("What the system says of a folder is one line") {
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("loop", folder / "loop");
+    std::filesystem::create_directory(folder / "pictures");
+    const std::string said = printed(stderr, [&] {
+        CHECK(run({"compare", folder / "pictures", folder / "loop"}) == 2);
+    });
+    CHECK_THAT(said, Contains(folder / "loop"));
+    CHECK(std::count(said.begin(), said.end(), '\n') == 1);
+}
+
+TEST_CASE("A report of a folder whose name is no UTF-8 is a page") {
+    const TemporaryFolder folder;
+    const TemporaryFile file(trace::in_snappy(clears(1)));
+    const std::string out = folder / "o\xFF";
+    REQUIRE(run({"replay", file.path(), "-o", out}) == 0);
+    REQUIRE(run({"report", out}) == 0);
+    CHECK_THAT(content(out + "/report.html"), Contains("o\xEF\xBF\xBD"));
+}
+
 TEST_CASE("Frames before a damaged place are written, and so are their statistics") {
     const TemporaryFolder folder;
     const std::string whole = clears(3);

@@ -89,6 +89,15 @@ TEST_CASE("Of another register diff names the draw and the register's field") {
     CHECK(found->entries[0].b == "41");
 }
 
+TEST_CASE("A trace is equal to its capture, which has no calls") {
+    const TemporaryFile trace(trace::in_snappy(clears(3, true))), capture("", ".ffc");
+    REQUIRE(run({"replay", trace.path(), "--capture", capture.path()}) == 0);
+    CHECK(run({"diff", trace.path(), capture.path()}) == 0);
+    CHECK(run({"diff", capture.path(), trace.path()}) == 0);
+    const TemporaryFile other(trace::in_snappy(clears(3)));
+    CHECK(run({"diff", other.path(), capture.path()}) == 1);
+}
+
 TEST_CASE("diff's exit status and words") {
     const TemporaryFile a("", ".ffc"), b("", ".ffc");
     write_capture(a.path());

@@ -207,7 +207,7 @@ TEST_CASE("the page of a region holds each pixel's history and colour") {
     const std::string begin = "id=\"data\">";
     const std::size_t from = page.find(begin) + begin.size();
     const auto data = nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
-    CHECK(page.find("<h1>a &lt;title></h1>") != std::string::npos);
+    CHECK(page.find("<h1>a &lt;title&gt;</h1>") != std::string::npos);
     CHECK(data["colors"] == std::vector<std::string>{"ff0000", "00ff00"});
     for (std::size_t i = 0; i < 2; ++i) {
         std::string text;

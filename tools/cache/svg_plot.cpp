@@ -1,6 +1,7 @@
 #include "tools/cache/svg_plot.h"
 
 #include "tools/cache/size_name.h"
+#include "tools/page/page.h"
 
 #include <algorithm>
 #include <array>
@@ -20,19 +21,6 @@ constexpr double Left = 64, Right = 590, Top = 44, Bottom = 366; // of the axes
 constexpr std::array<const char*, 6> Colors{
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
 constexpr std::array<const char*, 3> Dashes{"", "6 3", "2 2"};
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '<')
-            out += "&lt;";
-        else if (c == '&')
-            out += "&amp;";
-        else
-            out += c;
-    }
-    return out;
-}
 
 // The next of 1, 2, 5, 10, 20 ... thousandths, in five steps.
 double nice_most(double value) {

@@ -1,11 +1,14 @@
 #include "tools/check/check_suite.h"
 
 #include "model/base/input_error.h"
+#include "tools/replay/interruption.h"
 #include "tools/replay/replay.h"
 #include "tools/report/statistics_file.h"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -15,15 +18,44 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view Prefix = "frame_";
+
+// frame_0000.png, and frame_0000_reference.png beside it, without ".png".
 std::set<std::string> pictures_in(const fs::path& folder) {
     std::set<std::string> names;
     std::error_code missing;
     for (const auto& entry : fs::directory_iterator(folder, missing)) {
         const fs::path name = entry.path().filename();
-        if (name.string().starts_with("frame_") && name.extension() == ".png")
+        if (name.string().starts_with(Prefix) && name.extension() == ".png")
             names.insert(name.stem().string());
     }
     return names;
+}
+
+// Of "frame_0012"; nothing for a picture beside it.
+std::optional<std::uint64_t> frame_number(const std::string& name) {
+    std::uint64_t number = 0;
+    const char* const end = name.data() + name.size();
+    const auto read = std::from_chars(name.data() + Prefix.size(), end, number);
+    return read.ec == std::errc() && read.ptr == end ? std::optional(number) : std::nullopt;
+}
+
+// Where a path leads, whether or not it is there.
+fs::path destination(const fs::path& path) {
+    std::error_code error;
+    const fs::path resolved = fs::weakly_canonical(path / ".", error);
+    return error ? path : resolved;
+}
+
+// The pictures drawn must not become the references that they are compared with.
+void check_folders(const Suite& suite, const fs::path& output) {
+    for (const SuiteTrace& drawn : suite.traces)
+        for (const SuiteTrace& trace : suite.traces)
+            if (destination(output / drawn.name) == destination(trace.reference))
+                throw InputError(
+                    fmt::format("{}: holds the references of {}, which would be written over",
+                                (output / drawn.name).string(),
+                                trace.name));
 }
 
 std::string verdict_text(const Difference& difference, const Tolerance& tolerance) {
@@ -50,24 +82,31 @@ public:
             fs::remove(folder_ / (older + ".png"));
         if (const auto wrong = draw()) return {told(*wrong)};
         std::set<std::string> names = pictures_in(folder_);
-        for (const std::string& name : pictures_in(trace_.reference))
-            if (is_wanted(name)) names.insert(name);
+        const bool is_whole = Interruption::signal() == 0;
+        if (is_whole)
+            for (const std::string& name : pictures_in(trace_.reference))
+                if (is_wanted(name)) names.insert(name);
         std::vector<CheckedFrame> frames;
         frames.reserve(names.size());
         for (const std::string& name : names)
             frames.push_back(told(check(name)));
+        if (!is_whole) frames.push_back(told(not_drawn("interrupted: the rest is not drawn")));
         return frames;
     }
 
 private:
     bool is_wanted(const std::string& name) const {
-        return trace_.frames.contains(
-            std::strtoull(name.c_str() + std::string("frame_").size(), nullptr, 10));
+        const auto number = frame_number(name);
+        return number && trace_.frames.contains(*number);
     }
 
     const CheckedFrame& told(const CheckedFrame& frame) const {
         options_.on_frame(frame);
         return frame;
+    }
+
+    CheckedFrame not_drawn(const std::string& why) const {
+        return {trace_.name, "replay", Verdict::Error, why, {}, "", "", ""};
     }
 
     // What went wrong.
@@ -77,15 +116,17 @@ private:
         replay_options.output = folder_.string();
         replay_options.frames = trace_.frames;
         replay_options.samples = trace_.samples;
+        replay_options.warn = [this](const std::string& line) {
+            options_.warn(trace_.name + ": " + line);
+        };
+        if (Interruption::signal() != 0) return not_drawn("interrupted: not drawn");
         try {
             replay(replay_options);
         } catch (const InputError& error) {
-            return CheckedFrame{
-                trace_.name, "replay", Verdict::Error, error.what(), {}, "", "", ""};
+            return not_drawn(error.what());
         }
         if (!pictures_in(folder_).empty()) return std::nullopt;
-        return CheckedFrame{
-            trace_.name, "replay", Verdict::Error, "it shows no picture", {}, "", "", ""};
+        return not_drawn("it shows no picture");
     }
 
     CheckedFrame check(const std::string& name) const {
@@ -149,6 +190,7 @@ private:
 } // namespace
 
 std::vector<CheckedFrame> check_suite(const Suite& suite, const CheckOptions& options) {
+    check_folders(suite, options.output);
     std::vector<CheckedFrame> frames;
     for (const SuiteTrace& trace : suite.traces) {
         const std::vector<CheckedFrame> checked = TraceCheck(trace, options).run();

@@ -29,11 +29,14 @@ struct CheckedFrame {
 struct CheckOptions {
     std::string output;  // a folder
     bool update = false; // References become what is drawn now.
+    std::function<void(const std::string&)> warn = [](const std::string&) {};
     std::function<void(const CheckedFrame&)> on_frame = [](const CheckedFrame&) {};
 };
 
-// In the order of the suite. Throws InputError where the output cannot be written; what is wrong
-// with a trace or a reference is an error of its frame.
+// In the order of the suite. Throws InputError where the output cannot be written, or holds the
+// references, which would be written over; what is wrong with a trace or a reference is an error of
+// its frame. After an Interruption the frames that are drawn are compared, and what is not drawn is
+// an error.
 std::vector<CheckedFrame> check_suite(const Suite& suite, const CheckOptions& options);
 
 } // namespace ffgpu::tools

@@ -1,34 +1,33 @@
 #include "tools/check/reports.h"
 
+#include "tools/page/page.h"
+
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 
 namespace ffgpu::tools {
 namespace {
 
-// For XML and HTML, also in quotes. Control characters are not allowed there.
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char character : text) {
-        switch (character) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        default:
-            result += static_cast<unsigned char>(character) < ' ' ? ' ' : character;
-        }
+// Within one line.
+std::string escaped_line(std::string text) {
+    std::ranges::replace_if(
+        text, [](char character) { return static_cast<unsigned char>(character) < ' '; }, ' ');
+    return escaped(text);
+}
+
+// A file's path as a page's address (RFC 3986): a name may hold '#', '?', '%' or any byte.
+std::string address(const std::string& path) {
+    std::string text;
+    for (const char character : path) {
+        const auto byte = static_cast<unsigned char>(character);
+        const bool stands_for_itself =
+            (byte < 0x80 && std::isalnum(byte)) ||
+            std::string_view("/-._~").find(character) != std::string_view::npos;
+        text += stands_for_itself ? std::string(1, character) : fmt::format("%{:02X}", byte);
     }
-    return result;
+    return text;
 }
 
 std::size_t count_of(const std::vector<CheckedFrame>& frames, Verdict verdict) {
@@ -36,12 +35,15 @@ std::size_t count_of(const std::vector<CheckedFrame>& frames, Verdict verdict) {
 }
 
 std::string junit_case(const CheckedFrame& frame) {
-    const std::string head = fmt::format(
-        R"(    <testcase classname="{}" name="{}")", escaped(frame.trace), escaped(frame.name));
+    const std::string head = fmt::format(R"(    <testcase classname="{}" name="{}")",
+                                         escaped_line(frame.trace),
+                                         escaped_line(frame.name));
     if (frame.verdict == Verdict::Passed) return head + "/>\n";
     const char* const kind = frame.verdict == Verdict::Failed ? "failure" : "error";
-    return fmt::format(
-        "{}>\n      <{} message=\"{}\"/>\n    </testcase>\n", head, kind, escaped(frame.message));
+    return fmt::format("{}>\n      <{} message=\"{}\"/>\n    </testcase>\n",
+                       head,
+                       kind,
+                       escaped_line(frame.message));
 }
 
 constexpr const char* PageHead = R"(<!DOCTYPE html>
@@ -69,7 +71,7 @@ std::string figure(const std::string& file, const char* caption) {
     if (file.empty()) return "";
     return fmt::format(
         "<figure><img src=\"{0}\" alt=\"{1}\"><figcaption>{1}</figcaption></figure>\n",
-        escaped(file),
+        address(file),
         caption);
 }
 
@@ -79,7 +81,7 @@ std::string junit_report(const std::string& suite, const std::vector<CheckedFram
     std::string text =
         fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                     "<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
-                    escaped(suite),
+                    escaped_line(suite),
                     frames.size(),
                     count_of(frames, Verdict::Failed),
                     count_of(frames, Verdict::Error));
@@ -89,7 +91,7 @@ std::string junit_report(const std::string& suite, const std::vector<CheckedFram
         const std::vector<CheckedFrame> trace(begin, end);
         text +=
             fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
-                        escaped(begin->trace),
+                        escaped_line(begin->trace),
                         trace.size(),
                         count_of(trace, Verdict::Failed),
                         count_of(trace, Verdict::Error));
@@ -103,28 +105,28 @@ std::string junit_report(const std::string& suite, const std::vector<CheckedFram
 
 std::string html_report(const std::string& suite, const std::vector<CheckedFrame>& frames) {
     std::string text = fmt::format(fmt::runtime(PageHead),
-                                   escaped(suite),
+                                   escaped_line(suite),
                                    count_of(frames, Verdict::Passed),
                                    count_of(frames, Verdict::Failed),
                                    count_of(frames, Verdict::Error));
     for (const CheckedFrame& frame : frames) {
         if (frame.verdict == Verdict::Passed) continue;
         text += fmt::format("<h2>{} {}</h2>\n<p class=\"{}\">{}</p>\n",
-                            escaped(frame.trace),
-                            escaped(frame.name),
+                            escaped_line(frame.trace),
+                            escaped_line(frame.name),
                             name_of(frame.verdict),
-                            escaped(frame.message));
+                            escaped_line(frame.message));
         text += figure(frame.picture, "drawn") + figure(frame.reference, "reference") +
                 figure(frame.difference_picture, "difference, times 8");
     }
     text += "<h2>All</h2>\n<table>\n<tr><th>trace<th>frame<th>result<th>\n";
     for (const CheckedFrame& frame : frames)
         text += fmt::format("<tr><td>{}<td>{}<td class=\"{}\">{}<td>{}\n",
-                            escaped(frame.trace),
-                            escaped(frame.name),
+                            escaped_line(frame.trace),
+                            escaped_line(frame.name),
                             name_of(frame.verdict),
                             name_of(frame.verdict),
-                            escaped(frame.message));
+                            escaped_line(frame.message));
     return text + "</table>\n</html>\n";
 }
 

@@ -3,15 +3,13 @@
 #include "model/base/input_error.h"
 #include "model/device/layout/limits.h"
 #include "tools/config/nearest_name.h"
+#include "tools/config/toml_file.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 namespace ffgpu::tools {
 namespace {
@@ -44,12 +42,16 @@ public:
     }
     std::optional<double> number(const char* key) const {
         const auto number = value<double>(key, "a number");
-        if (number && !(*number >= 0)) fail(*table_.get(key), key + std::string(": below 0"));
+        if (number && !(*number >= 0))
+            fail(*table_.get(key), key + std::string(": expected a number not below 0"));
         return number;
     }
 
     [[noreturn]] void fail(const toml::node& node, const std::string& what) const {
-        throw InputError(fmt::format("{}:{}: {}", path_, node.source().begin.line, what));
+        throw InputError(place(node) + ": " + what);
+    }
+    std::string place(const toml::node& node) const {
+        return fmt::format("{}:{}", path_, node.source().begin.line);
     }
     const toml::table& node() const { return table_; }
 
@@ -88,7 +90,9 @@ SuiteTrace read_trace(const Table& table, const fs::path& folder, const Toleranc
     trace.name = table.text("name").value_or(input.stem().string());
     if (trace.name.empty() || trace.name[0] == '.' || trace.name.find('/') != std::string::npos)
         table.fail(table.node(), fmt::format("name {}: is not one of a folder", trace.name));
-    if (const auto frames = table.text("frames")) trace.frames = parse_frame_range(*frames);
+    if (const auto frames = table.text("frames"))
+        trace.frames =
+            parse_frame_range(*frames, table.place(*table.node().get("frames")) + ": frames");
     trace.tolerance = tolerance_in(table, usual);
     const double samples = table.number("samples").value_or(1);
     if (samples != 1 && samples != MaxSamples)
@@ -97,22 +101,10 @@ SuiteTrace read_trace(const Table& table, const fs::path& folder, const Toleranc
     return trace;
 }
 
-toml::table parse_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file.is_open() || file.bad()) throw InputError(path + ": cannot be read");
-    try {
-        return toml::parse(text, path);
-    } catch (const toml::parse_error& error) {
-        throw InputError(fmt::format(
-            "{}:{}: {}", path, error.source().begin.line, std::string(error.description())));
-    }
-}
-
 } // namespace
 
 Suite read_suite(const std::string& path) {
-    const toml::table file = parse_file(path);
+    const toml::table file = read_toml_file(path);
     const Table table(file, path);
     table.expect_keys(SuiteKeys);
     Suite suite{.name = table.text("name").value_or(fs::path(path).stem().string()), .traces = {}};

@@ -2,6 +2,8 @@
 #include "tools/check/check_suite.h"
 #include "tools/check/reports.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/warn.h"
+#include "tools/replay/interruption.h"
 #include "tools/report/statistics_file.h"
 
 #include <algorithm>
@@ -37,12 +39,15 @@ int run_check(Arguments& arguments) {
     const std::filesystem::path output = arguments.check.output;
     make_folder(output.string());
     arguments.check.on_frame = tell;
+    arguments.check.warn = warn;
+    const Interruption interruption;
     const std::vector<CheckedFrame> frames = check_suite(suite, arguments.check);
     write_text((output / "index.html").string(), html_report(suite.name, frames));
     if (arguments.junit.empty()) arguments.junit = (output / "junit.xml").string();
     write_text(arguments.junit, junit_report(suite.name, frames));
     const auto passed = std::ranges::count(frames, Verdict::Passed, &CheckedFrame::verdict);
     fmt::print("{} of {} pass; {}\n", passed, frames.size(), (output / "index.html").string());
+    if (Interruption::signal() != 0) return 128 + Interruption::signal(); // as the shell says it
     return passed == std::ssize(frames) ? 0 : 1;
 }
 

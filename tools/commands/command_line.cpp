@@ -11,9 +11,11 @@
 #include <cstdio>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 namespace ffgpu::tools {
 namespace {
@@ -75,6 +77,10 @@ int status_of(const std::function<int()>& work) {
         return fail(stuck.what(), timing::StuckStatus);
     } catch (const std::bad_alloc&) {
         return fail("out of memory: of the host, or of the device for what it is given to draw");
+    } catch (const std::system_error& error) { // Of a folder or a file, with its path.
+        return fail(error.what());
+    } catch (const nlohmann::json::exception& error) { // A path that is not UTF-8, where JSON is.
+        return fail(error.what());
     }
 }
 

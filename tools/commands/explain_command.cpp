@@ -9,6 +9,7 @@
 #include "tools/explain/history_json.h"
 #include "tools/explain/history_text.h"
 #include "tools/explain/region_page.h"
+#include "tools/page/json_text.h"
 #include "tools/record/recording_arguments.h"
 
 #include <charconv>
@@ -75,7 +76,7 @@ void explain_pixel(const Arguments& arguments, const ExplainedFrame& frame) {
     const std::vector<PixelHistory> histories = frame.histories({{at[0], y}});
     const PixelHistory& history = histories.front();
     const std::string text =
-        arguments.json ? history_json(history).dump(2) + '\n' : history_text(history);
+        arguments.json ? json_text(history_json(history), 2) + '\n' : history_text(history);
     if (arguments.output.empty())
         std::fputs(text.c_str(), stdout);
     else

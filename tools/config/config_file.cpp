@@ -4,17 +4,14 @@
 #include "tools/config/config_text.h"
 #include "tools/config/nearest_name.h"
 #include "tools/config/preset.h"
+#include "tools/config/toml_file.h"
 
 #include <bit>
 #include <cctype>
-#include <fstream>
-#include <sstream>
 #include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
-#define TOML_ENABLE_FORMATTERS 0
-#include <toml++/toml.h>
 
 namespace ffgpu::tools {
 namespace {
@@ -155,15 +152,6 @@ void apply(const toml::table& tables, const std::string& source, Configuration& 
     }
 }
 
-toml::table parse(const std::string& text, const std::string& source) {
-    try {
-        return toml::parse(text, source);
-    } catch (const toml::parse_error& error) {
-        throw InputError(fmt::format(
-            "{}:{}: {}", source, error.source().begin.line, std::string(error.description())));
-    }
-}
-
 // raster.traversal=scanline -> raster.traversal="scanline": a shell takes TOML's quotes away.
 std::string quote_choice(const std::string& setting) {
     const std::size_t value = setting.find_first_not_of(" =", setting.find('='));
@@ -189,14 +177,11 @@ std::string written(const Field& field, const ParameterInfo& info) {
 
 void read_config_file(const std::string& path, Configuration& configuration) {
     if (is_preset(path)) return apply_preset(path, configuration);
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file.is_open() || file.bad()) throw InputError(path + ": cannot be read");
-    apply(parse(text, path), path, configuration);
+    apply(read_toml_file(path), path, configuration);
 }
 
 void apply_text(const std::string& text, const std::string& source, Configuration& configuration) {
-    apply(parse(text, source), source, configuration);
+    apply(parse_toml(text, source), source, configuration);
 }
 
 void apply_setting(const std::string& setting, Configuration& configuration) {

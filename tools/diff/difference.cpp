@@ -71,6 +71,12 @@ std::vector<std::string> names_of(const AccountParts& parts) {
     return names;
 }
 
+// A trace's calls are where a command comes from, and no part of it: a capture has none.
+Words without_call(Words line) {
+    if (line.size() > 4) line.erase(line.begin() + 3, line.begin() + 5);
+    return line;
+}
+
 struct DifferentCommand {
     Difference difference;
     AccountParts parts;
@@ -83,15 +89,15 @@ std::optional<DifferentCommand> find_command(const DiffOptions& options) {
         if (!line_a && !line_b) return std::nullopt;
         if (line_a == line_b) continue;
         const Words words_a = split(line_a.value_or("")), words_b = split(line_b.value_or(""));
+        if (without_call(words_a) == without_call(words_b)) continue;
         DifferentCommand found{command_of(line_a ? words_a : words_b), {}};
         if (line_a && line_b) found.parts = different_parts(words_a, words_b);
         if (found.parts.none())
-            found.difference.entries.push_back(
-                {"command",
-                 "number " + (line_a ? words_a : words_b)[0],
-                 "name",
-                 line_a ? words_a[5] + " of call " + words_a[3] : "the end",
-                 line_b ? words_b[5] + " of call " + words_b[3] : "the end"});
+            found.difference.entries.push_back({"command",
+                                                "number " + (line_a ? words_a : words_b)[0],
+                                                "name",
+                                                line_a ? words_a[5] : "the end",
+                                                line_b ? words_b[5] : "the end"});
         return found;
     }
 }

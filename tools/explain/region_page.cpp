@@ -2,6 +2,7 @@
 
 #include "model/memory/pixel_format.h"
 #include "tools/explain/history_text.h"
+#include "tools/page/json_text.h"
 #include "tools/page/page.h"
 
 #include <map>
@@ -60,7 +61,7 @@ std::string region_page(const PageRegion& region, std::span<const PixelHistory> 
     data["lines"] = table.lines();
     return html_of({.title = "ffgpu explain: " + region.title,
                     .body = fmt::format(Body, escaped(region.title)),
-                    .data = data.dump(),
+                    .data = json_text(data),
                     .css = {"region.css"},
                     .code = {"region.js"}});
 }

@@ -26,7 +26,9 @@ ReadPicture load_picture_reader(const std::string& path) {
 } // namespace
 
 Image read_image(const std::string& path) {
-    if (!std::filesystem::exists(path)) throw InputError(path + ": does not exist");
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
+        throw InputError(path + ": " + (error ? error.message() : "does not exist"));
     if (is_png(path)) return read_png(path);
     static const ReadPicture read = load_picture_reader(path);
     Image image;

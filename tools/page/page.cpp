@@ -3,6 +3,10 @@
 #include "model/base/check.h"
 #include "tools/page/assets.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
+
 namespace ffgpu::tools {
 namespace {
 
@@ -41,21 +45,61 @@ void add_script(std::string& html, std::string_view name) {
     html.append("<script>\n").append(known_asset(name)).append("</script>\n");
 }
 
+// Of the character that the text begins with; 0: it is none that XML allows (its section 2.2), in
+// UTF-8 (RFC 3629).
+std::size_t character_bytes(std::string_view text) {
+    const auto byte = [&](std::size_t i) -> unsigned {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
+    };
+    const unsigned first = byte(0);
+    if (first < 0x80)
+        return first >= ' ' || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
+    constexpr std::array<unsigned, 5> Least{0, 0, 0x80, 0x800, 0x10000}; // by length
+    const auto length =
+        static_cast<std::size_t>(std::countl_one(static_cast<unsigned char>(first)));
+    if (length < 2 || length > 4) return 0;
+    unsigned code = first & (0x7Fu >> length);
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0u) != 0x80) return 0;
+        code = code << 6 | (byte(i) & 0x3Fu);
+    }
+    const bool is_surrogate = code >= 0xD800 && code < 0xE000;
+    const bool is_allowed = code >= Least[length] && code <= 0x10FFFF && !is_surrogate &&
+                            code != 0xFFFE && code != 0xFFFF;
+    return is_allowed ? length : 0;
+}
+
+// Empty: the character stands for itself.
+std::string_view entity(char character) {
+    switch (character) {
+    case '<':
+        return "&lt;";
+    case '>':
+        return "&gt;";
+    case '&':
+        return "&amp;";
+    case '"':
+        return "&quot;";
+    default:
+        return {};
+    }
+}
+
 } // namespace
 
 std::string escaped(std::string_view text) {
-    std::string html;
-    for (const char character : text) {
-        if (character == '<')
-            html += "&lt;";
-        else if (character == '&')
-            html += "&amp;";
-        else if (character == '"')
-            html += "&quot;";
+    std::string markup;
+    while (!text.empty()) {
+        const std::size_t bytes = character_bytes(text);
+        if (bytes == 0)
+            markup += "\xEF\xBF\xBD"; // U+FFFD
+        else if (const std::string_view name = entity(text[0]); !name.empty())
+            markup += name;
         else
-            html += character;
+            markup += text.substr(0, bytes);
+        text.remove_prefix(std::max<std::size_t>(bytes, 1));
     }
-    return html;
+    return markup;
 }
 
 std::string html_of(const Page& page) {

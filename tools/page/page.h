@@ -19,7 +19,8 @@ struct Page {
 
 std::string html_of(const Page& page);
 
-// Plain text as HTML.
+// Plain text as HTML or XML, also within double quotes. What is no UTF-8, or no character that XML
+// allows, becomes U+FFFD: a file's name may be any bytes.
 std::string escaped(std::string_view text);
 
 } // namespace ffgpu::tools

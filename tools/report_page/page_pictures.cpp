@@ -3,6 +3,7 @@
 #include "model/base/input_error.h"
 #include "tools/image/png_file.h"
 #include "tools/page/data_url.h"
+#include "tools/page/json_text.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -130,7 +131,7 @@ pictures_of(const std::string& folder, const RunFigures& figures, std::size_t mo
             continue;
         }
         nlohmann::ordered_json entry = entry_of(picture, frame, result.shrunk);
-        const std::size_t bytes = entry.dump().size() + picture.map.size();
+        const std::size_t bytes = json_text(entry).size() + picture.map.size();
         if (bytes > most_bytes) {
             ++result.left_out;
             continue;

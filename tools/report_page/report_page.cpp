@@ -3,6 +3,7 @@
 #include "model/base/input_error.h"
 #include "model/base/whole_file.h"
 #include "tools/page/assets.h"
+#include "tools/page/json_text.h"
 #include "tools/page/page.h"
 #include "tools/report_page/run_data.h"
 #include "tools/report_page/run_difference.h"
@@ -53,7 +54,7 @@ Json difference_json(const RunDifference& difference) {
 
 std::string value_text(const nlohmann::json& value) {
     if (value.is_null()) return "(none)";
-    return value.is_string() ? value.get<std::string>() : value.dump();
+    return value.is_string() ? value.get<std::string>() : json_text(value);
 }
 
 std::string difference_text(const RunDifference& difference) {
@@ -78,7 +79,7 @@ std::string difference_text(const RunDifference& difference) {
 std::string page_of(const Json& data, const std::string& title) {
     Page page{.title = "ffgpu report: " + title,
               .body = std::string(asset("report.html")),
-              .data = data.dump(-1, ' ', false, Json::error_handler_t::replace),
+              .data = json_text(data),
               .css = {"report.css"},
               .code = {ChartLibrary,
                        "report_data.js",

@@ -1,6 +1,7 @@
 #include "tools/report_page/run_data.h"
 
 #include "model/base/input_error.h"
+#include "tools/page/json_text.h"
 #include "tools/report_page/csv_table.h"
 #include "tools/report_page/miss_curves.h"
 #include "tools/report_page/page_pictures.h"
@@ -146,7 +147,7 @@ std::size_t add_pixels(Json& data,
                   fmt::format("The pixels of {} draws, the cheapest, are left out to keep the "
                               "page small.",
                               pixels.left_out));
-    const std::size_t bytes = pixels.boxes.dump().size();
+    const std::size_t bytes = json_text(pixels.boxes).size();
     data["pixels"] = std::move(pixels.boxes);
     return bytes;
 }
@@ -244,7 +245,7 @@ Json run_data(const std::string& folder, const RunFigures& all, std::size_t most
                   "There is no timing: a run with --timing tells cycles, caches and memory.");
     }
     add_curves(data, notes, folder);
-    const std::size_t figure_bytes = data.dump().size();
+    const std::size_t figure_bytes = json_text(data).size();
     std::size_t left = most_bytes - std::min(most_bytes, figure_bytes);
     // A quarter for the pixels of draws: the pictures can be shrunk.
     if (figures.has_timing()) left -= add_pixels(data, notes, folder, figures, left / 4);

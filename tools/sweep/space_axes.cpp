@@ -1,14 +1,10 @@
 #include "tools/sweep/space_axes.h"
 
 #include "model/base/input_error.h"
+#include "tools/config/toml_file.h"
 #include "tools/sweep/design_space.h"
 
-#include <fstream>
-#include <iterator>
-
 #include <fmt/format.h>
-#define TOML_ENABLE_FORMATTERS 0
-#include <toml++/toml.h>
 
 namespace ffgpu::tools {
 namespace {
@@ -18,7 +14,7 @@ public:
     explicit Reader(const std::string& path) { file_.path = path; }
 
     SpaceFile read() {
-        const toml::table top = parse();
+        const toml::table top = read_toml_file(file_.path);
         for (const auto& entry : top) {
             const std::string key(entry.first.str());
             const toml::node& node = entry.second;
@@ -40,20 +36,6 @@ public:
 
 private:
     using Values = std::vector<std::string> (Reader::*)(const toml::node&, const std::string&);
-
-    toml::table parse() {
-        std::ifstream stream(file_.path, std::ios::binary);
-        const std::string all{std::istreambuf_iterator<char>(stream), {}};
-        if (!stream.is_open() || stream.bad()) throw InputError(file_.path + ": cannot be read");
-        try {
-            return toml::parse(all, file_.path);
-        } catch (const toml::parse_error& error) {
-            throw InputError(fmt::format("{}:{}: {}",
-                                         file_.path,
-                                         error.source().begin.line,
-                                         std::string(error.description())));
-        }
-    }
 
     [[noreturn]] void fail(const toml::node& node, const std::string& what) const {
         throw InputError(fmt::format("{}:{}: {}", file_.path, node.source().begin.line, what));
