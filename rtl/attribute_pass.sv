@@ -40,8 +40,8 @@ module attribute_pass (
   localparam int unsigned HeaderWidth = 129;
   localparam int unsigned FactorsDepth = 4;
   localparam logic [31:0] One = 32'h3f80_0000;
-  localparam logic [9:0] LeastScale = 10'd69;  // 2^-58
-  localparam logic [9:0] LargestScale = 10'd204;  // 2^77
+  localparam logic [7:0] LeastScale = 8'd69;  // 2^-58
+  localparam logic [7:0] LargestScale = 8'd204;  // 2^77
 
   ffgpu_pipe_pkg::shading_header_t header;
   ffgpu_pkg::quad_t                quad;
@@ -54,8 +54,7 @@ module attribute_pass (
   logic         factors_valid, factors_ready, integers_valid, product_ready;
   logic [127:0] w_q, over_q_q, factors, next_factors;
   logic [2:0]   unit, kind, next_kind;
-  logic [7:0]   q_scale, scale, next_scale;
-  logic [9:0]   quotient_scale;  // biased twice
+  logic [7:0]   q_scale, scale, next_scale, quotient_scale;
 
   assign quad    = in_data_i.quad;
   assign header  = headers_i[HeaderWidth*in_data_i.slot +: HeaderWidth];
@@ -126,7 +125,8 @@ module attribute_pass (
 
   // Integers, and beside them what they are multiplied by.
   assign q_scale        = q_scales_i[{in_data_i.slot, unit, 3'd0} +: 8];
-  assign quotient_scale = {2'd0, plane_i.scale} - {2'd0, q_scale} + 10'd127;
+  // Planes' exponents are in -40 .. 79, so that one less another is in 8 bits with the bias.
+  assign quotient_scale = plane_i.scale - q_scale + 8'd127;
   always_comb begin
     next_kind    = 3'd0;
     next_factors = header.perspective ? w_q : {4{One}};
@@ -138,11 +138,11 @@ module attribute_pass (
     end
     if (divides) begin
       next_factors = takes_q ? divisor_i : over_q_q;
-      next_scale   = quotient_scale[7:0];
-      if (quotient_scale[9] || quotient_scale < LeastScale) begin
-        next_scale = LeastScale[7:0];
+      next_scale   = quotient_scale;
+      if (quotient_scale < LeastScale) begin
+        next_scale = LeastScale;
       end else if (quotient_scale > LargestScale) begin
-        next_scale = LargestScale[7:0];
+        next_scale = LargestScale;
       end
     end
   end

@@ -29,16 +29,6 @@ std::uint8_t sampled_units(const Registers& registers) {
     return present & read;
 }
 
-// Whether any fragment's colour can matter: it is written or tested.
-bool uses_color(const Registers& registers) {
-    const auto& colors = registers.targets.color;
-    const bool has_target = std::any_of(colors.begin(), colors.end(), [](const Surface& color) {
-        return color.format != Format::None;
-    });
-    return registers.fragment.alpha_test || registers.multisample.alpha_to_coverage ||
-           (has_target && registers.blend.write_mask != 0);
-}
-
 // Whether q can be anything but 1 after generation and matrix.
 bool q_varies(const Registers& registers, unsigned unit) {
     const TexCoordSetup& setup = registers.tex_coords[unit];
@@ -95,6 +85,15 @@ bool early_depth_allowed(const Registers& registers, bool multisample) {
 }
 
 } // namespace
+
+bool uses_color(const Registers& registers) {
+    const auto& colors = registers.targets.color;
+    const bool has_target = std::any_of(colors.begin(), colors.end(), [](const Surface& color) {
+        return color.format != Format::None;
+    });
+    return registers.fragment.alpha_test || registers.multisample.alpha_to_coverage ||
+           (has_target && registers.blend.write_mask != 0);
+}
 
 DrawState compile_draw_state(std::shared_ptr<const Registers> registers, std::uint32_t number) {
     const Registers& r = *registers;

@@ -25,6 +25,10 @@ struct DrawState {
     const Registers& regs() const { return *registers; }
 };
 
+// Whether any fragment's colour can matter: it is written or tested. Else nobody makes one, and
+// what batches have in its place does not count.
+bool uses_color(const Registers& registers);
+
 // Derives everything from the registers. Pure.
 DrawState compile_draw_state(std::shared_ptr<const Registers> registers, std::uint32_t number);
 

@@ -71,3 +71,51 @@ using Unit = QuadInterlock;
 } // namespace ffgpu::rtl
 
 #include "tests/rtl/bench/unit_tests.inl"
+
+namespace ffgpu::rtl {
+namespace {
+
+// Cycles between the ends of two quads that came one behind the other.
+unsigned cycles_between(const Quad& first, const Quad& second) {
+    VerilatedContext context;
+    Vinterlock_loop dut(&context);
+    dut.clk_i = dut.in_valid_i = 0;
+    dut.out_ready_i = 1;
+    for (const int reset : {1, 0, 1}) {
+        dut.rst_ni = static_cast<std::uint8_t>(reset);
+        dut.eval();
+    }
+    const std::array offered{to_bits(first), to_bits(second)};
+    std::array<unsigned, 2> ended{};
+    std::size_t taken = 0, left = 0;
+    for (unsigned cycle = 0; left < 2 && cycle < 100; ++cycle) {
+        dut.in_valid_i = taken < 2;
+        if (taken < 2) drive(dut.in_data_i, offered[taken]);
+        dut.eval();
+        if (dut.in_valid_i && dut.in_ready_o) ++taken;
+        if (dut.out_valid_o) ended[left++] = cycle;
+        dut.clk_i = 1;
+        dut.eval();
+        dut.clk_i = 0;
+    }
+    REQUIRE(left == 2);
+    return ended[1] - ended[0];
+}
+
+// All bits of a place are compared: no quad waits for one of another place.
+TEST_CASE("a quad waits for one of its own place alone") {
+    Random random(3);
+    const Quad quad = random_quad(random);
+    CHECK(cycles_between(quad, quad) > 3);
+    for (unsigned bit = 1; bit < 13; ++bit) {
+        INFO(bit);
+        for (std::uint16_t Quad::*const axis : {&Quad::x, &Quad::y}) {
+            Quad other = quad;
+            other.*axis = static_cast<std::uint16_t>(other.*axis ^ 1u << bit);
+            CHECK(cycles_between(quad, other) == 1);
+        }
+    }
+}
+
+} // namespace
+} // namespace ffgpu::rtl

@@ -62,6 +62,11 @@ void prepare(test::Scene& scene) {
     scene.clear(0x80402010);
 }
 
+// Rows of an odd number of pairs: in small formats the two of a quad begin at different bytes.
+void space_rows(Surface& surface) {
+    surface.stride = format_info(surface.format).block_bytes * (surface.width + 2u);
+}
+
 // Up to three in most draws, up to all in some.
 unsigned textured_units(test::RandomStates& random) {
     return random.chance(4) ? random.below(TextureUnits + 1) : random.below(4);
@@ -99,8 +104,11 @@ TEST_CASE("The pipe draws random states as the model does") {
         comparison.attach(scene.gpu, scene.gpu);
         scene.into = &comparison;
         test::RandomStates random(seed);
-        scene.registers.targets.depth.format = Depths[seed % 3];
-        scene.registers.targets.color[0].format = static_cast<Format>(1 + (seed * 4 + 3) % 9);
+        Targets& targets = scene.registers.targets;
+        targets.depth.format = Depths[seed % 3];
+        targets.color[0].format = static_cast<Format>(1 + (seed * 4 + 3) % 9);
+        space_rows(targets.color[0]);
+        space_rows(targets.depth);
         prepare(scene);
         for (unsigned draw = 0; draw < 25; ++draw) {
             random.vary(scene.registers, textured_units(random));
@@ -121,8 +129,14 @@ class CloseDraws {
 public:
     explicit CloseDraws(const rtl::PipeOptions& options)
         : pipe_(open_rtl_pipe(options)) {
-        prepare(model_);
-        prepare(drawn_);
+        targets_.fill(model_.registers.targets);
+        targets_[1].color[0] = beside(targets_[1].color[0], Format::Rgb565);
+        targets_[1].depth = beside(targets_[1].depth, Format::Depth16);
+        for (test::Scene* scene : {&model_, &drawn_})
+            for (const Targets& targets : targets_) {
+                scene->registers.targets = targets;
+                prepare(*scene);
+            }
         drawn_.gpu.settled_memory(); // The clear is in it.
         pipe_->set_memory(bytes_);
     }
@@ -132,6 +146,7 @@ public:
     // The pipe's part of one may be given up after some records.
     void draw(std::size_t most_records = SIZE_MAX) {
         random_.vary(model_.registers, textured_units(random_));
+        model_.registers.targets = targets_[random_.below(2)];
         const auto vertices = triangles(random_, 1 + random_.below(3));
         model_.draw(PrimitiveType::Triangles, vertices);
         // Behind everything that a draw reads.
@@ -154,12 +169,25 @@ public:
 
     TargetDifference difference() {
         REQUIRE(pipe_->finish());
-        return TargetComparison().compare(model_.registers.targets, model_.gpu, drawn_.gpu);
+        TargetDifference found;
+        for (const Targets& targets : targets_)
+            if (found.target.empty())
+                found = TargetComparison().compare(targets, model_.gpu, drawn_.gpu);
+        return found;
     }
 
 private:
+    // Another target behind this one, in another format.
+    static Surface beside(Surface surface, Format format) {
+        surface.address += 0x100000;
+        surface.format = format;
+        space_rows(surface);
+        return surface;
+    }
+
     std::unique_ptr<rtl::Pipe> pipe_;
     test::Scene model_{40, 36}, drawn_{40, 36};
+    std::array<Targets, 2> targets_;
     std::span<std::byte> bytes_ = drawn_.gpu.settled_memory();
     PipeRecords records_{bytes_};
     test::RandomStates random_{11};
@@ -233,6 +261,44 @@ TEST_CASE("Quads of one place see what was stored before them") {
         CHECK(comparison.equal());
         CHECK(scene.pixel(8, 8) == 0x02808080);
     }
+}
+
+// Over q the power of two of s and t is held to a range, where the exponents would not hold those
+// of single pixels: attributes as small and as large as geometry hands over, planes that cross 0 in
+// the picture by steps of their last bit.
+TEST_CASE("Coordinates over a q of any magnitude are the model's") {
+    PipeComparison comparison(Memories[0]);
+    test::Scene scene(16, 16);
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    scene.texture(4, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
+    scene.registers.samplers[0].wrap.fill(Wrap::ClampToEdge);
+    // s and t in blue and alpha, q in t.
+    scene.registers.vertex_format.elements[static_cast<unsigned>(Attribute::TexCoord0)] = {4, 6};
+    scene.clear(0xffffffff);
+    struct Plane {
+        float step, level;
+        float at(float x) const { return level + step * (x - 0.0625f); }
+    };
+    constexpr std::array Planes{Plane{0x1p-66f, 0},
+                                Plane{0, 0x1p-59f},
+                                Plane{0x1p-4f, 1},
+                                Plane{0x1p51f, 0},
+                                Plane{0, 0x1.ep59f}};
+    for (const Plane& s : Planes)
+        for (const Plane& t : Planes)
+            for (const Plane& q : Planes) {
+                std::vector<test::Vertex> corners;
+                for (const auto& [x, y, w] : {std::array{-100.0f, -100.0f, 0.53f},
+                                              std::array{300.0f, -100.0f, 0.53f},
+                                              std::array{-100.0f, 300.0f, 0.54f}})
+                    corners.push_back({x * w, y * w, 0, w, 0, 0, s.at(x), t.at(y), 0, q.at(x)});
+                scene.draw(PrimitiveType::Triangles, corners);
+                INFO(fmt::format("s {:a}, t {:a}, q {:a}", s.at(1), t.at(1), q.at(1)));
+                INFO(comparison.summary());
+                REQUIRE(comparison.equal());
+            }
+    CHECK(comparison.fragments().at("") == 125 * 256);
 }
 
 TEST_CASE("A byte that the pipe stores wrong is told with draw, place and both values") {

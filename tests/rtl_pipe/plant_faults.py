@@ -89,6 +89,16 @@ Mutants = [
     ("not reset", "texel_gather", "texel_q <= 3'd0", "texel_q <= texel_q"),
     ("not reset", "environment_loop", "inside_q   <= 1'b0", "inside_q <= inside_q"),
     ("bytes", "sample_collect", "sample_i.color", "sample_i.color ^ {31'd0, at == 5'd6}"),
+    ("bytes", "target_place", "upper[2:0]", "lower[2:0]"),
+    ("stale state", "target_read", "ffgpu_pipe_pkg::pixel_bytes_log2(waiting_format)", "ffgpu_pipe_pkg::pixel_bytes_log2(format)"),
+    ("stale state", "texture_banks", "sampled_i && sampled_bank_i", "sampled_i && last_bank_q"),
+    ("hazard", "quad_interlock", "used_q[last_q] <= 1'b1", "used_q[last_q] <= !release_i"),
+    ("tag mismatch", "draw_tracker", "{{Width-1{1'b0}}, bits[1]} + {{Width-1{1'b0}}, bits[2]}", "{{Width-1{1'b0}}, bits[1] | bits[2]}"),
+    ("tag mismatch", "target_stages", "depth_waits | color_waits", "color_waits"),
+    ("clamp", "attribute_pass", "quotient_scale < LeastScale", "1'b0"),
+    ("clamp", "attribute_pass", "quotient_scale > LargestScale", "1'b0"),
+    ("too slow", "tile_sequence", "record_q.box_x1 - 14'd1", "record_q.box_x1"),
+    ("too slow", "fifo", "read_q != {~write_q[IndexWidth], write_q[IndexWidth-1:0]}", "out_valid_o == 1'b0 || read_q[IndexWidth-1:0] != write_q[IndexWidth-1:0] + 1'b1"),
 ]
 
 

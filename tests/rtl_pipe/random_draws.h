@@ -90,14 +90,14 @@ private:
                        .format = static_cast<Format>(1 + below(17))};
         const bool is_one = image.shape.kind == TextureKind::OneD;
         const bool is_three = image.shape.kind == TextureKind::ThreeD;
-        image.shape.width = 1u << below(6);
-        image.shape.height = is_one ? 1 : 1u << below(6);
-        image.shape.depth = is_three ? 1u << below(4) : 1;
+        image.shape.width = size(5);
+        image.shape.height = is_one ? 1 : size(5);
+        image.shape.depth = is_three ? size(3) : 1;
         const bool has_levels = image.shape.kind != TextureKind::Rectangle;
         image.shape.levels = has_levels ? 1 + below(3) : 1;
         Sampler& sampler = registers.samplers[unit];
         for (Wrap& wrap : sampler.wrap)
-            wrap = any<Wrap>(8);
+            wrap = chance(3) ? Wrap::Repeat : any<Wrap>(8);
         sampler.magnify_linear = chance(2);
         sampler.minify_linear = chance(2);
         sampler.mip_filter = has_levels ? any<MipFilter>(3) : MipFilter::None;
@@ -105,6 +105,11 @@ private:
         sampler.depth_mode = any<DepthMode>(3);
         sampler.border_color = bits();
         vary_combiner(registers.combiners[unit], unit);
+    }
+
+    // Of an image's axis, up to 2^bits: a power of two, or any, whose levels are rounded down.
+    std::uint32_t size(unsigned bits) {
+        return chance(3) ? 1 + below(1u << bits) : 1u << below(bits + 1);
     }
 
     void vary_combiner(Combiner& combiner, unsigned unit) {

@@ -55,6 +55,28 @@ TEST_CASE("The functional GPU and its reference give the same account of the bus
     CHECK_FALSE(difference_of(four.path(), &FastStages));
 }
 
+// Every other draw is of the stencil alone: where its colours would be, batches have what was
+// there.
+TEST_CASE("A colour that nobody looks at is in no account") {
+    const TemporaryFile file("", ".ffc");
+    Scene scene(96, 80);
+    capture::CaptureWriter writer(scene.gpu);
+    writer.begin(file.path(), 0);
+    scene.into = &writer;
+    scene.registers.stencil.enable = true;
+    scene.registers.stencil.front.depth_pass = StencilOp::IncrementWrap;
+    draw_mixture(scene, [&](int draw) {
+        const PrimitiveType type = vary_busily(scene.registers, draw);
+        scene.registers.blend.write_mask = draw % 2 == 0 ? 0xf : 0;
+        scene.registers.fragment.alpha_test = false;
+        return type;
+    });
+    writer.finish();
+    writer.frame_shown(0, scene.registers.targets.color[0]);
+    writer.end();
+    CHECK_FALSE(difference_of(file.path(), &FastStages));
+}
+
 TEST_CASE("Of a fault in one lane of a stage, diff names the stage, quad, lane and field") {
     const TemporaryFile one("", ".ffc"), four("", ".ffc");
     write_capture(one.path());

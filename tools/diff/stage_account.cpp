@@ -1,6 +1,7 @@
 #include "tools/diff/stage_account.h"
 
 #include "model/device/registers.h"
+#include "model/packets/draw_state.h"
 #include "model/raster/setup_record.h"
 
 namespace ffgpu::tools {
@@ -116,6 +117,7 @@ void StageAccount::perspective(const probed::Batch& batch, const probed::Perspec
 }
 
 void StageAccount::colors(const probed::Batch& batch, const probed::Colors& told) {
+    if (!uses_color(*batch.registers)) return;
     const FragmentBatch& fragments = *batch.fragments;
     const bool has_secondary = batch.registers->fragment.color_sum; // else nobody makes one
     entries({Stage::Colors}, batch, fragments.live, [&](unsigned lane) {
@@ -197,6 +199,7 @@ void StageAccount::sampling(const probed::Batch& batch, const probed::Sampling& 
 }
 
 void StageAccount::shaded(AccountPart part, const probed::Batch& batch, const ColorPlanes& before) {
+    if (!uses_color(*batch.registers)) return;
     entries(part, batch, batch.fragments->live, [&](unsigned lane) {
         sink_.color("before", packed(before, lane));
         sink_.color("color", packed(batch.fragments->color, lane));
@@ -212,6 +215,7 @@ void StageAccount::color_sum(const probed::Batch& batch, const ColorPlanes& befo
 }
 
 void StageAccount::fog(const probed::Batch& batch, const probed::Fog& told) {
+    if (!uses_color(*batch.registers)) return;
     entries({Stage::Fog}, batch, batch.fragments->live, [&](unsigned lane) {
         sink_.color("before", packed(*told.before, lane));
         sink_.integer("factor", told.factor[lane]);
@@ -220,6 +224,7 @@ void StageAccount::fog(const probed::Batch& batch, const probed::Fog& told) {
 }
 
 void StageAccount::antialias(const probed::Batch& batch, const ColorPlanes& before) {
+    if (!uses_color(*batch.registers)) return;
     entries({Stage::Antialias}, batch, batch.fragments->live, [&](unsigned lane) {
         sink_.color("before", packed(before, lane));
         sink_.integer("coverage", batch.fragments->antialias[lane]);
@@ -235,8 +240,9 @@ void StageAccount::sample_mask(const probed::Batch& batch, const SampleMasks& be
 }
 
 void StageAccount::alpha_test(const probed::Batch& batch, const probed::Test& told) {
+    const bool has_color = uses_color(*batch.registers);
     entries({Stage::AlphaTest}, batch, told.before, [&](unsigned lane) {
-        sink_.integer("alpha", batch.fragments->color.a[lane]);
+        if (has_color) sink_.integer("alpha", batch.fragments->color.a[lane]);
         sink_.integer("passed", told.after.test(lane));
     });
 }
