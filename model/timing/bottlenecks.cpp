@@ -323,33 +323,6 @@ void Bottlenecks::pass_on(Place& place) {
                 way->send(way->pushed, place.last);
 }
 
-void Bottlenecks::collect_paths() {
-    heads_.clear();
-    for (Place& place : places_)
-        heads_.insert(heads_.end(), {&place.last.path, &place.taken.path, &place.given.path});
-    for (Way& way : ways_)
-        for (Moments* const moments : {&way.sent, &way.freed})
-            for (Moment& moment : *moments)
-                heads_.push_back(&moment.path);
-    for (AtMemory& each : at_memory_)
-        heads_.insert(heads_.end(), {&each.answer.path, &each.looked_up.path, &each.asked.path});
-    for (FillMoments& fills : fills_)
-        fills.for_each_path([this](WaitPaths::Path& path) { heads_.push_back(&path); });
-    for (Place& place : places_) {
-        for (StepPlace& step : place.steps)
-            heads_.push_back(&step.last.path);
-        for (Inner& each : place.passages) {
-            for (Moments* const moments : {&each.entries, &each.exits})
-                for (Moment& moment : *moments)
-                    heads_.push_back(&moment.path);
-            for (Inner::Begun& unit : each.units)
-                heads_.push_back(&unit.at.path);
-        }
-    }
-    memory_.add_heads(heads_);
-    paths_.collect(heads_);
-}
-
 void Bottlenecks::move_on(Moment& moment, Resource resource) {
     const Dependence& last = found_.last_one();
     WaitPaths::Path path = paths_.extend(last.moment->path, last.first.resource, now_ - 1);
@@ -357,51 +330,6 @@ void Bottlenecks::move_on(Moment& moment, Resource resource) {
     saved_after(found_, moment.saved);
     moment.at = now_;
     moment.path = paths_.share(path);
-}
-
-FrameWaits Bottlenecks::end_frame(Cycle now) {
-    const Place* last = &places_.front();
-    for (const Place& place : places_)
-        if (place.last.at > last->last.at) last = &place;
-    const WaitPaths::Path path = paths_.extend(last->last.path, Resource::Links, now);
-    check(paths_.end(path) == now, "a frame's path goes from its begin to its end");
-    // A channel of the memory serves all of a frame's requests in it, in any order.
-    const Moment begin{frame_begin_, 0, {}};
-    found_.begin(last->last.at);
-    found_.add({&last->last, 0});
-    memory_.for_each_channel_work([&](float cycles) {
-        found_.add({&begin, cycles, {Resource::MemoryBandwidth, cycles}});
-    });
-    Saved saved;
-    saved_after(found_, saved);
-    saved_ = &saved;
-    FrameWaits waits{
-        .runs = paths_.runs(path), .saved = saved, .saved_by = std::exchange(saved_by_, {})};
-    charge(waits.saved_at_end);
-    saved_ = &places_.front().last.saved;
-    frame_begin_ = now;
-    charged_ = {};
-    paths_.restart(now);
-    for (Place& place : places_)
-        place.last = place.taken = place.given = {now, 0, {}};
-    for (Way& way : ways_)
-        for (Moments* const moments : {&way.sent, &way.freed})
-            std::fill(moments->begin(), moments->end(), Moment{});
-    for (AtMemory& each : at_memory_)
-        each.answer = each.looked_up = each.asked = {};
-    for (FillMoments& fills : fills_)
-        fills.restart();
-    for (Place& place : places_) {
-        for (StepPlace& step : place.steps)
-            step.last = place.last;
-        for (Inner& each : place.passages) {
-            for (Moments* const moments : {&each.entries, &each.exits})
-                std::fill(moments->begin(), moments->end(), Moment{});
-            std::ranges::fill(each.units, Inner::Begun{});
-        }
-    }
-    memory_.restart();
-    return waits;
 }
 
 } // namespace ffgpu::timing

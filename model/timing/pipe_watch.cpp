@@ -133,13 +133,14 @@ void PipeWatch::look(std::size_t place, PipeLog& log) {
     const Cycle now = clock_.now();
     Place& at = places_[place];
     const Stage& stage = *at.stage;
-    StageSeen& seen = *log.stages.room(1);
-    seen.stage = static_cast<std::uint32_t>(place);
-    seen.activity = stage.unit->activity();
-    seen.has_backlog = stage.input ? stage.input->arrival() <= now : stage.unit->has_backlog();
-    note_links(at, now, seen, log);
-    note_passages(at, seen, log);
-    log.stages.take_until(&seen + 1);
+    StageSeen& stage_seen = *log.stages.room(1);
+    stage_seen.stage = static_cast<std::uint32_t>(place);
+    stage_seen.activity = stage.unit->activity();
+    stage_seen.has_backlog =
+        stage.input ? stage.input->arrival() <= now : stage.unit->has_backlog();
+    note_links(at, now, stage_seen, log);
+    note_passages(at, stage_seen, log);
+    log.stages.take_until(&stage_seen + 1);
 }
 
 } // namespace ffgpu::timing
