@@ -108,6 +108,8 @@ TEST_CASE("a frame bound by the host's bus gains what the memory leaves it") {
     const Figures figures = run_beside_host(config, bin, bytes);
     CAPTURE(bytes, figures.at("total_cycles"), unlimited);
     check_gain(figures, "gain_host_cycles", unlimited);
+    const std::uint64_t moving = figures.at("memory_data_cycles") / config.memory.channels;
+    CHECK(figures.at("gain_host_cycles") <= figures.at("total_cycles") - moving);
 }
 
 } // namespace ffgpu::timing
