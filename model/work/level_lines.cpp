@@ -1,5 +1,7 @@
 #include "model/work/level_lines.h"
 
+#include <algorithm>
+
 namespace ffgpu::work {
 namespace {
 
@@ -10,6 +12,16 @@ std::vector<std::uint32_t> table(std::uint32_t texels, Offset&& offset) {
     for (std::uint32_t i = 0; i < offsets.size(); ++i)
         offsets[i] = static_cast<std::uint32_t>(offset(i < texels ? i : texels - 1));
     return offsets;
+}
+
+// All bits but those of a place in the largest 2^n texels in a row, from a multiple of 2^n on, that
+// have offsets in one line.
+std::uint16_t first_texels(const std::vector<std::uint32_t>& offsets, unsigned line_shift) {
+    constexpr std::uint32_t Most = 1u << 15; // coordinates stay apart from BorderTexel
+    auto texels = std::min(static_cast<std::uint32_t>(offsets.size()), Most);
+    for (std::uint32_t i = 1; i < offsets.size(); ++i)
+        if ((offsets[i] ^ offsets[i - 1]) >> line_shift != 0) texels = std::min(texels, i & -i);
+    return static_cast<std::uint16_t>(-texels);
 }
 
 } // namespace
@@ -23,6 +35,24 @@ LevelLines::LevelLines(const PlacedLevel& level, std::uint32_t line_bytes)
     if (level.expansion_log2 != 0 || layer_bytes_ >> 32 != 0 || width == 0 || height == 0) return;
     columns_ = table(width, [&](std::uint32_t x) { return level.column_offset(x); });
     rows_ = table(height, [&](std::uint32_t y) { return level.row_offset(y); });
+    find_rectangles();
+}
+
+// Where the offsets of column and row in their lines never add up to a line, the line is that of
+// the one beside that of the other.
+void LevelLines::find_rectangles() {
+    const std::uint32_t in_line = (1u << line_shift_) - 1;
+    const auto last_byte = [&](const std::vector<std::uint32_t>& offsets) {
+        std::uint32_t last = 0;
+        for (const std::uint32_t offset : offsets)
+            last = std::max(last, offset & in_line);
+        return last;
+    };
+    if (((base_ | layer_bytes_) & in_line) != 0) return;
+    if (last_byte(columns_) + last_byte(rows_) > in_line) return;
+    const std::uint16_t x = first_texels(columns_, line_shift_);
+    const std::uint16_t y = first_texels(rows_, line_shift_);
+    firsts_ = {x, x, y, y};
 }
 
 } // namespace ffgpu::work

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "model/packets/texel_footprint.h"
 #include "model/work/placed_level.h"
 
 #include <bit>
@@ -25,10 +26,30 @@ public:
     // Of a texel whose address these three add up to.
     std::uint64_t line(std::uint64_t address) const { return address >> line_shift_; }
 
+    // In which rectangles of texels an access' four corners lie: those of one layer in the same
+    // rectangle are of one line. Rectangles are 2^n texels wide and high, the largest that lie on
+    // one line each; one texel, where lines hold no rectangles.
+    struct Rectangles {
+        std::uint16_t x0 = 0, x1 = 0, y0 = 0, y1 = 0; // of their first texels
+
+        bool are_one() const { return x0 == x1 && y0 == y1; }
+        bool operator==(const Rectangles& other) const {
+            return std::bit_cast<std::uint64_t>(*this) == std::bit_cast<std::uint64_t>(other);
+        }
+    };
+    Rectangles rectangles(const TexelAccess& access) const {
+        const Rectangles texels{access.x0, access.x1, access.y0, access.y1};
+        return std::bit_cast<Rectangles>(std::bit_cast<std::uint64_t>(texels) &
+                                         std::bit_cast<std::uint64_t>(firsts_));
+    }
+
 private:
+    void find_rectangles();
+
     std::uint64_t base_, layer_bytes_;
     unsigned line_shift_;
-    std::vector<std::uint32_t> columns_, rows_; // bytes; powers of two many
+    std::vector<std::uint32_t> columns_, rows_;         // bytes; powers of two many
+    Rectangles firsts_{0xffff, 0xffff, 0xffff, 0xffff}; // masks
 };
 
 // The levels of a texture, and their lines.

@@ -28,7 +28,8 @@ std::uint64_t value(const std::vector<std::uint64_t>& sums, std::uint64_t at) {
 
 MissCurves::MissCurves(const CurvesShape& shape)
     : shape_(shape)
-    , shift_(static_cast<unsigned>(std::countr_zero(shape.line_bytes / shape.lookup_bytes))) {
+    , shift_(static_cast<unsigned>(std::countr_zero(shape.line_bytes / shape.lookup_bytes)))
+    , near_(static_cast<std::size_t>(std::countr_zero(shape.most_sets))) {
     check(shape.line_bytes >= shape.lookup_bytes, "look-ups of lines, or of parts of them");
     reads_.emplace(shape.most_sets, shape.most_ways);
     for (std::uint32_t sets = 2; sets <= shape.most_sets; sets *= 2) {
@@ -100,12 +101,30 @@ void MissCurves::read(const LookupPlace& place, std::uint64_t line, std::uint32_
     reuses_[reuse] += quads;
     if (found.depth == 0) return;
     count(positions_[reuse], found.depth, quads);
+    if (found.depth < NearCounts::Depths) {
+        for (std::size_t i = 0; i < found.positions.size(); ++i)
+            near_.of(reuse, i, found.depth, found.positions[i]) += quads;
+        return;
+    }
     std::uint32_t share = found.depth;
     for (std::size_t i = 0; i < found.positions.size(); ++i) {
         share /= 2;
         levels_[i].positions[reuse][found.positions[i]] += quads;
         levels_[i].in_both[std::min(found.positions[i], share)] += quads;
     }
+}
+
+void MissCurves::NearCounts::add_to(std::vector<Level>& levels) const {
+    std::size_t at = 0;
+    for (std::size_t reuse = 0; reuse <= ReuseScopes; ++reuse)
+        for (std::size_t level = 0; level < levels_; ++level)
+            for (std::uint32_t depth = 0; depth < Depths; ++depth)
+                for (std::uint32_t position = 0; position < Depths; ++position, ++at) {
+                    if (counts_[at] == 0) continue;
+                    const std::uint32_t share = depth >> (level + 1);
+                    levels[level].positions[reuse][position] += counts_[at];
+                    levels[level].in_both[std::min(position, share)] += counts_[at];
+                }
 }
 
 void MissCurves::count_frame_line(const LookupPlace& place, std::uint64_t last) {
@@ -224,9 +243,11 @@ CurveSums MissCurves::sums() const {
     sums.compulsory_ = compulsory_;
     sums.accesses_ = std::accumulate(reuses_.begin(), reuses_.end(), compulsory_);
     sums.stacks_.push_back({positions_, {}, all_.write_backs()});
-    for (std::size_t i = 0; i < levels_.size(); ++i)
-        sums.stacks_.push_back({levels_[i].positions,
-                                levels_[i].in_both,
+    std::vector<Level> levels = levels_;
+    near_.add_to(levels);
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        sums.stacks_.push_back({levels[i].positions,
+                                levels[i].in_both,
                                 reads_ ? WriteBacks() : stacks_[i].write_backs()});
     for (CurveSums::Stacks& stacks : sums.stacks_) {
         for (CurveSums::Sums& positions : stacks.positions)

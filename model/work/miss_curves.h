@@ -94,6 +94,27 @@ private:
         ReuseHistograms positions;
         Histogram in_both; // the lesser of position and what is over of the sets' share
     };
+    // Look-ups that found their line near the top, by reuse, level, position among all lines and
+    // position: nearly all of them, and one count says what Level's two do.
+    class NearCounts {
+    public:
+        static constexpr std::uint32_t Depths = 16;
+
+        explicit NearCounts(std::size_t levels)
+            : levels_(levels)
+            , counts_((ReuseScopes + 1) * levels * Depths * Depths, 0) {}
+
+        std::uint64_t&
+        of(std::size_t reuse, std::size_t level, std::uint32_t depth, std::uint32_t position) {
+            return counts_[((reuse * levels_ + level) * Depths + depth) * Depths + position];
+        }
+        // Adds them to those of all depths.
+        void add_to(std::vector<Level>& levels) const;
+
+    private:
+        std::size_t levels_;
+        std::vector<std::uint64_t> counts_;
+    };
     struct LineUse {
         std::uint32_t id = 0;
         std::uint64_t line = 0;
@@ -124,6 +145,7 @@ private:
 
     ReuseHistograms positions_; // among all lines
     std::vector<Level> levels_;
+    NearCounts near_; // beside levels_
     std::array<std::uint64_t, ReuseScopes + 1> reuses_{};
     std::uint64_t compulsory_ = 0;
     std::uint64_t lines_now_ = 0; // of this frame

@@ -16,8 +16,7 @@ bool is_plain_square(const LevelLines& level, const TexelAccess& access) {
 
 } // namespace
 
-void QuadLines::add(const TextureLines& texture, const TexelAccess& access) {
-    if (access.level >= texture.lines.size()) return;
+void QuadLines::add_other(const TextureLines& texture, const TexelAccess& access) {
     make_room(MostOfAccess);
     const PlacedLevel& level = texture.levels[access.level];
     const LevelLines& lines = texture.lines[access.level];
@@ -26,43 +25,6 @@ void QuadLines::add(const TextureLines& texture, const TexelAccess& access) {
         add_square(lines, access);
     else
         add_corners(level, access);
-}
-
-void QuadLines::add_four(const TextureLines& texture, const TexelAccess* accesses) {
-    const TexelAccess& first = accesses[0];
-    bool alike = first.level < texture.lines.size();
-    for (unsigned lane = 0; lane < 4 && alike; ++lane)
-        alike = accesses[lane].level == first.level && accesses[lane].layer0 == first.layer0 &&
-                is_plain_square(texture.lines[first.level], accesses[lane]);
-    if (!alike) {
-        for (unsigned lane = 0; lane < 4; ++lane)
-            add(texture, accesses[lane]);
-        return;
-    }
-    const LevelLines& level = texture.lines[first.level];
-    const std::uint64_t layer = level.layer(first.layer0);
-    std::array<std::uint64_t, 16> lines;
-    std::uint64_t differences = 0;
-    for (unsigned lane = 0; lane < 4; ++lane) {
-        const TexelAccess& access = accesses[lane];
-        const std::uint64_t lower = layer + level.row(access.y0);
-        const std::uint64_t upper = layer + level.row(access.y1);
-        const std::uint64_t left = level.column(access.x0), right = level.column(access.x1);
-        std::uint64_t* const of_lane = &lines[std::size_t{4} * lane];
-        of_lane[0] = level.line(lower + left);
-        of_lane[1] = level.line(lower + right);
-        of_lane[2] = level.line(upper + left);
-        of_lane[3] = level.line(upper + right);
-        for (unsigned i = 0; i < 4; ++i)
-            differences |= of_lane[i] ^ lines[0];
-    }
-    make_room(lines.size());
-    reads_ += 16;
-    expands_blocks_ |= texture.levels[first.level].compressed;
-    add_line(lines[0]);
-    if (differences == 0) return;
-    for (std::size_t i = 1; i < lines.size(); ++i)
-        if (lines[i] != lines[i - 1]) add_line(lines[i]);
 }
 
 void QuadLines::add_line(std::uint64_t line) {
@@ -80,6 +42,12 @@ void QuadLines::add_square(const LevelLines& level, const TexelAccess& access) {
     const std::uint64_t rows[]{layer + level.row(access.y0), layer + level.row(access.y1)};
     const std::uint64_t columns[]{level.column(access.x0), level.column(access.x1)};
     reads_ += 4;
+    const LevelLines::Rectangles rectangles = level.rectangles(access);
+    if (rectangles.are_one()) {
+        add_line(level.line(rows[0] + columns[0]));
+        if (merges_) last_[access.level & 1] = {&level, access.layer0, rectangles};
+        return;
+    }
     std::uint64_t last = count_ > 0 ? lines_[count_ - 1] : ~std::uint64_t{0};
     for (const std::uint64_t row : rows)
         for (const std::uint64_t column : columns) {

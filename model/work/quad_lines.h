@@ -10,6 +10,7 @@
 #include "model/packets/texel_footprint.h"
 #include "model/work/level_lines.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,11 +24,19 @@ public:
         , merges_(merges)
         , lines_(64) {}
 
-    void begin_quad() { count_ = reads_ = 0, expands_blocks_ = false; }
+    void begin_quad() {
+        count_ = reads_ = 0, expands_blocks_ = false;
+        last_ = {};
+    }
     // What one fragment reads of one level.
-    void add(const TextureLines& texture, const TexelAccess& access);
-    // The same of four accesses: what most quads read.
-    void add_four(const TextureLines& texture, const TexelAccess* accesses);
+    void add(const TextureLines& texture, const TexelAccess& access) {
+        if (access.level >= texture.lines.size()) return;
+        const LevelLines& level = texture.lines[access.level];
+        if (is_last(level, access)) // Most are.
+            reads_ += 4;
+        else
+            add_other(texture, access);
+    }
 
     std::span<const std::uint64_t> lines() const { return {lines_.data(), count_}; }
     std::uint32_t reads() const { return reads_; }          // texels
@@ -35,6 +44,21 @@ public:
 
 private:
     static constexpr std::size_t MostOfAccess = 8;
+
+    // The rectangle that was read last, of even and of odd levels.
+    struct LastRead {
+        const LevelLines* level = nullptr;
+        std::uint16_t layer = 0;
+        LevelLines::Rectangles rectangles{};
+    };
+
+    // Whether it reads 2x2 texels of the line that was read last.
+    bool is_last(const LevelLines& level, const TexelAccess& access) const {
+        const LastRead& last = last_[access.level & 1];
+        return last.level == &level && access.linear == 3 && last.layer == access.layer0 &&
+               last.rectangles == level.rectangles(access);
+    }
+    void add_other(const TextureLines& texture, const TexelAccess& access);
 
     void make_room(std::size_t more) {
         if (count_ + more > lines_.size()) lines_.resize(2 * (count_ + more));
@@ -48,6 +72,7 @@ private:
     std::vector<std::uint64_t> lines_; // with room for what an access adds
     std::size_t count_ = 0;
     std::uint32_t reads_ = 0;
+    std::array<LastRead, 2> last_; // none without merging
 };
 
 } // namespace ffgpu::work

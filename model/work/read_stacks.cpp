@@ -3,27 +3,9 @@
 #include "model/base/check.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace ffgpu::work {
-namespace {
-
-// Of some newer lines: how many share a line's set, for 2, 4, 8 ... sets in turn.
-class Sharers {
-public:
-    void add(unsigned shared) {
-        ++with_[std::min<std::size_t>(shared, with_.size() - 1)];
-        ++left_;
-    }
-    std::uint32_t next() { return left_ -= with_[level_++]; }
-
-private:
-    std::array<std::uint8_t, ReadStacks::MostLevels + 1> with_{}; // so many bits alike
-    std::uint32_t left_ = 0;
-    std::size_t level_ = 0;
-};
-
-} // namespace
-
 ReadStacks::ReadStacks(std::uint32_t most_sets, std::uint32_t most_ways, AgeStacks::Time most_times)
     : most_ways_(most_ways)
     , most_times_(most_times) {
@@ -37,16 +19,16 @@ ReadStacks::Line& ReadStacks::record(std::uint32_t id) {
 }
 
 ReadStacks::Found ReadStacks::look_up(std::uint64_t line, std::uint64_t number) {
-    Found found;
-    const unsigned at = recent_.find(line);
-    if (at < recent_.size()) {
-        recent_.to_front(at);
-        found.known = true;
-        found.last = recent_.use(0).place;
-        recent_.use(0).place = number;
-        if (at > 0) find_recent(at, found);
-        return found;
+    const RecentUse use = recent_.use(line, std::span(positions_).first(stacks_.size()));
+    if (use.slot < RecentLines::Most) {
+        for (std::size_t level = 0; level < use.levels && positions_[level] > most_ways_; ++level)
+            positions_[level] = most_ways_;
+        return {.last = std::exchange(recent_.place(use.slot), number),
+                .known = true,
+                .depth = static_cast<std::uint32_t>(std::popcount(use.newer)),
+                .positions = std::span(positions_).first(use.levels)};
     }
+    Found found;
     const std::uint32_t id = numbers_[line];
     Line& known = record(id);
     known.line = line;
@@ -69,37 +51,23 @@ void ReadStacks::prefetch(std::uint64_t line) const {
         stack.prefetch(line);
 }
 
-// It was at `at`, and is on top now: those before it are behind it.
-void ReadStacks::find_recent(unsigned at, Found& found) {
-    found.depth = at;
-    const std::uint64_t line = recent_.line(0);
-    Sharers sharers;
-    for (unsigned i = 1; i <= at; ++i)
-        sharers.add(recent_.shared(i, line));
-    std::size_t level = 0;
-    for (; level < stacks_.size(); ++level) {
-        positions_[level] = std::min(sharers.next(), most_ways_);
-        if (positions_[level] == 0) break;
-    }
-    found.positions = std::span(positions_).first(level);
-}
-
 // Below the top a line lies under those that left it later, and so do of the newest lines those
 // that still stand there, above it: they are counted once. The others came from below it, and took
 // the holes above it first.
 void ReadStacks::find_older(std::uint32_t id, Found& found) {
     const Line& line = lines_[id];
     prefetch(line.line);
-    Sharers sharers;
-    for (unsigned i = 0; i < recent_.size(); ++i)
-        if (recent_.use(i).left <= line.left) sharers.add(recent_.shared(i, line.line));
+    const std::size_t shared = sharers(recent_.slots(),
+                                       left_by(recent_.slots(), line.left),
+                                       line.line,
+                                       std::span(sharers_).first(stacks_.size()));
     found.depth = recent_.size() + all_.take(id);
     std::uint32_t below = most_ways_; // never deeper than in half as many sets
     std::size_t level = 0;
     for (; level < stacks_.size(); ++level) {
         const AgeStacks& stack = stacks_[level];
         if (below > 0) below = stack.position(line.line, line.left);
-        const std::uint32_t newer = sharers.next();
+        const std::uint32_t newer = level < shared ? sharers_[level] : 0;
         const std::uint32_t taken = std::min(newer, stack.holes_above(line.line, below));
         positions_[level] = std::min(below + newer - taken, most_ways_);
         if (positions_[level] == 0) break;
@@ -110,8 +78,7 @@ void ReadStacks::find_older(std::uint32_t id, Found& found) {
 // To the stacks below, where it moves to the front.
 void ReadStacks::oldest_leaves() {
     if (leaves_ == most_times_) count_anew();
-    const unsigned at = recent_.size() - 1;
-    const RecentLines::Use& use = recent_.use(at);
+    const RecentLines::Use use = recent_.use_of(recent_.oldest());
     Line& line = lines_[use.id];
     line.last = use.place;
     line.left = ++leaves_;
@@ -119,7 +86,7 @@ void ReadStacks::oldest_leaves() {
     for (AgeStacks& stack : stacks_)
         if (stack.use(line.line, use.left, line.left) == 0 && use.left > 0) break;
     recent_.drop_oldest();
-    if (recent_.size() > 0) prefetch(recent_.line(recent_.size() - 1)); // the next that leaves
+    if (recent_.size() > 0) prefetch(recent_.line(recent_.oldest())); // the next that leaves
 }
 
 std::vector<std::uint32_t> ReadStacks::older_first() const {
@@ -155,16 +122,16 @@ void ReadStacks::count_anew() {
         stack.count_anew(now_of);
     for (Line& line : lines_)
         if (line.left > 0) line.left = now_of(line.left);
-    for (unsigned at = 0; at < recent_.size(); ++at) {
-        RecentLines::Use& use = recent_.use(at);
-        if (use.left > 0) use.left = now_of(use.left);
+    for (unsigned slot = 0; slot < RecentLines::Most; ++slot) {
+        const AgeStacks::Time left = recent_.use_of(slot).left;
+        if (recent_.has(slot) && left > 0) recent_.set_left(slot, now_of(left));
     }
     leaves_ = static_cast<AgeStacks::Time>(times.size());
     check(leaves_ < most_times_, "times for all lines and holes");
 }
 
 bool ReadStacks::has(std::uint64_t line) {
-    return recent_.find(line) < recent_.size() || all_.has(numbers_[line]);
+    return recent_.slot_of(line) < RecentLines::Most || all_.has(numbers_[line]);
 }
 
 // The newest lines first go to the stacks below, where they would be above the hole.
@@ -178,8 +145,8 @@ void ReadStacks::drop(std::uint64_t line) {
 }
 
 void ReadStacks::flush() {
-    for (unsigned at = 0; at < recent_.size(); ++at)
-        lines_[recent_.use(at).id].last = recent_.use(at).place;
+    for (unsigned slot = 0; slot < RecentLines::Most; ++slot)
+        if (recent_.has(slot)) lines_[recent_.use_of(slot).id].last = recent_.place(slot);
     recent_.clear();
     all_.flush();
     for (AgeStacks& stack : stacks_)

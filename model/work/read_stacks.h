@@ -49,8 +49,8 @@ public:
     // The same of a line that was the last one looked up: where it is, it stays. Else nothing is
     // done.
     std::optional<std::uint64_t> look_up_last(std::uint64_t line, std::uint64_t number) {
-        if (recent_.size() == 0 || recent_.line(0) != line) return std::nullopt;
-        return std::exchange(recent_.use(0).place, number);
+        if (!recent_.is_newest(line)) return std::nullopt;
+        return std::exchange(recent_.newest_place(), number);
     }
 
     // It was looked up, and not thrown out since.
@@ -75,7 +75,6 @@ private:
     };
 
     Line& record(std::uint32_t id);
-    void find_recent(unsigned at, Found& found);
     void find_older(std::uint32_t id, Found& found);
     void prefetch(std::uint64_t line) const;
     void oldest_leaves();
@@ -91,7 +90,7 @@ private:
     LineStack all_; // without those on top
     std::vector<AgeStacks> stacks_;
     AgeStacks::Time leaves_ = 0; // of recent_
-    std::array<std::uint32_t, MostLevels> positions_{};
+    std::array<std::uint32_t, MostLevels> positions_{}, sharers_{};
 };
 
 } // namespace ffgpu::work

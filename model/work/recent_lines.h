@@ -1,20 +1,61 @@
-// RecentLines: the top of the LRU stacks of one line size: the lines looked up last, newest first.
-// Of all sets and ways at once these few tell where a line was that is found among them: in 2^l
-// sets its position is the number of newer lines whose numbers share the lowest l bits. Most
-// look-ups end here and touch no other stack.
+// RecentLines: the top of the LRU stacks of one line size: the lines looked up last. Of all sets
+// and ways at once these few tell where a line was that is found among them: in 2^l sets its
+// position is the number of newer lines whose numbers share the lowest l bits. Most look-ups end
+// here and touch no other stack.
+//
+// A line keeps its slot as long as it is here; which lines are newer than it is a bit each.
 
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 
 namespace ffgpu::work {
 
+using LineSlots = std::uint16_t; // a bit each
+
+// What is compared of all lines at once, slot by slot.
+struct RecentLineSlots {
+    static constexpr unsigned Count = 16;
+
+    alignas(64) std::array<std::uint32_t, Count> low{}, high{}; // of the lines' numbers
+    alignas(64) std::array<std::uint32_t, Count> left{};        // RecentLines::Use
+    alignas(32) std::array<LineSlots, Count> newer{};           // lines that were looked up later
+    LineSlots used = 0;
+};
+
+// Which of `slots` share a set with `line`, of 2, 4, 8 ... sets: how many, as long as there are
+// any. Returns for how many numbers of sets that is, at most for as many as `counts` has.
+std::size_t sharers(const RecentLineSlots& all,
+                    LineSlots slots,
+                    std::uint64_t line,
+                    std::span<std::uint32_t> counts);
+
+// Makes the line the newest, where it is here.
+struct RecentUse {
+    unsigned slot = RecentLineSlots::Count; // none, if it is not here
+    LineSlots newer = 0;                    // till now
+    std::size_t levels = 0;                 // sharers() of these
+};
+RecentUse use_recent(RecentLineSlots& all, std::uint64_t line, std::span<std::uint32_t> counts);
+
+// Those whose line left the top last as the `left`-th or before; `left` is less than 2^31.
+LineSlots left_by(const RecentLineSlots& all, std::uint32_t left);
+
+// The three of them one by one: what they say.
+std::size_t sharers_plainly(const RecentLineSlots& all,
+                            LineSlots slots,
+                            std::uint64_t line,
+                            std::span<std::uint32_t> counts);
+RecentUse
+use_recent_plainly(RecentLineSlots& all, std::uint64_t line, std::span<std::uint32_t> counts);
+LineSlots left_by_plainly(const RecentLineSlots& all, std::uint32_t left);
+
 class RecentLines {
 public:
-    static constexpr unsigned Most = 16;
+    static constexpr unsigned Most = RecentLineSlots::Count;
 
     struct Use {
         std::uint64_t place = 0; // of its last look-up
@@ -22,51 +63,42 @@ public:
         std::uint32_t id = 0;
     };
 
-    unsigned size() const { return size_; }
-    bool full() const { return size_ == Most; }
+    unsigned size() const { return static_cast<unsigned>(std::popcount(slots_.used)); }
+    bool full() const { return slots_.used == LineSlots(~0u); }
+    bool is_newest(std::uint64_t line) const { return slots_.used != 0 && newest_line_ == line; }
+    bool has(unsigned slot) const { return (slots_.used >> slot & 1) != 0; }
+    // `Most`, if it is not here.
+    unsigned slot_of(std::uint64_t line) const;
 
-    // Its position; size() if it is not there.
-    unsigned find(std::uint64_t line) const {
-        unsigned at = 0;
-        while (at < size_ && lines_[at] != line)
-            ++at;
-        return at;
-    }
-
-    std::uint64_t line(unsigned at) const { return lines_[at]; }
-    Use& use(unsigned at) { return uses_[at]; }
-    const Use& use(unsigned at) const { return uses_[at]; }
-
-    void to_front(unsigned at) {
-        if (at == 0) return;
-        const std::uint64_t line = lines_[at];
-        const Use use = uses_[at];
-        push(line, use, at);
+    // As use_recent().
+    RecentUse use(std::uint64_t line, std::span<std::uint32_t> counts) {
+        const RecentUse found = use_recent(slots_, line, counts);
+        if (found.slot < Most) newest_ = found.slot, newest_line_ = line;
+        return found;
     }
     // Not where it is full: drop_oldest() first.
-    void add(std::uint64_t line, const Use& use) { push(line, use, size_++); }
-    void drop_oldest() { --size_; }
-    void clear() { size_ = 0; }
+    void add(std::uint64_t line, const Use& use);
 
-    // Sets up to which line `at` and `line` share one, as a power of two.
-    unsigned shared(unsigned at, std::uint64_t line) const {
-        return static_cast<unsigned>(std::countr_zero(lines_[at] ^ line));
+    const RecentLineSlots& slots() const { return slots_; }
+    std::uint64_t line(unsigned slot) const {
+        return std::uint64_t{slots_.high[slot]} << 32 | slots_.low[slot];
     }
+    Use use_of(unsigned slot) const { return {places_[slot], slots_.left[slot], ids_[slot]}; }
+    std::uint64_t& place(unsigned slot) { return places_[slot]; }
+    std::uint64_t& newest_place() { return places_[newest_]; }
+    void set_left(unsigned slot, std::uint32_t left) { slots_.left[slot] = left; }
+
+    // Where there is one.
+    unsigned oldest() const;
+    void drop_oldest() { slots_.used &= static_cast<LineSlots>(~(1u << oldest())); }
+    void clear() { slots_.used = 0; }
 
 private:
-    // The lines before `to` go down by one.
-    void push(std::uint64_t line, const Use& use, unsigned to) {
-        for (unsigned at = to; at > 0; --at) {
-            lines_[at] = lines_[at - 1];
-            uses_[at] = uses_[at - 1];
-        }
-        lines_[0] = line;
-        uses_[0] = use;
-    }
-
-    std::array<std::uint64_t, Most> lines_{};
-    std::array<Use, Most> uses_{};
-    unsigned size_ = 0;
+    RecentLineSlots slots_;
+    std::array<std::uint64_t, Most> places_{};
+    std::array<std::uint32_t, Most> ids_{};
+    unsigned newest_ = 0;
+    std::uint64_t newest_line_ = 0;
 };
 
 } // namespace ffgpu::work

@@ -50,7 +50,8 @@ void TexelScan::command(std::shared_ptr<const WholeCommand> command) {
         const unsigned lanes = test_.after_early_test(command->quads[number]);
         lines_of_quad_.begin_quad();
         for (std::size_t i = 0; i < command->units.size(); ++i)
-            add(command->accesses_of(number, i), lanes, *textures_[command->units[i]]);
+            for (const TexelAccess& access : command->accesses_of(number, i))
+                add(access, lanes, *textures_[command->units[i]]);
         end_quad(command->quads[number]);
     }
     tell();
@@ -126,22 +127,11 @@ void TexelScan::add(const WorkBatch& batch) {
         for (std::size_t i = 0; i < batch.textures.size(); ++i) {
             const TexelFootprints& unit = batch.textures[i];
             const TexelAccess* const end = unit.accesses.data() + unit.accesses.size();
-            const TexelAccess* const first = next[i];
-            while (next[i] != end && next[i]->lane / 4u == number)
-                ++next[i];
-            add({first, next[i]}, lanes, *textures_[unit.unit]);
+            for (; next[i] != end && next[i]->lane / 4u == number; ++next[i])
+                add(*next[i], lanes, *textures_[unit.unit]);
         }
         end_quad(batch.quads[number]);
     }
-}
-
-void TexelScan::add(std::span<const TexelAccess> accesses,
-                    unsigned lanes,
-                    const TextureLines& texture) {
-    if (accesses.size() == 4 && lanes == 0xf)
-        return lines_of_quad_.add_four(texture, accesses.data());
-    for (const TexelAccess& access : accesses)
-        if (lanes >> access.lane % 4u & 1) lines_of_quad_.add(texture, access);
 }
 
 void TexelScan::end_quad(const WorkQuad& quad) {

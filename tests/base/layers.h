@@ -49,7 +49,7 @@ inline const std::map<std::string, Layers> Allowed = {
       "model/texture",
       "model/fragment"}},
     {"model/capture", Contract},
-    {"model/work", {"model/base", "model/device", "model/packets", "model/memory"}},
+    {"model/work", {"model/base", "model/device", "model/packets", "model/arith", "model/memory"}},
     {"model/timing", {"model/base", "model/device", "model/packets", "model/work"}},
     // The driver, from the ground up.
     {"driver", Contract},
