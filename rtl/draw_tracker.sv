@@ -28,7 +28,7 @@ module draw_tracker (
                     count_0_q == '0 && !(walking_i && !tag_i) && !waits_i[0]};
 
   function automatic logic [Width-1:0] ones(input logic [2:0] bits);
-    ones = {{Width-1{1'b0}}, bits[0]} + {{Width-1{1'b0}}, bits[1]} + {{Width-1{1'b0}}, bits[2]};
+    ones = Width'(bits[0]) + Width'(bits[1]) + Width'(bits[2]);
   endfunction
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -36,8 +36,8 @@ module draw_tracker (
       count_0_q <= '0;
       count_1_q <= '0;
     end else begin
-      count_0_q <= count_0_q + {{Width-1{1'b0}}, found_0} - ones(ends_0_i);
-      count_1_q <= count_1_q + {{Width-1{1'b0}}, found_1} - ones(ends_1_i);
+      count_0_q <= count_0_q + Width'(found_0) - ones(ends_0_i);
+      count_1_q <= count_1_q + Width'(found_1) - ones(ends_1_i);
     end
   end
 

@@ -15,6 +15,6 @@ module float_to_unsigned #(
   assign mantissa  = {1'b1, value_i[22:0]};
   assign shift     = 8'd150 - value_i[30:23];
   assign shifted   = value_i[30:23] < 8'd127 ? 24'd0 : mantissa >> shift[4:0];
-  assign integer_o = shifted[Width-1:0];
+  assign integer_o = Width'(shifted);
 
 endmodule

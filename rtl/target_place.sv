@@ -1,7 +1,8 @@
 // Where a quad stands in a target: the aligned words of 8 bytes that its two rows lie in, and its
-// first pixel's byte in them.
+// first pixel's byte in them, which is even.
 //
-// Combinational.
+// Combinational. Address and stride are multiples of the bytes of two pixels, so that no row of a
+// quad lies in two words.
 
 module target_place (
   input  ffgpu_pipe_pkg::surface_place_t  surface_i,
@@ -20,7 +21,7 @@ module target_place (
     ({19'd0, x_i} << ffgpu_pipe_pkg::pixel_bytes_log2(format_i));
   assign upper        = lower + surface_i.stride;
   assign words_o      = {upper[31:3], 3'd0, lower[31:3], 3'd0};
-  assign upper_byte_o = upper[2:0];
-  assign lower_byte_o = lower[2:0];
+  assign upper_byte_o = {upper[2:1], 1'b0};
+  assign lower_byte_o = {lower[2:1], 1'b0};
 
 endmodule

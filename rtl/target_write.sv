@@ -62,16 +62,16 @@ module target_write (
         {upper_enables, lower_enables} = in_data_i.enables;
       end
       2'd1: begin
-        upper         = {32'd0, in_data_i.pixels[111:96], in_data_i.pixels[79:64]};
-        lower         = {32'd0, in_data_i.pixels[47:32], in_data_i.pixels[15:0]};
-        upper_enables = {4'd0, in_data_i.enables[13:12], in_data_i.enables[9:8]};
-        lower_enables = {4'd0, in_data_i.enables[5:4], in_data_i.enables[1:0]};
+        upper         = 64'({in_data_i.pixels[111:96], in_data_i.pixels[79:64]});
+        lower         = 64'({in_data_i.pixels[47:32], in_data_i.pixels[15:0]});
+        upper_enables = 8'({in_data_i.enables[13:12], in_data_i.enables[9:8]});
+        lower_enables = 8'({in_data_i.enables[5:4], in_data_i.enables[1:0]});
       end
       default: begin
-        upper         = {48'd0, in_data_i.pixels[103:96], in_data_i.pixels[71:64]};
-        lower         = {48'd0, in_data_i.pixels[39:32], in_data_i.pixels[7:0]};
-        upper_enables = {6'd0, in_data_i.enables[12], in_data_i.enables[8]};
-        lower_enables = {6'd0, in_data_i.enables[4], in_data_i.enables[0]};
+        upper         = 64'({in_data_i.pixels[103:96], in_data_i.pixels[71:64]});
+        lower         = 64'({in_data_i.pixels[39:32], in_data_i.pixels[7:0]});
+        upper_enables = 8'({in_data_i.enables[12], in_data_i.enables[8]});
+        lower_enables = 8'({in_data_i.enables[4], in_data_i.enables[0]});
       end
     endcase
   end

@@ -39,6 +39,7 @@ module texel_supply #(
   logic [287:0] words;
   logic         notes_ready, cache_ready, cache_valid, note_valid, data_valid, data_ready;
   logic         is_there, is_depth, keeps_q;
+  logic [31:0]  border;
   logic [127:0] block;
 
   // Into the cache, but for the border's, and noted.
@@ -101,6 +102,8 @@ module texel_supply #(
   assign is_depth = image.format == ffgpu_registers_pkg::FormatDepth16 ||
     image.format == ffgpu_registers_pkg::FormatDepth24Stencil8;
 
+  assign border   = is_depth ? {8'd0, sampler.border_depth} : sampler.border_color;
+
   // The texel's bytes lowest. A depth texture is not compared here: there is no reference.
   assign block = data.block >> {note.offset, 3'd0};
   always_comb begin
@@ -117,7 +120,7 @@ module texel_supply #(
     out_data_o.y               = note.y;
     out_data_o.block           = block;
     if (note.is_border) begin
-      out_data_o.block = {96'd0, is_depth ? {8'd0, sampler.border_depth} : sampler.border_color};
+      out_data_o.block = 128'(border);
     end
   end
 
