@@ -7,6 +7,9 @@
 #include "tools/rtl/pipe_comparison.h"
 
 #include <algorithm>
+#include <map>
+#include <random>
+#include <set>
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -122,6 +125,36 @@ TEST_CASE("The pipe draws random states as the model does") {
         }
         CHECK(comparison.fragments().at("") > 2000);
     }
+}
+
+// Many blocks wide and high, a texel a pixel: none lies where another one does.
+TEST_CASE("The pipe finds each texel of images of every format") {
+    constexpr std::uint32_t Width = 64, Height = 32;
+    PipeComparison comparison(Memories[0]);
+    test::Scene scene(Width, Height);
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    prepare(scene);
+    scene.texture(1, {0}); // its sampler
+    const auto corner = [](float x, float y) {
+        return test::Vertex{x, y, 0, 1, 1, 1, 1, 1, 0.5f + x / 2, 0.5f + y / 2};
+    };
+    for (auto format = static_cast<unsigned>(Format::Rgba8);
+         format <= static_cast<unsigned>(Format::Depth24Stencil8);
+         ++format) {
+        INFO(format_info(static_cast<Format>(format)).name);
+        scene.clear(0);
+        scene.registers.images[0].shape = {
+            TextureKind::TwoD, static_cast<Format>(format), Width, Height, 1, 1, 0};
+        scene.draw(PrimitiveType::TriangleFan,
+                   {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)});
+        INFO(comparison.summary());
+        REQUIRE(comparison.equal());
+        const std::vector<std::uint32_t> picture = scene.picture();
+        CHECK(std::set(picture.begin(), picture.end()).size() > 8);
+    }
+    CHECK(comparison.fragments() ==
+          std::map<std::string, std::uint64_t>{{"", 17 * Width * Height}});
 }
 
 // Draws for a pipe without a gap between them, and the model's.
