@@ -3,7 +3,6 @@
 #include "model/base/check.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace ffgpu::work {
 ReadStacks::ReadStacks(std::uint32_t most_sets, std::uint32_t most_ways, AgeStacks::Time most_times)
@@ -25,7 +24,7 @@ ReadStacks::Found ReadStacks::look_up(std::uint64_t line, std::uint64_t number) 
             positions_[level] = most_ways_;
         return {.last = std::exchange(recent_.place(use.slot), number),
                 .known = true,
-                .depth = static_cast<std::uint32_t>(std::popcount(use.newer)),
+                .depth = use.newer,
                 .positions = std::span(positions_).first(use.levels)};
     }
     Found found;
@@ -78,14 +77,15 @@ void ReadStacks::find_older(std::uint32_t id, Found& found) {
 // To the stacks below, where it moves to the front.
 void ReadStacks::oldest_leaves() {
     if (leaves_ == most_times_) count_anew();
-    const RecentLines::Use use = recent_.use_of(recent_.oldest());
+    const unsigned oldest = recent_.oldest();
+    const RecentLines::Use use = recent_.use_of(oldest);
     Line& line = lines_[use.id];
     line.last = use.place;
     line.left = ++leaves_;
     all_.put(use.id);
     for (AgeStacks& stack : stacks_)
         if (stack.use(line.line, use.left, line.left) == 0 && use.left > 0) break;
-    recent_.drop_oldest();
+    recent_.drop(oldest);
     if (recent_.size() > 0) prefetch(recent_.line(recent_.oldest())); // the next that leaves
 }
 

@@ -42,7 +42,9 @@ use_recent_plainly(RecentLineSlots& all, std::uint64_t line, std::span<std::uint
     if (slot == RecentLineSlots::Count) return {};
     const auto newer = static_cast<LineSlots>(all.newer[slot] & all.used);
     make_newest(all, slot);
-    return {slot, newer, sharers_plainly(all, newer, line, counts)};
+    return {slot,
+            static_cast<std::uint32_t>(std::popcount(newer)),
+            sharers_plainly(all, newer, line, counts)};
 }
 
 LineSlots left_by_plainly(const RecentLineSlots& all, std::uint32_t left) {
@@ -51,6 +53,13 @@ LineSlots left_by_plainly(const RecentLineSlots& all, std::uint32_t left) {
         if ((all.used >> slot & 1) != 0 && all.left[slot] <= left)
             slots |= static_cast<LineSlots>(1u << slot);
     return slots;
+}
+
+unsigned oldest_slot_plainly(const RecentLineSlots& all) {
+    unsigned slot = 0;
+    while ((all.used >> slot & 1) == 0 || ((all.newer[slot] | 1u << slot) & all.used) != all.used)
+        ++slot;
+    return slot;
 }
 
 unsigned RecentLines::slot_of(std::uint64_t line) const {
@@ -68,14 +77,6 @@ void RecentLines::add(std::uint64_t line, const Use& use) {
     places_[newest_] = use.place;
     ids_[newest_] = use.id;
     make_newest(slots_, newest_);
-}
-
-unsigned RecentLines::oldest() const {
-    unsigned slot = 0;
-    while ((slots_.used >> slot & 1) == 0 ||
-           ((slots_.newer[slot] | 1u << slot) & slots_.used) != slots_.used)
-        ++slot;
-    return slot;
 }
 
 } // namespace ffgpu::work

@@ -36,7 +36,7 @@ std::size_t sharers(const RecentLineSlots& all,
 // Makes the line the newest, where it is here.
 struct RecentUse {
     unsigned slot = RecentLineSlots::Count; // none, if it is not here
-    LineSlots newer = 0;                    // till now
+    std::uint32_t newer = 0;                // lines that were newer till now
     std::size_t levels = 0;                 // sharers() of these
 };
 RecentUse use_recent(RecentLineSlots& all, std::uint64_t line, std::span<std::uint32_t> counts);
@@ -44,7 +44,10 @@ RecentUse use_recent(RecentLineSlots& all, std::uint64_t line, std::span<std::ui
 // Those whose line left the top last as the `left`-th or before; `left` is less than 2^31.
 LineSlots left_by(const RecentLineSlots& all, std::uint32_t left);
 
-// The three of them one by one: what they say.
+// The slot of the line than which all others are newer, where there is one.
+unsigned oldest_slot(const RecentLineSlots& all);
+
+// The four of them one by one: what they say.
 std::size_t sharers_plainly(const RecentLineSlots& all,
                             LineSlots slots,
                             std::uint64_t line,
@@ -52,6 +55,7 @@ std::size_t sharers_plainly(const RecentLineSlots& all,
 RecentUse
 use_recent_plainly(RecentLineSlots& all, std::uint64_t line, std::span<std::uint32_t> counts);
 LineSlots left_by_plainly(const RecentLineSlots& all, std::uint32_t left);
+unsigned oldest_slot_plainly(const RecentLineSlots& all);
 
 class RecentLines {
 public:
@@ -76,7 +80,7 @@ public:
         if (found.slot < Most) newest_ = found.slot, newest_line_ = line;
         return found;
     }
-    // Not where it is full: drop_oldest() first.
+    // Not where it is full: drop() first.
     void add(std::uint64_t line, const Use& use);
 
     const RecentLineSlots& slots() const { return slots_; }
@@ -89,8 +93,8 @@ public:
     void set_left(unsigned slot, std::uint32_t left) { slots_.left[slot] = left; }
 
     // Where there is one.
-    unsigned oldest() const;
-    void drop_oldest() { slots_.used &= static_cast<LineSlots>(~(1u << oldest())); }
+    unsigned oldest() const { return oldest_slot(slots_); }
+    void drop(unsigned oldest) { slots_.used &= static_cast<LineSlots>(~(1u << oldest)); }
     void clear() { slots_.used = 0; }
 
 private:

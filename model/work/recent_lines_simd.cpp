@@ -71,7 +71,9 @@ use_recent_lanes(RecentLineSlots& all, std::uint64_t line, std::span<std::uint32
         hn::Store(hn::Or(before, hn::Set(halves, found)), halves, all.newer.data() + at);
     }
     all.newer[slot] = 0;
-    return {slot, newer, newer == 0 ? 0 : sharers_lanes(all, newer, line, counts)};
+    if (newer == 0) return {slot, 0, 0};
+    const auto count = static_cast<std::uint32_t>(std::popcount(newer));
+    return {slot, count, sharers_lanes(all, newer, line, counts)};
 }
 
 LineSlots left_by_lanes(const RecentLineSlots& all, std::uint32_t left) {
@@ -84,6 +86,20 @@ LineSlots left_by_lanes(const RecentLineSlots& all, std::uint32_t left) {
     return static_cast<LineSlots>(all.used & ~later);
 }
 
+unsigned oldest_slot_lanes(const RecentLineSlots& all) {
+    const Halves halves;
+    const auto used = hn::Set(halves, all.used);
+    LineSlots slots = 0;
+    for (std::size_t at = 0; at < RecentLineSlots::Count; at += HalfStep) {
+        const auto own = hn::Shl(hn::Set(halves, std::uint16_t{1}),
+                                 hn::Iota(halves, static_cast<std::uint16_t>(at)));
+        const auto newer = hn::Load(halves, all.newer.data() + at);
+        const auto is = hn::Eq(hn::And(hn::Or(newer, own), used), used);
+        slots |= static_cast<LineSlots>(bits_from_mask(halves, is) << at);
+    }
+    return static_cast<unsigned>(std::countr_zero(static_cast<LineSlots>(slots & all.used)));
+}
+
 } // namespace
 } // namespace ffgpu::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -94,6 +110,7 @@ namespace {
 HWY_EXPORT(sharers_lanes);
 HWY_EXPORT(use_recent_lanes);
 HWY_EXPORT(left_by_lanes);
+HWY_EXPORT(oldest_slot_lanes);
 } // namespace
 
 std::size_t sharers(const RecentLineSlots& all,
@@ -109,6 +126,10 @@ RecentUse use_recent(RecentLineSlots& all, std::uint64_t line, std::span<std::ui
 
 LineSlots left_by(const RecentLineSlots& all, std::uint32_t left) {
     return HWY_DYNAMIC_DISPATCH(left_by_lanes)(all, left);
+}
+
+unsigned oldest_slot(const RecentLineSlots& all) {
+    return HWY_DYNAMIC_DISPATCH(oldest_slot_lanes)(all);
 }
 
 } // namespace ffgpu::work

@@ -2,7 +2,9 @@
 
 #include "model/work/recent_lines.h"
 
+#include <algorithm>
 #include <array>
+#include <numeric>
 #include <random>
 #include <span>
 
@@ -77,6 +79,17 @@ TEST_CASE("vectors of the newest lines say what one by one does", "[curves]") {
         REQUIRE(counts == expected);
         REQUIRE(equal(after, expected_after));
         found += use.slot < RecentLineSlots::Count;
+
+        std::uint16_t newer = 0; // a line after another, in any order of slots
+        RecentLineSlots in_order = all;
+        std::array<unsigned, RecentLineSlots::Count> order{};
+        std::iota(order.begin(), order.end(), 0u);
+        std::shuffle(order.begin(), order.end(), random);
+        for (const unsigned slot : order) {
+            in_order.newer[slot] = newer;
+            newer |= static_cast<LineSlots>(1u << slot);
+        }
+        if (in_order.used != 0) REQUIRE(oldest_slot(in_order) == oldest_slot_plainly(in_order));
     }
     CHECK(found > 1000);
 }
@@ -94,7 +107,7 @@ TEST_CASE("the oldest of the newest lines leaves first", "[curves]") {
     CHECK(lines.is_newest(0));
     for (std::uint64_t line = 1; line < RecentLines::Most; ++line) {
         CHECK(lines.line(lines.oldest()) == line);
-        lines.drop_oldest();
+        lines.drop(lines.oldest());
     }
     CHECK(lines.line(lines.oldest()) == 0);
     lines.add(40, {});
