@@ -107,7 +107,8 @@ private:
     // Bins.
     void before_read(std::uint64_t at, std::uint64_t bytes); // of memory by anybody but a bin
     void before_write(std::uint64_t at, std::uint64_t bytes);
-    void flush();     // All that was submitted is in memory.
+    void flush(); // All that was submitted is in memory.
+    bool bin_is_full() const;
     void carry_out(); // The bin at hand is drawn, perhaps while the next one is filled.
     void finish_carrying();
     void draw_and_record();
@@ -140,6 +141,7 @@ private:
     std::shared_ptr<const PixelContext> binned_pixels_; // the last whose textures are in the sets
 
     // With a work sink.
+    std::uint64_t bin_area_ = 0;          // of the bin's primitives, in pixels, at most
     std::vector<HostTransfer> transfers_; // since the last bin was handed over
     bool draw_goes_on_ = false;           // The bin is full within a draw.
     GeometryWork geometry_work_;          // of the draw under way

@@ -60,6 +60,8 @@ std::size_t leading_triangles(std::span<const Primitive> batch) {
     return count;
 }
 
+constexpr std::uint64_t MostRecordedArea = 1 << 18; // of a bin, in pixels
+
 PieceBox piece_box(const Rectangle& box) {
     const auto narrow = [](int at) { return static_cast<std::uint16_t>(at); };
     return {narrow(box.x0), narrow(box.y0), narrow(box.x1), narrow(box.y1)};
@@ -129,7 +131,7 @@ bool FunctionalGpu::reads_own_target(const DrawContext& context) const {
 // Makes `command` the one that is binned from now on, in the state of context_.
 void FunctionalGpu::begin_command(BinCommand command) {
     const Targets& targets = context_->regs().targets;
-    if (!bin_.empty() && (bin_.full() || !(bin_targets_ == targets))) carry_out();
+    if (!bin_.empty() && (bin_is_full() || !(bin_targets_ == targets))) carry_out();
     if (context_->pixels != binned_pixels_) {
         // Textures that the bin draws into must be finished; others must stay as they are.
         for_each_image(*context_, [this](const TextureImage& image) {
@@ -219,7 +221,7 @@ void FunctionalGpu::bin_triangle(const Primitive& triangle, unsigned place) {
 
 // Room for the record of the primitive that is next, with its piece's number.
 SetupRecord& FunctionalGpu::begin_record(const Primitive& primitive) {
-    if (bin_.full()) {
+    if (bin_is_full()) {
         // The draw goes on in the next bin, under the same number.
         const std::uint32_t number = bin_.commands().back().number;
         const bool serial = bin_serial_;
@@ -267,7 +269,15 @@ void FunctionalGpu::count_empty() {
 void FunctionalGpu::count_area(const Rectangle& box, double double_area) {
     constexpr double PerPixel = 1.0 / (2 << 2 * SubPixelBits);
     primitive_statistics_.add_area(double_area * PerPixel);
-    if (sink_) geometry_work_.pieces.push_back(piece_box(box));
+    if (!sink_) return;
+    geometry_work_.pieces.push_back(piece_box(box));
+    const auto pixels = std::uint64_t(box.width()) * std::uint64_t(box.height());
+    bin_area_ += std::min(pixels, static_cast<std::uint64_t>(double_area * PerPixel) + 1);
+}
+
+// What a recorded bin tells waits for others to read it, some 80 bytes a quad.
+bool FunctionalGpu::bin_is_full() const {
+    return bin_.full() || (sink_ && bin_area_ >= MostRecordedArea);
 }
 
 void FunctionalGpu::before_read(std::uint64_t at, std::uint64_t bytes) {
@@ -318,6 +328,7 @@ void FunctionalGpu::carry_out() {
         if (pool_.threads() == 1) finish_carrying();
     }
     ++host_statistics_.bins;
+    bin_area_ = 0;
     bin_reads_.clear();
     bin_writes_.clear();
     binned_pixels_.reset();

@@ -5,7 +5,9 @@
 
 #include "model/work/work_file_format.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <stdexcept>
@@ -22,37 +24,66 @@ constexpr std::int64_t unzigzag(std::uint64_t value) {
     return static_cast<std::int64_t>(value >> 1) ^ -static_cast<std::int64_t>(value & 1);
 }
 
+// Returns the end of what it writes: at most 10 bytes.
+inline std::uint8_t* put_number(std::uint8_t* to, std::uint64_t value) {
+    for (; value >= 0x80; value >>= 7)
+        *to++ = static_cast<std::uint8_t>(value | 0x80);
+    *to++ = static_cast<std::uint8_t>(value);
+    return to;
+}
+
 class ColumnWriter {
 public:
-    void byte(Column column, std::uint8_t value) { of(column).push_back(value); }
+    void byte(Column column, std::uint8_t value) {
+        std::uint8_t* const to = room(column, 1);
+        *to = value;
+        written(column, to + 1);
+    }
     void number(Column column, std::uint64_t value) {
-        std::vector<std::uint8_t>& bytes = of(column);
-        for (; value >= 0x80; value >>= 7)
-            bytes.push_back(static_cast<std::uint8_t>(value | 0x80));
-        bytes.push_back(static_cast<std::uint8_t>(value));
+        written(column, put_number(room(column, MostOfNumber), value));
     }
     void difference(Column column, std::int64_t value) { number(column, zigzag(value)); }
     void text(Column column, std::string_view value) {
         number(column, value.size());
-        of(column).insert(of(column).end(), value.begin(), value.end());
+        for (const char letter : value)
+            byte(column, static_cast<std::uint8_t>(letter));
+    }
+
+    // The end of the column, with room for `count` bytes behind it; those up to written()'s `end`
+    // belong to it then.
+    std::uint8_t* room(Column column, std::size_t count) {
+        Bytes& bytes = columns_[static_cast<std::size_t>(column)];
+        if (bytes.room.size() - bytes.count < count)
+            bytes.room.resize(std::max(2 * bytes.room.size(), bytes.count + count));
+        return bytes.room.data() + bytes.count;
+    }
+    void written(Column column, const std::uint8_t* end) {
+        Bytes& bytes = columns_[static_cast<std::size_t>(column)];
+        bytes.count = static_cast<std::size_t>(end - bytes.room.data());
     }
 
     std::size_t bytes() const {
         std::size_t sum = 0;
-        for (const auto& column : columns_)
-            sum += column.size();
+        for (const Bytes& column : columns_)
+            sum += column.count;
         return sum;
     }
-    std::vector<std::uint8_t>& of(Column column) {
-        return columns_[static_cast<std::size_t>(column)];
+    std::span<const std::uint8_t> of(Column column) const {
+        const Bytes& bytes = columns_[static_cast<std::size_t>(column)];
+        return std::span(bytes.room).first(bytes.count);
     }
     void clear() {
-        for (auto& column : columns_)
-            column.clear();
+        for (Bytes& column : columns_)
+            column.count = 0;
     }
 
 private:
-    std::array<std::vector<std::uint8_t>, ColumnCount> columns_;
+    static constexpr std::size_t MostOfNumber = 10;
+    struct Bytes {
+        std::vector<std::uint8_t> room;
+        std::size_t count = 0;
+    };
+    std::array<Bytes, ColumnCount> columns_;
 };
 
 // A block's numbers make no sense.

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "model/work/access_index.h"
+#include "model/work/canonical_order.h"
 #include "model/work/draw_gatherer.h"
 #include "model/work/whole_command.h"
 
@@ -27,7 +29,11 @@ private:
     }
     void host_transfer(const HostTransfer& transfer) override { out_.host_transfer(transfer); }
 
+    void copy_accesses(std::span<const QuadSource> sources, WholeCommand& whole) const;
+
     CommandSink& out_;
+    CanonicalOrder order_;
+    AccessIndex index_;
     DrawGatherer gatherer_;
 };
 

@@ -88,6 +88,14 @@ public:
         std::uint16_t layer = 0;
     };
 
+    // What a unit's accesses of one number within their lane were in the quad before.
+    struct Past {
+        std::uint32_t place = 0; // of the first lane: x, and y above it
+        std::uint32_t kind = 0;  // of the first lane: layer, and level above it
+        // Of the first lane, and of lanes 1 to 3: x, and y above it, each modulo 2^16.
+        alignas(16) std::array<std::uint32_t, 4> steps{};
+    };
+
     void begin_quad(unsigned unit) {
         unit_ = unit;
         lane_ = first_lane_ = None;
@@ -97,42 +105,39 @@ public:
         if (first_lane_ == None) first_lane_ = lane;
         if (lane != lane_) ordinal_ = 0;
         lane_ = lane;
-        const Place& from = reference();
-        const Step& step = steps_[unit_][slot()][ordinal_];
-        return {static_cast<std::uint16_t>(from.x + step.x),
-                static_cast<std::uint16_t>(from.y + step.y),
-                from.level,
-                from.layer};
+        const Past& past = past_[unit_][ordinal_];
+        const std::uint32_t step = past.steps[slot()];
+        return {static_cast<std::uint16_t>(past.place + step),
+                static_cast<std::uint16_t>((past.place >> 16) + (step >> 16)),
+                static_cast<std::uint8_t>(past.kind >> 16),
+                static_cast<std::uint16_t>(past.kind)};
     }
 
     // What it was.
     void take(const TexelAccess& access) {
-        const Place& from = reference();
-        steps_[unit_][slot()][ordinal_] = {static_cast<std::uint16_t>(access.x0 - from.x),
-                                           static_cast<std::uint16_t>(access.y0 - from.y)};
-        if (slot() == 0)
-            places_[unit_][ordinal_] = {access.x0, access.y0, access.level, access.layer0};
+        Past& past = past_[unit_][ordinal_];
+        past.steps[slot()] = halves(access.x0 - past.place, access.y0 - (past.place >> 16));
+        if (slot() == 0) {
+            past.place = halves(access.x0, access.y0);
+            past.kind = halves(access.layer0, access.level);
+        }
         if (ordinal_ + 1 < Ordinals) ++ordinal_;
     }
+
+    // For who looks at all lanes of a quad at once.
+    Past& past(unsigned unit, unsigned ordinal) { return past_[unit][ordinal]; }
 
 private:
     static constexpr unsigned None = ~0u;
     static constexpr unsigned Ordinals = 32; // of the accesses of a lane
-    struct Place {
-        std::uint16_t x = 0, y = 0;
-        std::uint8_t level = 0;
-        std::uint16_t layer = 0;
-    };
-    struct Step {
-        std::uint16_t x = 0, y = 0; // modulo 2^16
-    };
 
+    static constexpr std::uint32_t halves(std::uint32_t low, std::uint32_t high) {
+        return (low & 0xffff) | high << 16;
+    }
     unsigned slot() const { return lane_ == first_lane_ ? 0 : lane_; }
-    const Place& reference() const { return places_[unit_][ordinal_]; }
 
     unsigned unit_ = 0, lane_ = None, first_lane_ = None, ordinal_ = 0;
-    std::array<std::array<Place, Ordinals>, TextureUnits> places_{}; // of the first lanes
-    std::array<std::array<std::array<Step, Ordinals>, 4>, TextureUnits> steps_{};
+    std::array<std::array<Past, Ordinals>, TextureUnits> past_{};
 };
 
 } // namespace ffgpu::work

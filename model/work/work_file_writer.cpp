@@ -1,8 +1,8 @@
 #include "model/work/work_file_writer.h"
 
 #include "model/base/check.h"
-#include "model/work/quad_fate.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,10 +13,6 @@ namespace ffgpu::work {
 namespace {
 
 constexpr int CompressionLevel = 3;
-
-std::int16_t step(std::uint16_t value, std::uint16_t expected) {
-    return static_cast<std::int16_t>(value - expected);
-}
 
 } // namespace
 
@@ -190,75 +186,20 @@ void WorkFileWriter::write_piece(const PieceBox& box) {
 }
 
 void WorkFileWriter::write_quads(const WholeCommand& command) {
-    for (std::size_t i = 0; i < command.quads.size(); ++i) {
+    for (std::size_t i = 0; i < command.quads.size();) {
         begin_item(Item::Quad);
-        write_quad(command, i);
+        const std::size_t count = quads_of_block(command, i);
+        quads_out_.write(command, i, count, columns_);
+        items_ += static_cast<std::uint32_t>(count - 1);
+        i += count;
     }
 }
 
-void WorkFileWriter::write_quad(const WholeCommand& command, std::size_t number) {
-    const WorkQuad& quad = command.quads[number];
-    const WorkQuad before = number == 0 ? WorkQuad{} : command.quads[number - 1];
-    columns_.number(Column::Primitive, quad.primitive - before.primitive);
-    const std::uint32_t piece = quad.primitive == before.primitive ? before.piece : 0;
-    columns_.number(Column::Piece, quad.piece - piece);
-    columns_.difference(Column::Row, quad.y / 2 - before.y / 2);
-    columns_.difference(Column::Column, quad.x / 2 - before.x / 2 - (quad.y == before.y ? 1 : 0));
-    columns_.byte(Column::Covered, quad.covered);
-    write_fate(quad);
-    write_accesses(command, number);
-    if (command.has_values()) values_out_.words(columns_, command.values_of(number));
-}
-
-void WorkFileWriter::write_fate(const WorkQuad& quad) {
-    const QuadFate fate = fate_of(quad);
-    columns_.byte(Column::Fate, static_cast<std::uint8_t>(fate));
-    if (fate == QuadFate::SurvivorsWrite) columns_.byte(Column::Fate, quad.after_depth);
-    if (fate == QuadFate::Other) {
-        for (const std::uint8_t mask : {quad.after_early_depth,
-                                        quad.after_coverage,
-                                        quad.after_alpha,
-                                        quad.after_stencil,
-                                        quad.after_depth})
-            columns_.byte(Column::Fate, mask);
-    }
-    const SampleFate samples = sample_fate_of(quad);
-    columns_.byte(Column::Samples, static_cast<std::uint8_t>(samples));
-    if (samples != SampleFate::Other) return;
-    columns_.number(Column::Samples, quad.samples_covered);
-    columns_.number(Column::Samples, quad.samples_written);
-}
-
-void WorkFileWriter::write_accesses(const WholeCommand& command, std::size_t number) {
-    for (std::size_t unit = 0; unit < command.units.size(); ++unit) {
-        const auto accesses = command.accesses_of(number, unit);
-        columns_.number(Column::AccessCount, accesses.size());
-        forecast_.begin_quad(command.units[unit]);
-        for (const TexelAccess& access : accesses)
-            write_access(access);
-    }
-}
-
-void WorkFileWriter::write_access(const TexelAccess& access) {
-    const AccessForecast::Expected expected = forecast_.next(access.lane);
-    const std::uint16_t x1 = static_cast<std::uint16_t>(access.x0 + (access.linear & 1));
-    const std::uint16_t y1 = static_cast<std::uint16_t>(access.y0 + (access.linear >> 1 & 1));
-    const std::uint16_t layer1 = static_cast<std::uint16_t>(access.layer0 + (access.linear >> 2));
-    const bool foreseen = access.level == expected.level && access.layer0 == expected.layer &&
-                          access.x1 == x1 && access.y1 == y1 && access.layer1 == layer1;
-    columns_.byte(Column::Shape,
-                  static_cast<std::uint8_t>(access.lane | access.linear << 2 |
-                                            (foreseen ? ShapeForeseen : 0)));
-    columns_.difference(Column::X, step(access.x0, expected.x));
-    columns_.difference(Column::Y, step(access.y0, expected.y));
-    if (!foreseen) {
-        columns_.byte(Column::Rare, access.level);
-        columns_.difference(Column::Rare, step(access.x1, x1));
-        columns_.difference(Column::Rare, step(access.y1, y1));
-        columns_.difference(Column::Rare, step(access.layer0, expected.layer));
-        columns_.difference(Column::Rare, step(access.layer1, layer1));
-    }
-    forecast_.take(access);
+// From `first` on, some that surely belong to the block at hand.
+std::size_t WorkFileWriter::quads_of_block(const WholeCommand& command, std::size_t first) const {
+    const std::size_t count = std::min(command.quads.size() - first, QuadColumnWriter::MostQuads);
+    const std::size_t most = QuadColumnWriter::most_bytes(command, first, count);
+    return columns_.bytes() + most < BlockBytes ? count : 1;
 }
 
 void WorkFileWriter::write_block(BlockKind kind) {
@@ -269,7 +210,7 @@ void WorkFileWriter::write_block(BlockKind kind) {
             raw.push_back(static_cast<std::uint8_t>(bytes >> shift));
     }
     for (std::size_t i = 0; i < ColumnCount; ++i) {
-        const auto& column = columns_.of(static_cast<Column>(i));
+        const auto column = columns_.of(static_cast<Column>(i));
         raw.insert(raw.end(), column.begin(), column.end());
     }
     columns_.clear();

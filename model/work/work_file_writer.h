@@ -5,7 +5,7 @@
 #include "model/base/whole_file.h"
 #include "model/work/column_bytes.h"
 #include "model/work/frame_figures.h"
-#include "model/work/value_columns.h"
+#include "model/work/quad_columns.h"
 #include "model/work/whole_command.h"
 #include "model/work/work_fields.h"
 
@@ -38,10 +38,7 @@ private:
     void write_primitives(const GeometryWork& geometry);
     void write_piece(const PieceBox& box);
     void write_quads(const WholeCommand& command);
-    void write_quad(const WholeCommand& command, std::size_t number);
-    void write_fate(const WorkQuad& quad);
-    void write_accesses(const WholeCommand& command, std::size_t number);
-    void write_access(const TexelAccess& access);
+    std::size_t quads_of_block(const WholeCommand& command, std::size_t first) const;
     void write_block(BlockKind kind);
     template <class Command>
     void write_fields(const Command& command);
@@ -52,9 +49,8 @@ private:
     std::uint32_t items_ = 0;
     std::shared_ptr<const Registers> state_; // the last written
     FieldValues state_values_, values_;
-    AccessForecast forecast_;
     PieceBox box_; // the last written
-    ValueColumnWriter values_out_;
+    QuadColumnWriter quads_out_;
 };
 
 } // namespace ffgpu::work
