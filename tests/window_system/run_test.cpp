@@ -173,6 +173,8 @@ TEST_CASE("Ctrl-C or its terminal's end ends a replay behind a frame, with its s
                                 out.path.string()});
     const bool drew = comes_true([&] { return fs::exists(out.path / "frame_0000.png"); });
     ::kill(replay, signal);
+    ::usleep(20'000); // A key that is pressed twice.
+    ::kill(replay, signal);
     const int status = wait_status(replay);
     CHECK(drew);
     CHECK(WIFEXITED(status));

@@ -11,6 +11,7 @@
 #include "tools/record/recording_arguments.h"
 #include "tools/recorder/guarded_device.h"
 #include "tools/recorder/run_watch.h"
+#include "tools/replay/one_signal.h"
 
 #include <atomic>
 #include <cerrno>
@@ -19,7 +20,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <new>
 #include <optional>
@@ -36,30 +36,21 @@ constexpr auto Patience = std::chrono::seconds(2);
 
 // The signal that came. A handler and a thread write it.
 std::atomic<int> interrupted{0};
-std::atomic<std::int64_t> interrupted_at{0};
 static_assert(std::atomic<int>::is_always_lock_free);
-static_assert(std::atomic<std::int64_t>::is_always_lock_free);
-constexpr std::int64_t OneSignalMilliseconds = 500;
+OneSignal arrival;
 std::atomic<bool> is_impatient{false};
 std::counting_semaphore<4> signal_came{0};
 
 // Ctrl-C: the frame that is being drawn is the last. Where the program draws none for a while, or
 // waits for events, what is there is completed without it. A second one has no patience for that,
-// and a third ends at once. What comes with one is the same: who signals a group of processes
-// reaches the program once himself and once by way of ffgpu.
+// and a third ends at once.
 void interrupt(int signal) {
-    struct timespec now {};
-    ::clock_gettime(CLOCK_MONOTONIC, &now);
-    const std::int64_t milliseconds = std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
-    if (interrupted) {
-        if (milliseconds - interrupted_at < OneSignalMilliseconds) return;
-        if (is_impatient) {
-            std::signal(signal, SIG_DFL);
-            std::raise(signal);
-        }
-        is_impatient = true;
+    if (!arrival.is_new()) return;
+    if (is_impatient) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
     }
-    interrupted_at = milliseconds;
+    if (interrupted) is_impatient = true;
     interrupted = signal;
     signal_came.release(); // A futex: it may be called here.
 }
