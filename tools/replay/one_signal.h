@@ -15,8 +15,7 @@ public:
     bool is_new() noexcept {
         struct timespec now {};
         ::clock_gettime(CLOCK_MONOTONIC, &now);
-        const std::int64_t milliseconds =
-            std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
+        const std::int64_t milliseconds = std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
         if (milliseconds - at_ < Milliseconds) return false;
         at_ = milliseconds;
         return true;
