@@ -52,15 +52,17 @@ WholeFile::~WholeFile() {
 
 void WholeFile::write(std::span<const std::byte> bytes) {
     if (process_ != ::getpid()) return; // A forked child's parent goes on writing.
+    if (failure_ != 0) fail(failure_);
     while (!bytes.empty()) {
         const ssize_t written = write_some(file_, bytes);
-        if (written < 0) fail(errno);
+        if (written < 0) fail(failure_ = errno);
         bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
 }
 
 void WholeFile::commit() {
     int reason = ::close(std::exchange(file_, -1)) == 0 ? 0 : errno;
+    if (failure_ != 0) reason = failure_;
     if (temporary_.empty() && reason == 0) return;
     if (reason == 0 && std::rename(temporary_.c_str(), target_.c_str()) == 0) return;
     if (reason == 0) reason = errno;

@@ -28,7 +28,8 @@ public:
 
     void write(std::span<const std::byte> bytes);
     void write(std::string_view text) { write(std::as_bytes(std::span(text))); }
-    // The bytes are with the system, and the file has its name.
+    // The bytes are with the system, and the file has its name. Behind a write that failed neither
+    // this nor another write does anything but fail for the same reason.
     void commit();
 
 private:
@@ -38,6 +39,7 @@ private:
     std::string target_;    // where links lead
     std::string temporary_; // empty: it is written in place
     int file_ = -1;
+    int failure_ = 0; // of the first write that failed
     pid_t process_;
 };
 

@@ -173,11 +173,12 @@ double RandomWalk::plain_number() {
 
 const void*
 RandomWalk::pointer(const Call& call, const RegistryParameter& parameter, bool is_const) {
+    // What it points to may be places in a buffer; it itself is the program's own.
+    if (contains(call.name, "MultiDrawElements") && parameter.name == "indices")
+        return memory_.pointers.data();
     const GLenum binding = buffer_binding(call.name, parameter.name, is_const);
     if (binding != 0 && is_bound(binding))
         return reinterpret_cast<const void*>(std::uintptr_t{4} * below(64));
-    if (contains(call.name, "MultiDrawElements") && parameter.name == "indices")
-        return memory_.pointers.data();
     if (!is_const) return memory_.output.data();
     if (parameter.type == "GLfloat" || parameter.type == "GLclampf") return memory_.floats.data();
     if (parameter.type == "GLdouble" || parameter.type == "GLclampd") return memory_.doubles.data();

@@ -211,10 +211,24 @@ TEST_CASE("--draws leaves the others out, and their numbers as they are") {
         });
     };
     CHECK_THAT(told("--draws", "2-"),
-               Contains("the last draw is 1: none of those wanted is there"));
+               Contains("the draws are 0 to 1: none of those wanted is there"));
     CHECK_THAT(told("--draws", "1-2"), Contains("the last draw is 1\n"));
     CHECK_THAT(told("--draws", "0-1"), !Contains("last draw"));
     CHECK_THAT(told("--draws", "1-"), !Contains("last draw"));
+    const std::string four_a_frame = FFGPU_SOURCE_DIR "/traces/corridor.trace";
+    CHECK_THAT(printed(stderr,
+                       [&] {
+                           run({"replay",
+                                four_a_frame,
+                                "--no-images",
+                                "-o",
+                                folder / "y",
+                                "--frames",
+                                "1",
+                                "--draws",
+                                "0-3"});
+                       }),
+               Contains("the draws are 4 to 7: none of those wanted is there"));
     CHECK_THAT(told("--steps", "3"), Contains("no frame has more than 2 draws"));
     CHECK_THAT(told("--steps", "2"), !Contains("no frame"));
 }

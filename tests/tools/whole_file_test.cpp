@@ -101,6 +101,18 @@ TEST_CASE("a file that is not committed was never there") {
     CHECK(fs::file_size(path) == 4);
 }
 
+TEST_CASE("a file that was not written whole does not get its name") {
+    const Folder folder;
+    WholeFile file((folder.path / "text").string());
+    {
+        const FileSizeLimit limit(4096);
+        CHECK_THROWS_WITH(file.write(std::string(10'000, 'x')), Contains("File too large"));
+    }
+    CHECK_THROWS_WITH(file.write("the rest"), Contains("File too large"));
+    CHECK_THROWS_WITH(file.commit(), Contains("File too large"));
+    CHECK(folder.files() == 0);
+}
+
 TEST_CASE("what is no plain file is written as it is") {
     const Folder folder;
     const std::string path = (folder.path / "pipe").string();

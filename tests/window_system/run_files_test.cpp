@@ -65,6 +65,27 @@ TEST_CASE("a program that leaves by _exit or becomes another is told of") {
     CHECK(count_of(ffgpu_run("-- " FFGPU_FRAMES " abandon").text, "warning") == 0);
 }
 
+TEST_CASE("what an exit handler draws is drawn and recorded") {
+    if (!has_display()) return;
+    const OutputFolder out;
+    const Outcome run = ffgpu_run("-o " + out.path.string() + " -- " FFGPU_FRAMES " last");
+    INFO(run.text);
+    CHECK(run.status == 0);
+    const std::string frame = (out.path / "frame_000").string();
+    // Red from 0 to 255, and the root of a third of its square.
+    CHECK(count_of(shell(FFGPU_BINARY " compare " + frame + "0.png " + frame + "1.png").text,
+                   "147.22") == 1);
+}
+
+TEST_CASE("a program that leaves no memory is one line and status 2") {
+    if (!has_display()) return;
+    const OutputFolder out;
+    const Outcome run = ffgpu_run("-o " + out.path.string() + " -- " FFGPU_FRAMES " starved");
+    CHECK(run.status == 2);
+    CHECK(run.text.rfind("ffgpu: out of memory", 0) == 0);
+    CHECK(count_of(run.text, "\n") == 1);
+}
+
 TEST_CASE("a program that its script leaves behind is told of, and completes its files") {
     if (!has_display()) return;
     const OutputFolder out;

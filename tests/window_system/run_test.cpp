@@ -127,6 +127,21 @@ TEST_CASE("Ctrl-C while the program waits for events keeps its statistics") {
     CHECK(count_of(text.str(), "\"frame_count\": 10") == 1);
 }
 
+TEST_CASE("a second Ctrl-C waits no longer, and loses nothing") {
+    Display* const display = tests::XServer::display();
+    if (!display) return;
+    ::setenv("DISPLAY", DisplayString(display), 1);
+    const OutputFolder out;
+    const pid_t run = start({"ffgpu", "run", "-o", out.path.string(), "--", FFGPU_FORKS, "wait"});
+    REQUIRE(comes_true([&] { return fs::exists(out.path / "frame_0009.png"); }));
+    ::kill(-run, SIGINT);
+    ::usleep(700'000); // It is not the same one.
+    ::kill(-run, SIGINT);
+    const int status = wait_status(run);
+    CHECK(WEXITSTATUS(status) == 128 + SIGINT);
+    CHECK(count_of(statistics_in(out), "\"frame_count\": 10,") == 1);
+}
+
 // As `timeout` does it.
 TEST_CASE("a signal to ffgpu and its program at once keeps the statistics") {
     Display* const display = tests::XServer::display();
@@ -158,6 +173,8 @@ TEST_CASE("Ctrl-C or its terminal's end ends a replay behind a frame, with its s
                                 out.path.string()});
     const bool drew = comes_true([&] { return fs::exists(out.path / "frame_0000.png"); });
     ::kill(replay, signal);
+    ::usleep(20'000); // A key that is pressed twice.
+    ::kill(replay, signal);
     const int status = wait_status(replay);
     CHECK(drew);
     CHECK(WIFEXITED(status));
@@ -182,6 +199,14 @@ TEST_CASE("a program that never drew on ffgpu is told of") {
     INFO(run.text);
     CHECK(run.status == 0);
     CHECK(run.text.find("/bin/true made no OpenGL context on ffgpu") != std::string::npos);
+}
+
+TEST_CASE("a program that ends by an error before it draws is told of as one") {
+    const Outcome run = ffgpu_run("-- sh -c 'exit 3'");
+    INFO(run.text);
+    CHECK(run.status == 3);
+    CHECK(count_of(run.text,
+                   "sh made no OpenGL context on ffgpu: it ended before, with status 3") == 1);
 }
 
 TEST_CASE("a program that asks for an OpenGL of shaders is told of, once") {

@@ -4,6 +4,7 @@
 #include "model/timing/machine_stuck.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/sweep_command.h"
+#include "tools/commands/warn.h"
 #include "tools/config/nearest_name.h"
 #include "tools/config/settings_option.h"
 
@@ -76,7 +77,7 @@ int status_of(const std::function<int()>& work) {
     } catch (const timing::MachineStuck& stuck) {
         return fail(stuck.what(), timing::StuckStatus);
     } catch (const std::bad_alloc&) {
-        return fail("out of memory: of the host, or of the device for what it is given to draw");
+        return fail(OutOfMemory);
     } catch (const std::system_error& error) { // Of a folder or a file, with its path.
         return fail(error.what());
     } catch (const nlohmann::json::exception& error) { // A path that is not UTF-8, where JSON is.

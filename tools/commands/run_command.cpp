@@ -114,9 +114,12 @@ void add_panel(const gl::ControlPanel& panel, std::vector<Environment>& environm
         environment.push_back({"FFGPU_SUPERSAMPLING", std::to_string(panel.supersampling)});
 }
 
-void warn_of_loss(const std::string& program, const std::string& mark, bool is_recorded) {
+void warn_of_loss(const std::string& program,
+                  const std::string& mark,
+                  bool is_recorded,
+                  int status) {
     const gl::RunMark::State state = gl::RunMark::read(mark);
-    if (!state.draws) warn(unused_reason(program));
+    if (!state.draws) warn(unused_reason(program, status));
     if (!state.draws || !is_recorded || state.complete) return;
     if (state.goes_on)
         warn(program +
@@ -152,7 +155,8 @@ int run_run(const Arguments& arguments) {
         environment.push_back({"FFGPU_RECORD", recorder.string() + ":" + settings->path()});
     }
     const int status = run_program(arguments.command, environment);
-    if (status != CannotRun) warn_of_loss(arguments.command[0], mark.path(), settings.has_value());
+    if (status != CannotRun)
+        warn_of_loss(arguments.command[0], mark.path(), settings.has_value(), status);
     return status;
 }
 

@@ -40,21 +40,25 @@ bool is_static(const fs::path& path) {
     return true;
 }
 
-std::string reason(const fs::path& path) {
+std::string reason(const fs::path& path, int status) {
     std::error_code error;
     const fs::perms rights = fs::status(path, error).permissions();
     if (!error && (rights & (fs::perms::set_uid | fs::perms::set_gid)) != fs::perms::none)
         return "it runs with the rights of another user or group, for which the system ignores "
                "LD_LIBRARY_PATH; run a copy of it without the set-id bit";
     if (is_static(path)) return "it is linked statically";
-    return "it draws otherwise than by OpenGL on GLX or EGL, or another program did that it "
-           "started without its environment, or not before its own end";
+    const std::string ended =
+        status == 0 ? "" : "it ended before, with status " + std::to_string(status) + ", or ";
+    return ended +
+           "it draws otherwise than by OpenGL on GLX or EGL, or cleared its environment, or "
+           "another "
+           "program drew that it started without its environment, or not before its own end";
 }
 
 } // namespace
 
-std::string unused_reason(const std::string& program) {
-    return program + " made no OpenGL context on ffgpu: " + reason(find_program(program));
+std::string unused_reason(const std::string& program, int status) {
+    return program + " made no OpenGL context on ffgpu: " + reason(find_program(program), status);
 }
 
 } // namespace ffgpu::tools

@@ -1,4 +1,4 @@
-// A warning: one line on stderr.
+// What is said on stderr: a line each.
 
 #pragma once
 
@@ -6,6 +6,10 @@
 #include <string>
 
 namespace ffgpu::tools {
+
+// What is said of std::bad_alloc.
+inline constexpr const char* OutOfMemory =
+    "out of memory: of the host, or of the device for what it is given to draw";
 
 inline void warn(const std::string& line) {
     std::fprintf(stderr, "ffgpu: warning: %s\n", line.c_str());

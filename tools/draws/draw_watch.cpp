@@ -47,12 +47,13 @@ void DrawWatch::draw(const CommandReader& reader) {
 
 std::string DrawWatch::missing_draws() const {
     const bool to_the_end = range_.last == FrameRange{}.last;
-    if (range_.first < next_ && (to_the_end || range_.last < next_)) return {};
     if (to_the_end && range_.first == 0) return {};
-    if (next_ == 0) return "--draws: there are no draws";
-    return fmt::format("--draws: the last draw is {}{}",
-                       next_ - 1,
-                       range_.first < next_ ? "" : ": none of those wanted is there");
+    if (first_ == next_) return "--draws: there are no draws";
+    if (range_.first >= next_ || range_.last < first_)
+        return fmt::format(
+            "--draws: the draws are {} to {}: none of those wanted is there", first_, next_ - 1);
+    if (to_the_end || range_.last < next_) return {};
+    return fmt::format("--draws: the last draw is {}", next_ - 1);
 }
 
 void DrawWatch::flush() {

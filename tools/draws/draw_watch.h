@@ -34,9 +34,15 @@ public:
     DrawWatch(Device& device, const FrameRange& range, Listener listener);
 
     // The device's next draw has that number.
-    void number_from(std::uint32_t draw) { next_ = draw; }
+    void number_from(std::uint32_t draw) {
+        if (first_ == next_) first_ = draw;
+        next_ = draw;
+    }
+    // The draws that count for missing_draws() are those from here on.
+    void start() { first_ = next_; }
 
-    // A line that tells which draws came, if the range has others; else nothing.
+    // A line that tells which draws came, if the range has later ones or none of these; else
+    // nothing.
     std::string missing_draws() const;
 
     std::uint64_t memory_size() const override { return device_.memory_size(); }
@@ -59,7 +65,7 @@ private:
     const Listener listener_;
     RegisterFile registers_;
     CommandStream waiting_;
-    std::uint32_t next_ = 0;
+    std::uint32_t first_ = 0, next_ = 0;
 };
 
 } // namespace ffgpu::tools

@@ -139,6 +139,7 @@ void Recording::listen() {
 
 void Recording::start(std::uint64_t first_frame) {
     measuring_ = true;
+    if (watch_) watch_->start();
     statistics_.begin();
     if (!options_.capture.empty())
         capture_.begin(options_.capture, static_cast<std::uint32_t>(first_frame));

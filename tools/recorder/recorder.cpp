@@ -11,6 +11,7 @@
 #include "tools/record/recording_arguments.h"
 #include "tools/recorder/guarded_device.h"
 #include "tools/recorder/run_watch.h"
+#include "tools/replay/one_signal.h"
 
 #include <atomic>
 #include <cerrno>
@@ -19,8 +20,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
+#include <new>
 #include <optional>
 #include <semaphore>
 #include <thread>
@@ -35,26 +36,21 @@ constexpr auto Patience = std::chrono::seconds(2);
 
 // The signal that came. A handler and a thread write it.
 std::atomic<int> interrupted{0};
-std::atomic<std::int64_t> interrupted_at{0};
 static_assert(std::atomic<int>::is_always_lock_free);
-static_assert(std::atomic<std::int64_t>::is_always_lock_free);
-constexpr std::int64_t OneSignalMilliseconds = 500;
-std::binary_semaphore signal_came{0};
+OneSignal arrival;
+std::atomic<bool> is_impatient{false};
+std::counting_semaphore<4> signal_came{0};
 
 // Ctrl-C: the frame that is being drawn is the last. Where the program draws none for a while, or
-// waits for events, what is there is completed without it. A second one ends at once, but for that
-// which comes with the first: who signals a group of processes reaches the program once himself and
-// once by way of ffgpu.
+// waits for events, what is there is completed without it. A second one has no patience for that,
+// and a third ends at once.
 void interrupt(int signal) {
-    struct timespec now {};
-    ::clock_gettime(CLOCK_MONOTONIC, &now);
-    const std::int64_t milliseconds = std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
-    if (interrupted) {
-        if (milliseconds - interrupted_at < OneSignalMilliseconds) return;
+    if (!arrival.is_new()) return;
+    if (is_impatient) {
         std::signal(signal, SIG_DFL);
         std::raise(signal);
     }
-    interrupted_at = milliseconds;
+    if (interrupted) is_impatient = true;
     interrupted = signal;
     signal_came.release(); // A futex: it may be called here.
 }
@@ -66,6 +62,10 @@ void catch_signal(int signal) {
         std::signal(signal, interrupt);
 }
 
+const char* text_of(const std::exception& error) {
+    return dynamic_cast<const std::bad_alloc*>(&error) ? OutOfMemory : error.what();
+}
+
 class LiveRecorder final : public gl::Recorder {
 public:
     LiveRecorder(const std::string& settings_path, const gl::RecorderHost& host)
@@ -74,11 +74,9 @@ public:
         , recording_(std::in_place, options_)
         , device_(recording_->device(), [this](const InputError& error) { fail(error); }) {
         recording_->before_frame(0);
-        for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-            catch_signal(signal);
         thread_without_signals([this] {
             signal_came.acquire();
-            std::this_thread::sleep_for(Patience);
+            static_cast<void>(signal_came.try_acquire_for(Patience));
             host_.in_turn([this] { end_by_signal(interrupted); });
         }).detach(); // It and the recorder live as long as the process.
         on_lost_run(settings_path, [] {
@@ -139,7 +137,7 @@ private:
 
     // Ends the process; what is done stays as far as it can, and nothing half written does.
     [[noreturn]] void fail(const std::exception& error, int status = BadInput) {
-        std::fprintf(stderr, "ffgpu: %s\n", error.what());
+        std::fprintf(stderr, "ffgpu: %s\n", text_of(error));
         try {
             if (!finished_) recording_->finish();
         } catch (const std::exception&) { // The first is what is told.
@@ -183,10 +181,13 @@ private:
 
 extern "C" __attribute__((visibility("default"))) ffgpu::gl::Recorder*
 ffgpu_open_recorder(const char* settings_path, const ffgpu::gl::RecorderHost& host) {
+    // Before a file is begun: none is left behind unfinished.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        ffgpu::tools::catch_signal(signal);
     try {
         return new ffgpu::tools::LiveRecorder(settings_path, host);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "ffgpu: %s\n", error.what());
+        std::fprintf(stderr, "ffgpu: %s\n", ffgpu::tools::text_of(error));
         return nullptr;
     }
 }

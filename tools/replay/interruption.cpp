@@ -1,5 +1,7 @@
 #include "tools/replay/interruption.h"
 
+#include "tools/replay/one_signal.h"
+
 #include <array>
 #include <csignal>
 
@@ -9,16 +11,23 @@ namespace {
 constexpr std::array Signals{SIGINT, SIGTERM, SIGHUP};
 
 volatile std::sig_atomic_t came = 0;
+OneSignal arrival;
 
+// A second one ends at once.
 void interrupt(int signal) {
+    if (!arrival.is_new()) return;
+    if (came != 0) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
     came = signal;
-    std::signal(signal, SIG_DFL);
 }
 
 } // namespace
 
 Interruption::Interruption() {
     came = 0;
+    arrival.forget();
     for (const int signal : Signals)
         // What nohup, or a shell in the background, has ignored stays so.
         if (std::signal(signal, interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);

@@ -4,21 +4,28 @@
 #include "model/base/no_file_size_signal.h"
 
 #include <array>
+#include <cerrno>
+#include <cstring>
+#include <string>
 
 #include <unistd.h>
 
 namespace ffgpu::tools {
 namespace {
 
-void require(bool done) {
-    if (!done) throw InputError("the temporary file of the statistics fails: is the disk full?");
+[[noreturn]] void fail(const std::string& what) {
+    throw InputError("a temporary file of the statistics, in " P_tmpdir ": cannot be " + what);
+}
+
+void require(bool done, const char* what) {
+    if (!done) fail(what + std::string(": ") + std::strerror(errno));
 }
 
 } // namespace
 
 TextSpool::TextSpool()
     : file_(std::tmpfile()) {
-    require(file_ != nullptr);
+    require(file_ != nullptr, "made");
 }
 
 void TextSpool::append(std::string_view text) {
@@ -26,7 +33,7 @@ void TextSpool::append(std::string_view text) {
     while (!text.empty()) {
         const ssize_t written =
             ::pwrite(::fileno(file_.get()), text.data(), text.size(), static_cast<off_t>(size_));
-        require(written > 0);
+        require(written > 0, "written");
         size_ += static_cast<std::uint64_t>(written);
         text.remove_prefix(static_cast<std::size_t>(written));
     }
@@ -37,7 +44,8 @@ void TextSpool::copy_to(const TextSink& out) const {
     for (std::uint64_t at = 0; at < size_;) {
         const ssize_t read =
             ::pread(::fileno(file_.get()), buffer.data(), buffer.size(), static_cast<off_t>(at));
-        require(read > 0);
+        if (read == 0) fail("read: it is shorter than it was");
+        require(read > 0, "read");
         out({buffer.data(), static_cast<std::size_t>(read)});
         at += static_cast<std::uint64_t>(read);
     }

@@ -3,7 +3,8 @@
 // SIGKILL. "endless": frames until somebody ends it. "later": asks for contexts of OpenGL 3.3 and
 // 2.1, and draws a frame on an older one. "leak WHAT": endless, and loses a little of WHAT.
 // "abandon": a frame, then _exit(4). "become": a frame, then this program again as "abandon".
-// "attach": tells its process, and is killed where the server is to share memory for a frame.
+// "last": a frame, and another one from an exit handler. "starved": a frame where no memory is
+// left. "attach": tells its process, and is killed where the server is to share memory for a frame.
 
 // glXCreateContextAttribsARB is declared only then.
 #define GLX_GLXEXT_PROTOTYPES
@@ -20,6 +21,7 @@
 #include <GL/glxext.h>
 #include <X11/extensions/XShm.h>
 #include <dlfcn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -110,6 +112,20 @@ void become(char* self) {
     ::execv(self, arguments);
 }
 
+const Drawing* last_drawing = nullptr;
+
+void last() {
+    last_drawing = new Drawing;
+    last_drawing->frame(0);
+    std::atexit([] { last_drawing->frame(10); });
+}
+
+void starved() {
+    constexpr rlimit Limit{.rlim_cur = 64u << 20, .rlim_max = 64u << 20};
+    ::setrlimit(RLIMIT_DATA, &Limit);
+    Drawing().frame(0);
+}
+
 bool dies_attaching = false;
 
 void attach() {
@@ -138,6 +154,8 @@ int main(int count, char** arguments) {
     if (mode == "later") later();
     if (mode == "abandon") abandon();
     if (mode == "become") become(arguments[0]);
+    if (mode == "last") last();
+    if (mode == "starved") starved();
     if (mode == "attach") attach();
     if (mode == "leak" && count > 2) leak(arguments[2]);
     return EXIT_SUCCESS;
