@@ -8,6 +8,8 @@
 namespace ffgpu::work {
 namespace {
 
+constexpr std::size_t MostRowsOfQuad = 8; // of a primitive, for each of its quads
+
 QuadSource source(const WorkQuad& quad, std::uint32_t batch, std::uint32_t number) {
     const std::uint32_t place = static_cast<std::uint32_t>(quad.y) << 16 | quad.x;
     return {std::uint64_t{quad.piece} << 32 | place, batch, number};
@@ -64,21 +66,29 @@ void CanonicalOrder::sort(std::span<QuadSource> primitive) {
         std::sort(primitive.begin(), primitive.end());
 }
 
-// The host goes through a row from left to right, tile by tile: quads of one piece are in order
-// then.
+// The host goes through a row from left to right, tile by tile: quads of a piece and row are in
+// order then.
 void CanonicalOrder::sort_by_rows(std::span<QuadSource> primitive) {
-    std::uint32_t lowest = primitive[0].row(), highest = lowest;
+    std::uint32_t row = ~0u, piece = ~0u, last_row = 0, last_piece = 0;
     for (const QuadSource& source : primitive) {
-        lowest = std::min(lowest, source.row());
-        highest = std::max(highest, source.row());
+        row = std::min(row, source.row());
+        last_row = std::max(last_row, source.row());
+        piece = std::min(piece, source.piece());
+        last_piece = std::max(last_piece, source.piece());
     }
-    row_begin_.assign(highest - lowest + std::size_t{2}, 0);
+    const std::size_t rows = last_row - row + std::size_t{1};
+    const std::size_t places = rows * (last_piece - piece + std::size_t{1});
+    if (places > MostRowsOfQuad * primitive.size()) return;
+    const auto place = [&](const QuadSource& source) {
+        return (source.piece() - piece) * rows + (source.row() - row);
+    };
+    begin_of_rows_.assign(places + 1, 0);
     for (const QuadSource& source : primitive)
-        ++row_begin_[source.row() - lowest + 1];
-    std::partial_sum(row_begin_.begin(), row_begin_.end(), row_begin_.begin());
-    rest_.assign(primitive.begin(), primitive.end());
-    for (const QuadSource& source : rest_)
-        primitive[row_begin_[source.row() - lowest]++] = source;
+        ++begin_of_rows_[place(source) + 1];
+    std::partial_sum(begin_of_rows_.begin(), begin_of_rows_.end(), begin_of_rows_.begin());
+    as_they_came_.assign(primitive.begin(), primitive.end());
+    for (const QuadSource& source : as_they_came_)
+        primitive[begin_of_rows_[place(source)]++] = source;
 }
 
 } // namespace ffgpu::work

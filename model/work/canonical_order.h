@@ -32,11 +32,13 @@ public:
 
 private:
     void sort(std::span<QuadSource> primitive);
+    // Unless there are far more rows than quads.
     void sort_by_rows(std::span<QuadSource> primitive);
 
-    std::vector<QuadSource> sources_, rest_;
-    std::vector<std::uint32_t> begin_; // of each primitive's quads; then the end
-    std::vector<std::uint32_t> row_begin_;
+    std::vector<QuadSource> sources_;
+    std::vector<QuadSource> as_they_came_; // of a primitive
+    std::vector<std::uint32_t> begin_;     // of each primitive's quads; then the end
+    std::vector<std::uint32_t> begin_of_rows_;
 };
 
 } // namespace ffgpu::work
