@@ -41,8 +41,10 @@ Activity CommandProcessor::step() {
 }
 
 // What an image reads is asked for while the picture is drawn; the next command waits for that.
+// Draws of a tile-based machine's scene leave the pipe together: its first alone can wait for that.
 Activity CommandProcessor::draw(const DrawToken& draw) {
-    if (config_.command_processor.drains && !decoding_ && !in_flight_.was_empty())
+    const bool begins_scene = draw.draw == 0;
+    if (config_.command_processor.drains && begins_scene && !decoding_ && !in_flight_.was_empty())
         return Activity::StalledOutput;
     if (!decoding_) {
         decoding_ = true;

@@ -254,13 +254,25 @@ Activity DepthTiming::step() {
     const std::uint32_t pipes = config_.raster.quads_per_cycle;
     Budget budget{.lookups = config_.depth_cache.lookups_per_cycle * pipes,
                   .tests = config_.hierarchical_depth.tests_per_cycle * pipes};
+    // Quads that the coarse test ends: tests_per_cycle of them cost a pipe what one costs that goes
+    // on.
+    const auto culled = [&]() -> std::uint64_t {
+        return ports_.coarse ? ports_.coarse->statistics.culled.value() : 0;
+    };
+    const std::uint64_t before = culled();
+    const auto pipes_taken = [&](std::uint64_t quads) {
+        const std::uint64_t ended = culled() - before;
+        return quads - ended + ended / config_.hierarchical_depth.tests_per_cycle;
+    };
     for (const Path path : {Path::Late, Path::Early}) {
         const ParkedQuads& parked = path == Path::Early ? early_ : late_;
         const Channel<QuadToken>& in = path == Path::Early ? ports_.early_in : ports_.late_in;
         for (std::uint32_t i = 0; i < pipes && !parked.empty() && send(path, reason); ++i)
             worked = true;
-        for (std::uint32_t i = 0; i < pipes && in.can_pop() && look_up(path, budget, reason); ++i)
+        for (std::uint64_t taken = 0; in.can_pop() && look_up(path, budget, reason);) {
             worked = true;
+            if (pipes_taken(++taken) >= pipes) break;
+        }
     }
     if (interlock_.changes()) blame(reason, Activity::StalledMemory); // Stores are under way.
     return worked ? Activity::Busy : reason;

@@ -119,6 +119,37 @@ TEST_CASE("A hidden screen is culled whole once the blocks left the cache; neare
     CHECK(figures.at("depth_cache_read_bytes") == before.at("depth_cache_read_bytes"));
 }
 
+// Quads that are hidden gather before the test while nearer ones wait for the memory; after that
+// the rasterizer makes one in a cycle. Who tests one in a cycle has those that gathered left over:
+// the queue's, but for the nearer one that waits there and for the one that is tested with the
+// last.
+TEST_CASE("Hidden quads that had to wait are culled as many at once as are tested in a cycle") {
+    const auto cycles = [](std::uint32_t tests, std::uint32_t queue) {
+        TimingConfig config = small_caches();
+        config.memory.refresh_interval_cycles = 0;
+        config.raster.tile_cycles = config.raster.empty_tile_cycles = 0;
+        config.raster.queue = queue;
+        config.depth_cache.fragment_fifo = 1;
+        config.hierarchical_depth.keeps = CoarseDepth::MinMax;
+        config.hierarchical_depth.tests_per_cycle = tests;
+        Screens screens(config);
+        screens.scene.registers.depth.compare = Compare::Lequal;
+        screens.scene.clear(0);
+        screens.screen(0.0f);
+        const std::uint64_t before = screens.end().at("total_cycles");
+        screens.screen(-0.5f);
+        screens.screen(0.5f);
+        const Figures figures = screens.end();
+        CHECK(figures.at("hierarchical_depth_culled_quads") == Size * Size / 4);
+        return figures.at("total_cycles") - before;
+    };
+    for (const std::uint32_t queue : {32u, 64u}) {
+        INFO("queue " << queue);
+        CHECK(cycles(1, queue) - cycles(64, queue) == queue - 2);
+        CHECK(cycles(1, queue) - cycles(2, queue) == queue - 2);
+    }
+}
+
 TEST_CASE("Early where exact, a hidden screen that alpha could end is not textured; late, all is") {
     const auto texel_accesses = [](DepthTest test, bool alpha_test) {
         TimingConfig config = small_caches();

@@ -64,6 +64,23 @@ TEST_CASE("the latency of the environments is paid once a drain, at any width") 
     }
 }
 
+TEST_CASE("the latency behind early depth is paid once a drain, at any width") {
+    const WorkBin bin = flat_picture();
+    for (const std::uint32_t width : {1u, 4u}) {
+        const auto cycles = [&](std::uint32_t latency, std::uint32_t order) {
+            TimingConfig config;
+            config.memory.refresh_interval_cycles = 0; // A longer run would meet another refresh.
+            config.raster.quads_per_cycle = width;
+            config.depth_cache.latency = latency;
+            config.fragment.queue = 2 * width;
+            return run(config, bin, order).at("total_cycles");
+        };
+        INFO("width " << width);
+        CHECK(cycles(1000, 1) - cycles(10, 0) == 1000 - 10);
+        CHECK(cycles(2, 2) - cycles(1, 3) == 1);
+    }
+}
+
 TimingConfig one_entry_queues() {
     TimingConfig config;
     config.vertex.fetch_queue = config.setup.queue = config.raster.queue = 1;

@@ -107,6 +107,32 @@ TEST_CASE("A tile-based machine with one place in every queue ends") {
     CHECK(tight.at("tile_entries") == wide.at("tile_entries"));
 }
 
+// The draws of a scene leave the pipe together: none of them can wait for the one before.
+TEST_CASE("A tile-based machine that drains begins a scene when the one before is stored") {
+    const auto cycles = [](bool drains, const std::vector<DeviceAddress>& targets) {
+        TileBench bench(Width, Height);
+        for (const DeviceAddress target : targets) {
+            bench.state.targets.color[0].address = target;
+            bench.draw(boxes(10, 1));
+            bench.draw(boxes(10, 2));
+        }
+        bench.end_frame();
+        TimingConfig config = tile_based(Bin);
+        config.memory.kind = MemoryKind::Fixed; // Nobody gains by waiting.
+        config.vertex.transform_cycles = 100;   // A scene's vertices take as long as its bins.
+        config.command_processor.drains = drains;
+        return bench.run(config).at("total_cycles");
+    };
+    constexpr DeviceAddress A = TileBench::ColorAt, B = TileBench::ResolvedAt;
+    const std::uint64_t one = cycles(false, {A}), other = cycles(false, {B});
+    CHECK(cycles(true, {A}) == one); // A scene alone waits for nothing.
+    const std::uint64_t together = cycles(false, {A, B}), apart = cycles(true, {A, B});
+    CHECK(apart > together + 1000);
+    // One after the other, but for the host's way to the first draw and the end of the frame.
+    CHECK(apart <= one + other);
+    CHECK(apart + 200 > one + other);
+}
+
 TEST_CASE("The order in which a tile-based machine's units are evaluated changes no figure") {
     TileBench bench(Width, Height);
     bench.state.depth = {.test_enable = true, .write_enable = true};

@@ -20,8 +20,9 @@ struct CachePace : work::CachePolicy, CacheTrafficConfig {
     std::uint32_t fragment_fifo = 64;
     std::uint32_t outstanding_lines = 64;
 
+    // What a cache has that is only read.
     template <class Self, class Visitor>
-    static void visit(Self& self, Visitor&& field) {
+    static void visit_reads(Self& self, Visitor&& field) {
         field("lookups_per_cycle",
               self.lookups_per_cycle,
               {.unit = "lines/cycle",
@@ -42,7 +43,12 @@ struct CachePace : work::CachePolicy, CacheTrafficConfig {
                .maximum = 65536,
                .meaning = "fills under way at once"});
         CachePolicy::visit(self, field);
-        CacheTrafficConfig::visit(self, field);
+        CacheQueuesConfig::visit(self, field);
+    }
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        visit_reads(self, field);
+        CacheTrafficConfig::visit_writes(self, field);
     }
 };
 
@@ -50,7 +56,6 @@ struct CachePace : work::CachePolicy, CacheTrafficConfig {
 struct CacheConfig : work::CacheShape, CachePace {
     bool enable = true;
     std::uint32_t store_cycles = 0;
-    std::uint32_t latency = 1;
     std::uint32_t expand_cycles = 0; // of a fill of expanded texels; texel caches alone have any
 
     template <class Self, class Visitor>
@@ -68,12 +73,6 @@ struct CacheConfig : work::CacheShape, CachePace {
                .minimum = 0,
                .maximum = 1024,
                .meaning = "no cache: from a quad's pixels to the memory's having taken its store"});
-        field("latency",
-              self.latency,
-              {.unit = "cycles",
-               .minimum = 1,
-               .maximum = 1024,
-               .meaning = "from the quad's pixels to the next unit"});
     }
 };
 
@@ -99,7 +98,7 @@ struct TexelCacheConfig : work::TexelCacheShape, CachePace {
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
         TexelCacheShape::visit(self, field);
-        CachePace::visit(self, field);
+        CachePace::visit_reads(self, field);
         field("bilinear_quads_per_cycle",
               self.bilinear_quads_per_cycle,
               {.unit = "quads/cycle",
@@ -127,6 +126,18 @@ struct TexelCacheConfig : work::TexelCacheShape, CachePace {
 
 struct DepthCacheConfig : CacheConfig {
     static constexpr std::string_view Name = "depth_cache";
+    std::uint32_t latency = 1;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field) {
+        CacheConfig::visit(self, field);
+        field("latency",
+              self.latency,
+              {.unit = "cycles",
+               .minimum = 1,
+               .maximum = 1024,
+               .meaning = "from late depth, which every quad passes, to colour"});
+    }
 };
 
 struct ColorCacheConfig : CacheConfig {

@@ -55,8 +55,7 @@ struct CacheTrafficConfig : CacheQueuesConfig {
     std::uint32_t transfer_bytes = 4;
 
     template <class Self, class Visitor>
-    static void visit(Self& self, Visitor&& field) {
-        CacheQueuesConfig::visit(self, field);
+    static void visit_writes(Self& self, Visitor&& field) {
         field("write_miss",
               self.write_miss,
               {.meaning = "a write to an absent line: write_validate marks the written bytes as "

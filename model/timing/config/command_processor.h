@@ -31,8 +31,8 @@ struct CommandProcessorConfig {
                .meaning = "of clears, copies, images and write-backs that it asks the memory for"});
         field("drains",
               self.drains,
-              {.meaning = "a draw begins when the one before has left the pipe; off: draws follow "
-                          "each other"});
+              {.meaning = "a draw, of a tile_based machine a scene, begins when the one before has "
+                          "left the pipe; off: they follow each other"});
     }
 };
 

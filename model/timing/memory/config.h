@@ -147,8 +147,8 @@ private:
               {.unit = "requests",
                .minimum = 2,
                .maximum = 1024,
-               .meaning = "of the command processor waiting at the arbiter; caches have a "
-                          "request_queue of their own"});
+               .meaning = "of the host, the command processor and the screen, each, waiting at "
+                          "the arbiter; caches have a request_queue of their own"});
         field("queue",
               self.queue,
               {.unit = "requests",
