@@ -117,10 +117,10 @@ module target_read #(
   always_comb begin
     case (ffgpu_pipe_pkg::pixel_bytes_log2(waiting_format))
       2'd2: pixels = {upper_word, lower_word};
-      2'd1: pixels = {16'd0, upper_word[31:16], 16'd0, upper_word[15:0],
-                      16'd0, lower_word[31:16], 16'd0, lower_word[15:0]};
-      default: pixels = {24'd0, upper_word[15:8], 24'd0, upper_word[7:0],
-                         24'd0, lower_word[15:8], 24'd0, lower_word[7:0]};
+      2'd1: pixels = {32'(upper_word[31:16]), 32'(upper_word[15:0]),
+                      32'(lower_word[31:16]), 32'(lower_word[15:0])};
+      default: pixels = {32'(upper_word[15:8]), 32'(upper_word[7:0]),
+                         32'(lower_word[15:8]), 32'(lower_word[7:0])};
     endcase
   end
   assign out_data_o = {quad, reads ? pixels : 128'd0};

@@ -65,6 +65,7 @@ bool DepthTiming::test_coarse(const QuadToken& token, Budget& budget, bool& cull
     switch (coarse.test(draw, quad, token.scene->work.values_of(quad).depths)) {
     case HierarchicalDepth::Verdict::Fails:
         culled = true;
+        ++budget.culled;
         cull(token);
         return false;
     case HierarchicalDepth::Verdict::Passes:
@@ -256,20 +257,15 @@ Activity DepthTiming::step() {
                   .tests = config_.hierarchical_depth.tests_per_cycle * pipes};
     // Quads that the coarse test ends: tests_per_cycle of them cost a pipe what one costs that goes
     // on.
-    const auto culled = [&]() -> std::uint64_t {
-        return ports_.coarse ? ports_.coarse->statistics.culled.value() : 0;
-    };
-    const std::uint64_t before = culled();
-    const auto pipes_taken = [&](std::uint64_t quads) {
-        const std::uint64_t ended = culled() - before;
-        return quads - ended + ended / config_.hierarchical_depth.tests_per_cycle;
+    const auto pipes_taken = [&](std::uint32_t quads) {
+        return quads - budget.culled + budget.culled / config_.hierarchical_depth.tests_per_cycle;
     };
     for (const Path path : {Path::Late, Path::Early}) {
         const ParkedQuads& parked = path == Path::Early ? early_ : late_;
         const Channel<QuadToken>& in = path == Path::Early ? ports_.early_in : ports_.late_in;
         for (std::uint32_t i = 0; i < pipes && !parked.empty() && send(path, reason); ++i)
             worked = true;
-        for (std::uint64_t taken = 0; in.can_pop() && look_up(path, budget, reason);) {
+        for (std::uint32_t taken = 0; in.can_pop() && look_up(path, budget, reason);) {
             worked = true;
             if (pipes_taken(++taken) >= pipes) break;
         }

@@ -51,6 +51,7 @@ private:
     // What is left in a cycle.
     struct Budget {
         std::uint32_t lookups = 0, tests = 0;
+        std::uint32_t culled = 0; // by those tests, so far
     };
     // Of the quad at the front of the early path.
     enum class Coarse { Untested, Undecided, Accepted };

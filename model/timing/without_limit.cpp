@@ -57,7 +57,8 @@ void without_bandwidth(MemoryConfig& memory) {
 }
 
 void without_links(TimingConfig& config) {
-    config.vertex.latency = config.fragment.latency = 1;
+    config.vertex.latency = config.raster.latency = config.interpolator.latency = 1;
+    config.fragment.latency = config.depth_cache.latency = 1;
 }
 
 } // namespace

@@ -197,6 +197,12 @@ public:
         });
     }
 
+    // Draws are numbered anew, too: nothing may be known by a number of before.
+    void reset() {
+        pipe_->reset();
+        number_ = 0;
+    }
+
     // What the pipe draws on becomes what the model has.
     void equalize() { std::ranges::copy(model_.gpu.settled_memory(), bytes_.begin()); }
 
@@ -259,7 +265,7 @@ TEST_CASE("A reset in mid-stream leaves nothing behind in the pipe") {
         for (std::size_t turn = 0; turn < 12; ++turn) {
             draws.draw();
             draws.draw(turn % 3);
-            draws.pipe().reset();
+            draws.reset();
             draws.equalize();
             draws.draw();
             draws.draw();

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""plant_faults.py BUILD [--jobs N] [--protocol] [--keep]: faults planted in the fragment pipe's own
+"""plant_faults.py BUILD [--jobs N] [--protocol] [--keep] [--places]: faults planted in the fragment pipe's own
 glue, which its test has to see.
 
 All are built into one Verilated pipe, beside a copy of the test program of the build tree BUILD; each
 is run by its number. The protocol checker is bound to every channel, and flops wake up with random
 numbers. A test that fails, an assertion, a crash or a hang kills one; survivors are listed, exit
 status 1. Number 0 is the pipe as it is, and has to pass. --protocol: that alone, and how fast it
-is with the assertions; --keep: what was built before is run again.
+is with the assertions; --keep: what was built before is run again; --places: only whether each fault
+has its one place in the RTL.
 """
 import argparse
 import os
@@ -64,7 +65,7 @@ Mutants = [
     ("order", "environment_loop", "left_q & (left_q - 8'd1)", "8'd0"),
     ("order", "tile_sequence", "last_column ? row_q + 8'd1 : row_q", "row_q + 8'd1"),
     ("bytes", "target_write", "upper_enables << upper_byte", "upper_enables << lower_byte[0]"),
-    ("bytes", "target_write", "{4'd0, in_data_i.enables[13:12], in_data_i.enables[9:8]}", "{4'd0, 4'hf}"),
+    ("bytes", "target_write", "8'({in_data_i.enables[13:12], in_data_i.enables[9:8]})", "8'h0f"),
     ("bytes", "target_place", "surface_i.stride * {19'd0, y_i}", "surface_i.stride * {19'd0, y_i[12:5], 5'd0}"),
     ("bytes", "texel_supply", "data.block >> {note.offset, 3'd0}", "data.block >> {note.offset[2:0], 3'd0}"),
     ("not held", "pipeline_register", "in_ready_o && in_valid_i", "in_valid_i"),
@@ -81,6 +82,8 @@ Mutants = [
     ("slots", "record_store", "{fill, plane_i.attribute}", "{fill ^ 2'd1, plane_i.attribute}"),
     ("slots", "record_store", "counts_d[CountWidth*done_slot_i +: CountWidth] - 8'd1", "counts_d[CountWidth*done_slot_i +: CountWidth]"),
     ("slots", "raster_front", "{slot_q, covered}", "{2'd0, covered}"),
+    ("stale state", "texture_banks", "named_q     <= 2'b00", "named_q     <= 2'b01"),
+    ("bytes", "texel_fetch", "{3'd0, x[13:3]}", "{3'd0, x[12:2]}"),
     ("tag mismatch", "texture_banks", "in_data_i.live[lane] && enters", "enters"),
     ("tag mismatch", "target_stages", "tested_valid && !tested_lives", "1'b0"),
     ("order", "quad_collect", "(value_valid_i && is_last)", "value_valid_i"),
@@ -89,11 +92,11 @@ Mutants = [
     ("not reset", "texel_gather", "texel_q <= 3'd0", "texel_q <= texel_q"),
     ("not reset", "environment_loop", "inside_q   <= 1'b0", "inside_q <= inside_q"),
     ("bytes", "sample_collect", "sample_i.color", "sample_i.color ^ {31'd0, at == 5'd6}"),
-    ("bytes", "target_place", "upper[2:0]", "lower[2:0]"),
+    ("bytes", "target_place", "{upper[2:1], 1'b0}", "{lower[2:1], 1'b0}"),
     ("stale state", "target_read", "ffgpu_pipe_pkg::pixel_bytes_log2(waiting_format)", "ffgpu_pipe_pkg::pixel_bytes_log2(format)"),
     ("stale state", "texture_banks", "sampled_i && sampled_bank_i", "sampled_i && last_bank_q"),
     ("hazard", "quad_interlock", "used_q[last_q] <= 1'b1", "used_q[last_q] <= !release_i"),
-    ("tag mismatch", "draw_tracker", "{{Width-1{1'b0}}, bits[1]} + {{Width-1{1'b0}}, bits[2]}", "{{Width-1{1'b0}}, bits[1] | bits[2]}"),
+    ("tag mismatch", "draw_tracker", "Width'(bits[1]) + Width'(bits[2])", "Width'(bits[1] | bits[2])"),
     ("tag mismatch", "target_stages", "depth_waits | color_waits", "color_waits"),
     ("clamp", "attribute_pass", "quotient_scale < LeastScale", "1'b0"),
     ("clamp", "attribute_pass", "quotient_scale > LargestScale", "1'b0"),
@@ -134,7 +137,19 @@ def checks():
     return text.replace("@units@", "\n".join(units))
 
 
+def check_places():
+    """Each fault has its one place in the RTL as it is."""
+    wrong = []
+    for _, name, expression, _ in Mutants:
+        places = (Rtl / f"{name}.sv").read_text().count(expression)
+        if places != 1:
+            wrong.append(f"{name}: '{expression}' stands {places} times")
+    if wrong:
+        sys.exit("\n".join(wrong))
+
+
 def write_sources():
+    check_places()
     shutil.rmtree(Work, ignore_errors=True)
     (Work / "rtl").mkdir(parents=True)
     for file in Rtl.glob("*.sv"):
@@ -142,9 +157,6 @@ def write_sources():
         for number, (_, name, expression, mutant) in enumerate(Mutants, 1):
             if name != file.stem:
                 continue
-            original = Rtl.joinpath(f"{name}.sv").read_text()
-            if original.count(expression) != 1:
-                sys.exit(f"{name}: '{expression}' stands {original.count(expression)} times")
             begin = text.index(expression)
             text = text[:begin] + planted(expression, mutant, number) + text[begin + len(expression):]
         (Work / "rtl" / file.name).write_text(text)
@@ -193,7 +205,10 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--protocol", action="store_true")
     parser.add_argument("--keep", action="store_true")
+    parser.add_argument("--places", action="store_true", help="only that each fault has one")
     arguments = parser.parse_args()
+    if arguments.places:
+        return check_places()
     if not arguments.keep:
         write_sources()
         build(arguments.build)

@@ -119,10 +119,10 @@ TEST_CASE("A hidden screen is culled whole once the blocks left the cache; neare
     CHECK(figures.at("depth_cache_read_bytes") == before.at("depth_cache_read_bytes"));
 }
 
-// Quads that are hidden gather before the test while nearer ones wait for the memory; after that
-// the rasterizer makes one in a cycle. Who tests one in a cycle has those that gathered left over:
-// the queue's, but for the nearer one that waits there and for the one that is tested with the
-// last.
+// Quads that are hidden gather before the test while nearer ones wait for the memory: when the last
+// of these goes on, queue - 1 hidden ones stand behind it. From there on the rasterizer makes one
+// in a cycle. Who tests one in a cycle stays queue - 1 behind it to the end; who tests several has
+// caught up by then, and tests its last one in the cycle after it came: queue - 2 cycles sooner.
 TEST_CASE("Hidden quads that had to wait are culled as many at once as are tested in a cycle") {
     const auto cycles = [](std::uint32_t tests, std::uint32_t queue) {
         TimingConfig config = small_caches();

@@ -47,38 +47,34 @@ TEST_CASE("the latency from geometry to set-up is paid once a drain, whatever th
     }
 }
 
-TEST_CASE("the latency of the environments is paid once a drain, at any width") {
-    const WorkBin bin = flat_picture();
-    for (const std::uint32_t width : {1u, 4u}) {
-        const auto cycles = [&](std::uint32_t latency, std::uint32_t order) {
-            TimingConfig config;
-            config.memory.refresh_interval_cycles = 0; // A longer run would meet another refresh.
-            config.raster.quads_per_cycle = width;
-            config.fragment.latency = latency;
-            config.fragment.queue = 2 * width;
-            return run(config, bin, order).at("total_cycles");
-        };
-        INFO("width " << width);
-        CHECK(cycles(1024, 1) - cycles(12, 0) == 1024 - 12);
-        CHECK(cycles(13, 2) - cycles(12, 3) == 1);
-    }
-}
+// A link between units of the fragment pipes, by its latency.
+struct FragmentLink {
+    const char* name;
+    std::uint32_t& (*latency)(TimingConfig& config);
+};
 
-TEST_CASE("the latency behind early depth is paid once a drain, at any width") {
+TEST_CASE(
+    "the latency of a link behind the fragments' look-ups is paid once a drain, at any width") {
     const WorkBin bin = flat_picture();
-    for (const std::uint32_t width : {1u, 4u}) {
-        const auto cycles = [&](std::uint32_t latency, std::uint32_t order) {
-            TimingConfig config;
-            config.memory.refresh_interval_cycles = 0; // A longer run would meet another refresh.
-            config.raster.quads_per_cycle = width;
-            config.depth_cache.latency = latency;
-            config.fragment.queue = 2 * width;
-            return run(config, bin, order).at("total_cycles");
-        };
-        INFO("width " << width);
-        CHECK(cycles(1000, 1) - cycles(10, 0) == 1000 - 10);
-        CHECK(cycles(2, 2) - cycles(1, 3) == 1);
-    }
+    const FragmentLink links[]{
+        {"environments to late depth",
+         [](TimingConfig& config) -> std::uint32_t& { return config.fragment.latency; }},
+        {"late depth to colour",
+         [](TimingConfig& config) -> std::uint32_t& { return config.depth_cache.latency; }}};
+    for (const FragmentLink& link : links)
+        for (const std::uint32_t width : {1u, 4u}) {
+            const auto cycles = [&](std::uint32_t latency, std::uint32_t order) {
+                TimingConfig config;
+                config.memory.refresh_interval_cycles = 0; // A longer run would meet another one.
+                config.raster.quads_per_cycle = width;
+                config.fragment.queue = 2 * width;
+                link.latency(config) = latency;
+                return run(config, bin, order).at("total_cycles");
+            };
+            INFO(link.name << ", width " << width);
+            CHECK(cycles(1000, 1) - cycles(12, 0) == 1000 - 12);
+            CHECK(cycles(13, 2) - cycles(12, 3) == 1);
+        }
 }
 
 TimingConfig one_entry_queues() {

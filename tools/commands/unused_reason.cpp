@@ -49,10 +49,9 @@ std::string reason(const fs::path& path, int status) {
     if (is_static(path)) return "it is linked statically";
     const std::string ended =
         status == 0 ? "" : "it ended before, with status " + std::to_string(status) + ", or ";
-    return ended +
-           "it draws otherwise than by OpenGL on GLX or EGL, or cleared its environment, or "
-           "another "
-           "program drew that it started without its environment, or not before its own end";
+    return ended + "it draws otherwise than by OpenGL on GLX or EGL, or cleared its environment, "
+                   "or another program drew that it started without its environment, or not before "
+                   "its own end";
 }
 
 } // namespace
