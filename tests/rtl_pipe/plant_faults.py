@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""plant_faults.py BUILD [--jobs N] [--protocol] [--keep] [--places]: faults planted in the fragment pipe's own
-glue, which its test has to see.
+"""plant_faults.py BUILD [--jobs N] [--protocol] [--keep] [--places]: faults planted in the fragment
+pipe's own glue, which its test has to see.
 
 All are built into one Verilated pipe, beside a copy of the test program of the build tree BUILD; each
 is run by its number. The protocol checker is bound to every channel, and flops wake up with random
 numbers. A test that fails, an assertion, a crash or a hang kills one; survivors are listed, exit
 status 1. Number 0 is the pipe as it is, and has to pass. --protocol: that alone, and how fast it
-is with the assertions; --keep: what was built before is run again; --places: only whether each fault
-has its one place in the RTL.
+is with the assertions; --keep: what was built before is run again; --places: only whether each
+fault has its one place in the RTL.
 """
 import argparse
 import os
