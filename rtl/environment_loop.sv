@@ -45,8 +45,8 @@ module environment_loop (
   assign quad      = shaded_q.quad;
   assign combiners = quad.tag ? combiners_1_i : combiners_0_i;
   always_comb begin
-    unit = 3'd0;
-    for (int i = 7; i >= 0; i--) begin
+    unit = 3'd7;
+    for (int i = 6; i >= 0; i--) begin
       if (left_q[i]) begin
         unit = i[2:0];
       end
