@@ -31,7 +31,6 @@ module cache_tags #(
   logic [Ways*TagWidth-1:0] tags, next_tags;
   logic [Ways-1:0]          used, hits, next_used;
   logic [Ways*WayBits-1:0]  ages, next_ages;
-  logic [WayBits-1:0]       age;
 
   assign set  = number_i[SetBits-1:0];
   assign tag  = number_i[NumberWidth-1:SetBits];
@@ -55,21 +54,24 @@ module cache_tags #(
     end
   end
   assign hit_o = hits != '0;
-  assign age   = ages[WayBits*way_o +: WayBits];
 
   always_comb begin
     next_tags = tags;
     next_used = used;
-    next_ages = ages;
-    next_tags[TagWidth*way_o +: TagWidth] = tag;
-    next_used[way_o] = 1'b1;
     for (int unsigned way = 0; way < Ways; way++) begin
-      if (ages[WayBits*way +: WayBits] < age) begin
-        next_ages[WayBits*way +: WayBits] = ages[WayBits*way +: WayBits] + 1'b1;
+      if (way_o == way[WayBits-1:0]) begin
+        next_tags[TagWidth*way +: TagWidth] = tag;
+        next_used[way]                      = 1'b1;
       end
     end
-    next_ages[WayBits*way_o +: WayBits] = '0;
   end
+  cache_ages #(
+    .WayBits(WayBits)
+  ) u_ages (
+    .ages_i(ages),
+    .way_i (way_o),
+    .ages_o(next_ages)
+  );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin

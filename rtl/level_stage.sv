@@ -37,7 +37,7 @@ module level_stage #(
     if (in_valid_i && in_ready_o) begin
       densities = {3'd0, image.depth, image.height, image.width};
       if (image.kind == ffgpu_registers_pkg::TextureKindRectangle) begin
-        densities = {13'd1, 13'd1, 13'd1};
+        densities[25:0] = {13'd1, 13'd1};
       end
       if (image.kind == ffgpu_registers_pkg::TextureKindOneD) begin
         dimensions = 2'd1;

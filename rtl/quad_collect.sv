@@ -28,14 +28,15 @@ module quad_collect (
   logic [127:0]     primary_q, primary, secondary_q, secondary, fog_q, fog;
   logic [383:0]     coordinates_q, coordinates;
   logic [5:0]       attribute;
-  logic             is_last, is_unit_last, ends, takes;
+  logic             is_last, is_unit_last, ends;
 
   assign quad         = in_data_i.quad;
   assign attribute    = value_i.place[5:0];
   assign is_last      = value_i.place[6];
   assign is_unit_last = value_i.place[7];
 
-  // The attribute's lanes into their places, if it is this quad's: what waits stays as it is.
+  // The attribute's lanes into their places, if it is this quad's: what waits stays as it is. Part by
+  // part: a place in so wide a vector would be a shifter.
   // What a unit's coordinates do not carry does not matter, nor what they are of a quad without
   // values, which asks for nothing.
   always_comb begin
@@ -43,18 +44,24 @@ module quad_collect (
     secondary   = secondary_q;
     fog         = fog_q;
     coordinates = coordinates_q;
-    for (int unsigned lane = 0; lane < 4; lane++) begin
-      if (in_data_i.has_values && attribute[5:2] == 4'd1) begin
-        primary[32*lane + 8*attribute[1:0] +: 8] = value_i.values[32*lane +: 8];
-      end
-      if (in_data_i.has_values && attribute[5:2] == 4'd2) begin
-        secondary[32*lane + 8*attribute[1:0] +: 8] = value_i.values[32*lane +: 8];
-      end
-      if (in_data_i.has_values && attribute == ffgpu_pipe_pkg::AttributeFog) begin
-        fog[32*lane +: 32] = value_i.values[32*lane +: 32];
-      end
-      if (attribute[5:4] != 2'd0) begin
-        coordinates[96*lane + 32*attribute[1:0] +: 32] = value_i.values[32*lane +: 32];
+    if (value_valid_i) begin
+      for (int unsigned lane = 0; lane < 4; lane++) begin
+        for (int unsigned part = 0; part < 4; part++) begin
+          if (in_data_i.has_values && attribute == {4'd1, part[1:0]}) begin
+            primary[32*lane + 8*part +: 8] = value_i.values[32*lane +: 8];
+          end
+          if (in_data_i.has_values && attribute == {4'd2, part[1:0]}) begin
+            secondary[32*lane + 8*part +: 8] = value_i.values[32*lane +: 8];
+          end
+        end
+        for (int unsigned part = 0; part < 3; part++) begin
+          if (attribute[5:4] != 2'd0 && attribute[1:0] == part[1:0]) begin
+            coordinates[96*lane + 32*part +: 32] = value_i.values[32*lane +: 32];
+          end
+        end
+        if (in_data_i.has_values && attribute == ffgpu_pipe_pkg::AttributeFog) begin
+          fog[32*lane +: 32] = value_i.values[32*lane +: 32];
+        end
       end
     end
   end
@@ -69,10 +76,10 @@ module quad_collect (
     (!is_unit_last || request_ready_i) && (!is_last || out_ready_i);
   assign in_ready_o      = ends && out_ready_i &&
     (!in_data_i.has_values || !is_unit_last || request_ready_i);
-  assign takes           = value_valid_i && value_ready_o;
 
+  // A value that waits is this quad's, if it has any, and stays: it may be taken again.
   always_ff @(posedge clk_i) begin
-    if (takes) begin
+    if (value_valid_i) begin
       primary_q     <= primary;
       secondary_q   <= secondary;
       fog_q         <= fog;

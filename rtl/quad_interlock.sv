@@ -3,6 +3,7 @@
 //
 // Latency 1, one quad a cycle where places differ. Quads leave in the order in which they came, and
 // their stores are done in it: release_i takes the oldest out of the table. docs/rtl.md says why.
+// Entries is a power of two.
 
 module quad_interlock #(
   parameter int unsigned Entries = 8
@@ -22,7 +23,6 @@ module quad_interlock #(
 );
 
   localparam int unsigned PlaceWidth = 24;  // of quads, which begin at even pixels
-  localparam int unsigned CountWidth = $clog2(Entries + 1);
   localparam int unsigned IndexWidth = $clog2(Entries);
 
   ffgpu_pkg::quad_t              quad;
@@ -31,7 +31,6 @@ module quad_interlock #(
   logic [Entries*PlaceWidth-1:0] places_q;
   logic [Entries-1:0]            used_q, meets;
   logic [IndexWidth-1:0]         first_q, last_q;  // oldest; where the next one goes
-  logic [CountWidth-1:0]         count_q;
 
   pipeline_register #(
     .Width($bits(quad))
@@ -52,7 +51,7 @@ module quad_interlock #(
   end
 
   // Quads enter when they leave here, so that what is free once stays free until then.
-  assign is_free     = meets == '0 && count_q != Entries[CountWidth-1:0];
+  assign is_free     = meets == '0 && !used_q[last_q];
   assign out_valid_o = quad_valid && is_free;
   assign quad_ready  = out_ready_i && is_free;
   assign out_data_o  = quad;
@@ -63,7 +62,6 @@ module quad_interlock #(
       used_q  <= '0;
       first_q <= '0;
       last_q  <= '0;
-      count_q <= '0;
     end else begin
       if (enters) begin
         used_q[last_q] <= 1'b1;
@@ -73,12 +71,14 @@ module quad_interlock #(
         used_q[first_q] <= 1'b0;
         first_q         <= first_q + 1'b1;
       end
-      count_q <= count_q + {{CountWidth-1{1'b0}}, enters} - {{CountWidth-1{1'b0}}, release_i};
     end
   end
+  // Entry by entry: a place in so wide a vector would be a shifter.
   always_ff @(posedge clk_i) begin
-    if (enters) begin
-      places_q[PlaceWidth*last_q +: PlaceWidth] <= place;
+    for (int unsigned i = 0; i < Entries; i++) begin
+      if (enters && last_q == i[IndexWidth-1:0]) begin
+        places_q[PlaceWidth*i +: PlaceWidth] <= place;
+      end
     end
   end
 

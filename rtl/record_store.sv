@@ -96,11 +96,20 @@ module record_store (
     if (writes) begin
       planes_q[{fill, plane_i.attribute}] <= plane_i.plane;
     end
+    // Place by place: one in so wide a vector would be a shifter.
     if (writes && plane_i.attribute[1:0] == 2'd3) begin
-      q_scales_q[{fill, unit, 3'd0} +: 8] <= plane.scale;
+      for (int unsigned i = 0; i < Slots * 8; i++) begin
+        if ({fill, unit} == i[SlotWidth+2:0]) begin
+          q_scales_q[8*i +: 8] <= plane.scale;
+        end
+      end
     end
     if (record_taken_i) begin
-      headers_q[HeaderWidth*fill +: HeaderWidth] <= header_i;
+      for (int unsigned i = 0; i < Slots; i++) begin
+        if (fill == i[SlotWidth-1:0]) begin
+          headers_q[HeaderWidth*i +: HeaderWidth] <= header_i;
+        end
+      end
     end
   end
 

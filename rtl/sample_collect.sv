@@ -36,8 +36,13 @@ module sample_collect (
 
   always_comb begin
     samples = samples_q;
-    if (has_samples) begin
-      samples[32*at +: 32] = sample_i.color;
+    // Place by place: one in so wide a vector would be a shifter.
+    if (has_samples && sample_valid_i) begin
+      for (int unsigned i = 0; i < 32; i++) begin
+        if (at == i[4:0]) begin
+          samples[32*i +: 32] = sample_i.color;
+        end
+      end
     end
   end
 

@@ -32,7 +32,13 @@ module texel_gather (
 
   always_comb begin
     texels = texels_q;
-    texels[32*texel_q +: 32] = in_data_i.color;
+    if (in_valid_i) begin
+      for (int unsigned i = 0; i < 8; i++) begin
+        if (texel_q == i[2:0]) begin
+          texels[32*i +: 32] = in_data_i.color;
+        end
+      end
+    end
   end
   assign out_data_o = {filter_i.tag, filter_i.place, filter_i.last_level, filter_i.last_probe,
                        filter_i.probes, filter_i.weights, texels};

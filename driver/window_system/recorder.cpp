@@ -87,6 +87,7 @@ std::unique_ptr<Recorder> open_recorder() {
                     {.in_turn = in_turn, .files_complete = RunMark::leave_complete});
     if (!recorder) end_without_recorder();
     std::atexit(finish_recorder);
+    std::at_quick_exit(finish_recorder);
     return std::unique_ptr<Recorder>(recorder);
 }
 

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include <fcntl.h>
+#include <pthread.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -24,6 +25,12 @@ std::array<bool, 4> said(int file) {
 }
 
 int claimed = -1; // The file, open as long as the process lives: it has the lock.
+
+// A child that this process forks is not the one that is recorded, and may outlive it.
+void forget_claim() {
+    ::close(claimed);
+    claimed = -1;
+}
 
 int open_mark() {
     const char* const path = std::getenv(Variable);
@@ -54,6 +61,7 @@ bool RunMark::claim() {
     const bool locked = ::flock(file, LOCK_EX | LOCK_NB) == 0;
     if (locked && !said(file)[FrameAt]) {
         claimed = file;
+        ::pthread_atfork(nullptr, nullptr, forget_claim);
         write_at(file, BegunAt);
         write_at(file, CompleteAt, "0"); // Another's, who ended without a frame.
         return true;

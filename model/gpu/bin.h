@@ -20,7 +20,8 @@ struct BinCommand {
     WorkKind kind = WorkKind::Draw;
     std::uint32_t number = 0; // PrimitiveKey::draw
     std::uint32_t frame = 0;
-    std::shared_ptr<const DrawContext> context{};
+    std::shared_ptr<const PixelContext> pixels{};
+    std::shared_ptr<const DrawContext> context{};    // null: a draw that nobody listens to
     ClearCommand clear{};                            // Clear
     std::unique_ptr<const DrawImageCommand> image{}; // Image
     GeometryWork geometry{};                         // Draw, with a work sink

@@ -12,8 +12,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace ffgpu {
 
@@ -40,16 +42,32 @@ struct DrawContext {
     const Registers& regs() const { return *state.registers; }
 };
 
-// What a context is compiled for.
-struct PixelBackend {
-    std::span<std::byte> memory;
-    const FragmentStages& stages;
+// Compiles pixel contexts, and keeps the last ones: applications go back to values of before.
+class PixelContexts {
+public:
+    PixelContexts(std::span<std::byte> memory, const FragmentStages& stages)
+        : memory_(memory)
+        , stages_(stages) {}
+
+    std::shared_ptr<const PixelContext> of(const DrawState& state);
+
+private:
+    struct Kept {
+        std::uint64_t fingerprint = 0; // of the registers
+        std::shared_ptr<const PixelContext> pixels;
+    };
+    static constexpr std::size_t Most = 64; // Some 10 KiB each.
+
+    std::span<std::byte> memory_;
+    const FragmentStages& stages_;
+    std::vector<Kept> kept_;
+    std::size_t next_ = 0; // the place that is taken next: the oldest one's
 };
 
 // `earlier`, if not null, may lend its pixel context: only geometry's registers have changed since.
 std::shared_ptr<const DrawContext> compile_draw_context(std::shared_ptr<const Registers> registers,
                                                         std::uint32_t number,
-                                                        const PixelBackend& backend,
+                                                        PixelContexts& pixels,
                                                         const DrawContext* earlier);
 
 } // namespace ffgpu

@@ -20,7 +20,8 @@ FunctionalGpu::FunctionalGpu(const Config& config)
     , geometry_(memory_.bytes(), config.stages->shade_vertices)
     , pool_(config.threads)
     , bin_(static_cast<int>(config.tile_size), config.bin_bytes)
-    , under_way_(static_cast<int>(config.tile_size), config.bin_bytes) {
+    , under_way_(static_cast<int>(config.tile_size), config.bin_bytes)
+    , pixel_contexts_(memory_.bytes(), *config_.stages->fragment) {
     check(config.threads >= 1, "a GPU needs a thread");
     for (unsigned i = 0; i < pool_.threads(); ++i)
         renderers_.push_back(std::make_unique<TileRenderer>(memory_.bytes(), *config.stages));

@@ -135,6 +135,7 @@ private:
     RangeSet bin_reads_, bin_writes_;
     BinUnderWay under_way_;
     bool bin_serial_ = false; // A draw reads what it writes: one thread, so that it repeats.
+    PixelContexts pixel_contexts_;
     std::shared_ptr<const DrawContext> context_; // of the registers, where it is valid
     bool context_valid_ = false;
     bool pixels_valid_ = false; // context_->pixels is, though geometry's registers changed

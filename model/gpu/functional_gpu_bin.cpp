@@ -74,7 +74,7 @@ void FunctionalGpu::prepare_context() {
     validate(registers_.values(), memory_.size());
     context_ = compile_draw_context(registers_.snapshot(),
                                     draw_number_,
-                                    {memory_.bytes(), *config_.stages->fragment},
+                                    pixel_contexts_,
                                     pixels_valid_ ? context_.get() : nullptr);
     context_valid_ = pixels_valid_ = true;
 }
@@ -146,7 +146,9 @@ void FunctionalGpu::begin_command(BinCommand command) {
         binned_pixels_ = context_->pixels;
     }
     command.frame = frame_;
-    command.context = context_;
+    command.pixels = context_->pixels;
+    // Registers are large: those of draws that are only drawn go as soon as geometry has read them.
+    if (command.kind != WorkKind::Draw || sink_ || probe_) command.context = context_;
     if (command.kind != WorkKind::Draw) {
         const auto [writes, words] = std::exchange(registers_sent_, {});
         command.register_writes = writes;
@@ -376,7 +378,7 @@ void FunctionalGpu::hand_over(std::vector<WorkTile> tiles) {
         work->draws.push_back({.kind = command.kind,
                                .number = command.number,
                                .frame = command.frame,
-                               .early_depth = command.context->pixels->pipe.early_depth,
+                               .early_depth = command.pixels->pipe.early_depth,
                                .register_writes = command.register_writes,
                                .register_words = command.register_words,
                                .state = command.context->state.registers,

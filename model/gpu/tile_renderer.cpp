@@ -80,7 +80,7 @@ void TileRenderer::render(const Bin& bin, std::uint32_t tile, WorkTile* recordin
 
 // Draws whose pixels are made alike share batches, unless they are to be told apart.
 void TileRenderer::begin_command(const BinCommand& command) {
-    const PixelContext* const pixels = command.context->pixels.get();
+    const PixelContext* const pixels = command.pixels.get();
     if (command.kind == WorkKind::Draw && pixels == pixels_ && !recording_ && !tap_) return;
     flush();
     pixels_ = pixels;

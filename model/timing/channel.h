@@ -98,6 +98,13 @@ public:
     // As it is, not as it was when the cycle began: for next_work().
     bool is_full() const { return count_ == items_.size(); }
 
+    // Items that were taken before this cycle.
+    std::uint64_t popped_before() const {
+        return popped() - (popped_at_ == clock_.now() ? popped_now_ : 0);
+    }
+    // The producer is woken by the next pop, as if it had found no place.
+    void await_pop() const { refuse(); }
+
     std::string front_key() const override {
         return count_ == 0 ? std::string() : key_of(items_[first_].value);
     }

@@ -75,6 +75,12 @@ struct CommandCycles {
         return static_cast<Resource>(std::max_element(waited.begin(), waited.end()) -
                                      waited.begin());
     }
+    // "none" where it waited for nothing, or nobody looked.
+    std::string_view bottleneck_name() const {
+        const Resource resource = bottleneck();
+        const bool found = saved[resource] > 0 || waited[static_cast<std::size_t>(resource)] > 0;
+        return found ? ResourceNames[static_cast<std::size_t>(resource)] : "none";
+    }
     std::uint64_t bottleneck_cycles() const {
         return waited[static_cast<std::size_t>(bottleneck())];
     }

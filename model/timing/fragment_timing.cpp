@@ -8,7 +8,9 @@ namespace ffgpu::timing {
 bool FragmentTiming::can_distribute() const {
     if (!ports_.quads_in.can_pop()) return false;
     const Pipe& pipe = pipes_[fragment_pipe(config_, ports_.quads_in.front())];
-    return pipe.waiting.size() < config_.fragment.pipe_queue;
+    // What goes round comes when the one before it has left: it waits with its samples.
+    const std::size_t places = config_.fragment.entry_cycles > 0 ? 1 : config_.fragment.pipe_queue;
+    return pipe.waiting.size() < places;
 }
 
 // In the order in which they came: a quad whose pipe's queue is full holds up those behind it.

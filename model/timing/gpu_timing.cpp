@@ -80,6 +80,10 @@ void GpuTiming::set_memory_observer(MemoryObserver* observer) {
     machine_->arbiter.set_observer(observer);
 }
 
+void GpuTiming::set_command_observer(DramCommandObserver* observer) {
+    machine_->memory->set_command_observer(observer);
+}
+
 void GpuTiming::set_series_sink(SeriesSink* sink) {
     if (machine_->series) machine_->series->set_sink(sink);
 }

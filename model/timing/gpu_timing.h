@@ -41,8 +41,9 @@ struct FrameTiming {
     std::vector<WaitPaths::Run> waited{};
 };
 
-class ActivityObserver; // activity_observer.h
-class Histogram;        // histogram.h
+class ActivityObserver;    // activity_observer.h
+class DramCommandObserver; // memory/dram_commands.h
+class Histogram;           // histogram.h
 class Machine;
 class MachineThread;
 class MemoryObserver; // memory_observer.h
@@ -73,7 +74,8 @@ public:
     void set_on_retire(std::function<void(const QuadRetired&)> on_retire);
     // Told on the thread that runs the machine; null: nobody.
     void set_quad_observer(QuadObserver* observer);
-    void set_memory_observer(MemoryObserver* observer);     // the same
+    void set_memory_observer(MemoryObserver* observer);       // the same
+    void set_command_observer(DramCommandObserver* observer); // of our DRAM; the same
     void set_activity_observer(ActivityObserver* observer); // of units in the order of their names
 
     // What every account counts, over time (series.h), where series.interval_cycles says so; null:

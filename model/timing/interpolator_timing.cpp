@@ -27,13 +27,33 @@ void InterpolatorTiming::take() {
     const Cycle values = piece.values + Cycle{piece.perspective && piece.values > 0};
     waiting_.push_back({quad,
                         now() + (divisors > 0 ? config_.divide_latency : 1),
-                        std::max<Cycle>(values * config_.value_cycles, 1)});
+                        std::max<Cycle>(values * config_.value_cycles, 1),
+                        piece.values});
     takes_at_ = now() + std::max<Cycle>(divisors, 1);
+}
+
+// Of the values that are under way there is room for one more.
+bool InterpolatorTiming::has_place() {
+    if (config_.value_places == 0) return true;
+    for (; arrived_ < ports_.quads_out.popped_before(); ++arrived_) {
+        sent_values_ -= sent_.front();
+        sent_.pop_front();
+    }
+    const Waiting& first = waiting_.front();
+    const Cycle cycles = cycles_left_ > 0 ? cycles_left_ : first.cycles;
+    const Cycle values_left = (cycles + config_.value_cycles - 1) / config_.value_cycles;
+    if (values_left > first.values) return true; // It is w.
+    const Cycle made = first.values - values_left;
+    const std::uint32_t collected = sent_.empty() ? first.values : sent_.front();
+    if (sent_values_ + made < config_.value_places + std::max(collected, 1u) - 1) return true;
+    ports_.quads_out.await_pop();
+    return false;
 }
 
 Activity InterpolatorTiming::make_values() {
     if (waiting_.empty() || waiting_.front().ready_at > now()) return Activity::Idle;
     const Waiting& first = waiting_.front();
+    if (!has_place()) return Activity::StalledOutput;
     if (cycles_left_ == 0) cycles_left_ = first.cycles;
     if (cycles_left_ > 1) {
         --cycles_left_;
@@ -41,6 +61,10 @@ Activity InterpolatorTiming::make_values() {
     }
     if (!ports_.quads_out.can_push()) return Activity::StalledOutput;
     ports_.quads_out.push(first.quad);
+    if (config_.value_places > 0) {
+        sent_.push_back(first.values);
+        sent_values_ += first.values;
+    }
     waiting_.pop_front();
     cycles_left_ = 0;
     return Activity::Busy;

@@ -34,6 +34,7 @@ private:
         QuadToken quad;
         Cycle ready_at = 0; // Its divisors are there.
         Cycle cycles = 1;   // for its values
+        std::uint32_t values = 0;
     };
 
     Activity step() override;
@@ -41,12 +42,16 @@ private:
     bool has_backlog() const override { return Unit::has_backlog() || waiting_.size() > 1; }
     const PieceBox& piece_of(const QuadToken& token);
     void take();
+    bool has_place();
     Activity make_values();
 
     const InterpolatorConfig config_;
     const Ports ports_;
     Ring<Waiting> waiting_;             // The first is the one that values are made of.
     Cycle cycles_left_ = 0;             // of it; 0: not begun
+    Ring<std::uint32_t> sent_;          // of each quad on its way to the next unit: its values
+    std::uint32_t sent_values_ = 0;     // the sum
+    std::uint64_t arrived_ = 0;         // quads that the next unit took
     Cycle takes_at_ = 0;                // The divisors' first stage is free.
     const TimedScene* scene_ = nullptr; // of the quad that was taken last, and its piece
     std::size_t piece_ = 0;

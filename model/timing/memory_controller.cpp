@@ -11,6 +11,7 @@ DramRequest to_dram(const MemoryConfig& config, tlm::tlm_generic_payload& payloa
     const DramPlace place = place_of(config, request.address);
     return {.bank = place.bank,
             .row = place.row,
+            .offset = static_cast<std::uint32_t>(row_offset(config, request.address)),
             .bytes = request.bytes,
             .write = request.write,
             .client = static_cast<std::uint32_t>(request.client),
@@ -39,6 +40,11 @@ void MemoryController::connect(Unit& arbiter) {
     for (std::size_t number = 0; number < lanes_.size(); ++number)
         lanes_[number].arrivals->connect(
             "memory_channel" + std::to_string(number) + "_arrivals", arbiter, *this);
+}
+
+void MemoryController::set_command_observer(DramCommandObserver* observer) {
+    for (Lane& lane : lanes_)
+        lane.dram->set_command_observer(observer);
 }
 
 tlm::tlm_sync_enum MemoryController::on_forward(tlm::tlm_generic_payload& payload,

@@ -37,6 +37,7 @@ public:
     void connect(Unit& arbiter) override;
     void settle() override;
     std::string state() const override;
+    void set_command_observer(DramCommandObserver* observer) override;
     std::vector<const StatisticsGroup*> statistics() const override { return {&statistics_}; }
 
 private:

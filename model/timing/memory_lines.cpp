@@ -50,8 +50,7 @@ void check_refresh(const TimingConfig& config) {
     std::uint32_t bytes = 0;
     for_lines(config,
               [&](const std::string&, std::uint32_t line) { bytes = std::max(bytes, line); });
-    const std::uint32_t spacing = std::max(memory.burst_cycles, memory.column_to_column_cycles);
-    const std::uint32_t columns = spacing * memory.bursts(bytes);
+    const std::uint32_t columns = memory.column_spacing() * memory.bursts(bytes);
     const std::uint32_t latency = std::max(memory.column_cycles, memory.write_column_cycles);
     const std::uint32_t data = columns + latency + memory.burst_cycles;
     const std::uint32_t row =

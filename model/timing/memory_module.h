@@ -14,6 +14,7 @@
 
 namespace ffgpu::timing {
 
+class DramCommandObserver; // memory/dram_commands.h
 struct MemoryConfig;
 
 class MemoryModule {
@@ -30,6 +31,8 @@ public:
     virtual void connect(Unit&) {}
     // A frame has ended: bring the statistics up to date.
     virtual void settle() {}
+    // Of a DRAM of ours; null: nobody.
+    virtual void set_command_observer(DramCommandObserver*) {}
     virtual std::vector<const StatisticsGroup*> statistics() const { return {}; }
 };
 

@@ -28,7 +28,7 @@ MemoryWaits::MemoryWaits(const MemoryConfig& config, bool is_ours)
 float MemoryWaits::alone(const MemoryRequest& request) const {
     const std::uint32_t column =
         request.write ? config_.write_column_cycles : config_.column_cycles;
-    const std::uint32_t spacing = std::max(config_.burst_cycles, config_.column_to_column_cycles);
+    const std::uint32_t spacing = config_.column_spacing();
     return cycle_ * static_cast<float>(config_.precharge_cycles + config_.row_to_column_cycles +
                                        column + spacing * config_.bursts(request.bytes));
 }
@@ -45,7 +45,7 @@ Dependence MemoryWaits::turn(const Moment& before,
                              const MemoryRequest& request,
                              Cycle now) const {
     const auto since = static_cast<float>(now - before.at);
-    const std::uint32_t spacing = std::max(config_.burst_cycles, config_.column_to_column_cycles);
+    const std::uint32_t spacing = config_.column_spacing();
     const float bus = cycle_ * static_cast<float>(spacing * config_.bursts(request.bytes));
     const bool behind = stood_behind(before, asked ? asked->at : request.issued);
     const float takes = behind ? since : std::min(bus, since);

@@ -76,10 +76,19 @@ Cycle RasterTiming::scan_to(const PieceBox& box, const PreparedQuad& quad) {
     return cycles;
 }
 
+// A piece is taken when the last quad of the one before stands no more at the door: a place is free
+// beside the one that another quad would come to.
+bool RasterTiming::last_quad_has_left() const {
+    return ports_.quads_out.can_push(std::min<std::size_t>(2, ports_.quads_out.places()));
+}
+
 Activity RasterTiming::walk_tiles() {
     const work::PreparedScene& work = scene_->work;
     const work::PreparedPiece& piece = work.pieces[piece_];
-    if (!walk_.begun) begin_tiles(piece);
+    if (!walk_.begun) {
+        if (!last_quad_has_left()) return Activity::StalledOutput;
+        begin_tiles(piece);
+    }
     if (quad_ == piece.end) { // It holds none.
         walked_at_ = now() + walk_.cycles_left;
         end_tiles();

@@ -69,6 +69,7 @@ private:
     void begin_tiles(const work::PreparedPiece& piece);
     Cycle steps_to(const PieceBox& box, const PreparedQuad& quad) const;
     Cycle scan_to(const PieceBox& box, const PreparedQuad& quad);
+    bool last_quad_has_left() const;
     Activity walk_tiles();
     void end_tiles();
 

@@ -44,11 +44,11 @@ inline constexpr std::uint32_t Values =
     pipe_number("AttributePlaneLatency") + pipe_number("PerspectiveLatency");
 inline constexpr std::uint32_t Divide = Values + pipe_number("ReciprocalLatency") + Fifo;
 // From tags to the filter's sample and the quad's leaving, less the cycle in which its data are
-// read and the one in which it goes on.
+// read and the one in which it goes on, and the one in which the sequencer takes the request.
 inline constexpr std::uint32_t Sample =
     pipe_number("LevelOfDetailLatency") + pipe_number("TexelAddressLatency") +
     pipe_number("TexelFetchLatency") + pipe_number("TexelCacheLatency") +
-    pipe_number("TexelDecodeLatency") + pipe_number("FilterTreeLatency") + Fifo - 1;
+    pipe_number("TexelDecodeLatency") + pipe_number("FilterTreeLatency") + Fifo - 2;
 inline constexpr std::uint32_t Shading =
     pipe_number("ColorSumLatency") + pipe_number("FogLatency") +
     pipe_number("ApplyCoverageLatency") + pipe_number("AlphaTestLatency") +
@@ -90,7 +90,7 @@ inline constexpr std::array Settings{
     PresetSetting{"raster.walk", "tiles", Rtl, "all blocks of a tile; all quads of one touched"},
     PresetSetting{"raster.piece_cycles", "1", Rtl, "tile_sequence takes the record"},
     PresetSetting{"raster.latency", Text<ToInterpolator>, Rtl, "tile_walker, depth_plane"},
-    PresetSetting{"raster.queue", Text<pipe_number("WalkedQuads")>, Rtl, "beside depth_plane"},
+    PresetSetting{"raster.queue", "2", Rtl, "registers: tile_walker's, depth_plane's"},
     PresetSetting{"interpolator.value_cycles", "1", Rtl, "attribute_pass: a plane a cycle"},
     PresetSetting{"interpolator.divide_latency",
                   Text<Divide>,
@@ -101,6 +101,18 @@ inline constexpr std::array Settings{
                   Rtl,
                   "divisor_pass: quads beside the divisors"},
     PresetSetting{"interpolator.latency", Text<Values>, Rtl, "attribute_plane, perspective"},
+    PresetSetting{"interpolator.value_places",
+                  Text<Values + 1>,
+                  Rtl,
+                  "a value in each stage of attribute_plane and perspective; one that leaves"},
+    PresetSetting{"texture.request_queue",
+                  Text<pipe_number("LevelOfDetailLatency")>,
+                  Rtl,
+                  "level_of_detail: a request in each stage"},
+    PresetSetting{"texture.sample_queue",
+                  Text<pipe_number("TexelAddressLatency") - 1>,
+                  Rtl,
+                  "texel_address: a sample in each stage behind texel_sequence"},
     PresetSetting{"texture.rate", "texels", Rtl, "texel_fetch: a texel a cycle"},
     PresetSetting{
         "texture.texel_queue", Text<pipe_number("TexelQueue")>, Rtl, "texel_cache's queue"},
@@ -108,7 +120,7 @@ inline constexpr std::array Settings{
                   Text<Sample>,
                   Rtl,
                   "level_of_detail, texel_address, texel_fetch, texel_cache, texel_decode, "
-                  "filter_tree, a queue; less the cycle in which a quad is handed on"},
+                  "filter_tree, a queue; less the cycles of the sequencer and of handing on"},
     PresetSetting{"texel_cache.sets", Text<1u << pipe_number("CacheSetBits")>, Rtl, "texel_cache"},
     PresetSetting{"texel_cache.ways", Text<1u << pipe_number("CacheWayBits")>, Rtl, "texel_cache"},
     PresetSetting{"texel_cache.line_bytes", Text<1u << pipe_number("LineBits")>, Rtl, "a line"},

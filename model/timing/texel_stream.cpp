@@ -1,20 +1,20 @@
 #include "model/timing/texel_stream.h"
 
-#include <bit>
+#include <algorithm>
 
 namespace ffgpu::timing {
 
-// One texel a sample: the samples of a quad are told apart by a cycle.
+// A sample reads a texel at least: the border's, which is in no line.
 void TexelStream::begin(const QuadToken& quad) {
     const PreparedQuad& work = quad.quad();
     current_ = quad;
     comparing_ = true;
-    texels_ = work.texel_reads;
+    samples_ = TexelRequests::samples_of(work);
+    sample_ = 0;
+    texels_ = std::max<std::uint32_t>(work.texel_reads, samples_);
     texel_ = 0;
     line_ = 0;
     ticket_ = 0;
-    const auto lanes = static_cast<unsigned>(std::popcount(work.after_early_depth));
-    pause_ = texels_ > 0 && texels_ <= work.filter_steps * lanes ? 1 : 0;
     quads_.push_back({quad, texels_, 0});
 }
 

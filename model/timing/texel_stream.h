@@ -7,6 +7,7 @@
 
 #include "model/base/ring.h"
 #include "model/timing/parked_quads.h"
+#include "model/timing/texel_requests.h"
 #include "model/timing/tokens.h"
 
 #include <algorithm>
@@ -29,10 +30,11 @@ public:
     const QuadToken& current() const { return current_; }
     void begin(const QuadToken& quad);
 
-    // A cycle's work; false, and the reason, where it is none: a quad without samples is no work.
-    // `look_up` is told a line's number and gives the cache's result.
+    // A cycle's work; false, and the reason, where it is none: a quad without samples is no work,
+    // nor is one whose next sample has not come. `look_up` is told a line's number and gives the
+    // cache's result.
     template <class LookUp>
-    bool compare(Activity& reason, const LookUp& look_up);
+    bool compare(TexelRequests& requests, Activity& reason, const LookUp& look_up);
     bool read_texel(Cycle now, Activity& reason);
 
     bool can_leave(Cycle now) const { return read_quads_ > 0 && quads_.front().ready_at <= now; }
@@ -62,18 +64,22 @@ private:
     std::uint32_t outstanding_;
     bool comparing_ = false;
     QuadToken current_;
-    std::uint32_t texels_ = 0, texel_ = 0, pause_ = 0; // of the quad
-    std::size_t line_ = 0;                             // that is looked up next
-    std::uint64_t ticket_ = 0;                         // the latest of its lines'
-    Ring<Texel> queue_;                                // between tags and data
-    std::uint32_t misses_ = 0;                         // in the queue
+    std::uint32_t texels_ = 0, texel_ = 0;   // of the quad
+    std::uint32_t samples_ = 0, sample_ = 0; // of the quad; that were begun
+    std::size_t line_ = 0;                   // that is looked up next
+    std::uint64_t ticket_ = 0;               // the latest of its lines'
+    Ring<Texel> queue_;                      // between tags and data
+    std::uint32_t misses_ = 0;               // in the queue
     Ring<Quad> quads_;
     std::size_t read_quads_ = 0; // whose texels are read, the oldest
 };
 
 template <class LookUp>
-bool TexelStream::compare(Activity& reason, const LookUp& look_up) {
+bool TexelStream::compare(TexelRequests& requests, Activity& reason, const LookUp& look_up) {
     if (texel_ < texels_) {
+        // The quad's texels are spread evenly over its samples.
+        const bool begins = std::uint64_t{texel_} * samples_ >= std::uint64_t{sample_} * texels_;
+        if (begins && !requests.has_sample()) return false;
         const bool full = queue_.size() >= config_.texel_queue || misses_ >= outstanding_;
         const auto lines = current_.scene->work.lines_of(current_.quad());
         bool missed = false;
@@ -92,13 +98,15 @@ bool TexelStream::compare(Activity& reason, const LookUp& look_up) {
             blame(reason, Activity::StalledMemory);
             return false;
         }
+        if (begins) {
+            requests.pop_sample();
+            ++sample_;
+        }
         misses_ += missed;
         quads_.back().quad.misses += missed;
         queue_.push_back({ticket_, missed, ++texel_ == texels_});
-    } else if (pause_ > 0) {
-        --pause_;
     }
-    comparing_ = texel_ < texels_ || pause_ > 0;
+    comparing_ = texel_ < texels_;
     return texels_ > 0;
 }
 

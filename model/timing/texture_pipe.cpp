@@ -28,12 +28,14 @@ void TexturePipe::count(TextureStatistics& statistics, const PreparedQuad& quad)
 }
 
 bool TexturePipe::stream_tags(TextureStatistics& statistics, Cycle now, Activity& reason) {
+    requests_.advance();
     if (!stream_.is_comparing()) {
+        if (waiting_.empty()) return false;
         stream_.begin(waiting_.front());
         waiting_.pop_front();
         count(statistics, stream_.current().quad());
     }
-    return stream_.compare(reason, [&](std::uint64_t line) {
+    return stream_.compare(requests_, reason, [&](std::uint64_t line) {
         const LookupResult result = cache_.look_up({.number = line});
         if (observer_ && result.accepted)
             observer_->texel_line(name_of(stream_.current()), {line, result.missed, now});

@@ -8,6 +8,7 @@
 #include "model/timing/fragment_pipes.h"
 #include "model/timing/parked_quads.h"
 #include "model/timing/quad_observer.h"
+#include "model/timing/texel_requests.h"
 #include "model/timing/texel_stream.h"
 #include "model/timing/texture_share.h"
 
@@ -28,12 +29,15 @@ public:
         : config_(config)
         , cache_(cache)
         , share_(config.texture, config.texel_cache)
+        , requests_(config.texture)
         , stream_(config.texture, cache, config.texel_cache.outstanding_lines) {}
 
-    bool can_take() const {
-        return waiting_.size() + stream_.quads() < config_.fragment.pipe_queue;
+    bool can_take(const QuadToken& quad) const {
+        return waiting_.size() + stream_.quads() < config_.fragment.pipe_queue &&
+               (config_.texture.rate == TexelRate::Samples || requests_.can_take(quad));
     }
     void take(const QuadToken& quad) {
+        if (config_.texture.rate == TexelRate::Texels) requests_.take(quad);
         waiting_.push_back(quad);
         ++to_tags_.entered;
     }
@@ -46,15 +50,17 @@ public:
 
     // Some cycles have to pass before a quad whose texels are there can be filtered.
     bool expands_texels() const {
-        return stream_.waits() || (config_.texel_cache.decompress_cycles > 0 && !parked_.empty() &&
-                                   (read_ > 0 || cache_.is_complete(parked_.front().ticket)));
+        return stream_.waits() || requests_.moves() ||
+               (config_.texel_cache.decompress_cycles > 0 && !parked_.empty() &&
+                (read_ > 0 || cache_.is_complete(parked_.front().ticket)));
     }
 
     std::string state() const;
 
     bool has_parked() const { return !parked_.empty() || stream_.quads() > 0; }
     bool has_tags_to_compare() const {
-        return comparing_ || miss_cycles_left_ > 0 || !waiting_.empty() || stream_.is_comparing();
+        return comparing_ || miss_cycles_left_ > 0 || !waiting_.empty() || stream_.is_comparing() ||
+               requests_.moves();
     }
 
     // From the way in to the tags, and from there to the filter (not with TexelRate::Texels).
@@ -94,7 +100,8 @@ private:
     std::uint32_t filter_cycles_left_ = 0;
     bool filtering_ = false;
     QuadObserver* observer_ = nullptr;
-    TexelStream stream_; // TexelRate::Texels
+    TexelRequests requests_; // TexelRate::Texels
+    TexelStream stream_;     // and these
     Passage to_tags_, to_filter_;
 };
 

@@ -34,7 +34,7 @@ bool TextureTiming::can_distribute() const {
     if (!ports_.quads_in.can_pop()) return false;
     const QuadToken& quad = ports_.quads_in.front();
     if (ports_.rewrites.come_before(quad.scene->number) && !is_empty()) return false;
-    return pipes_[fragment_pipe(config_, quad)].can_take();
+    return pipes_[fragment_pipe(config_, quad)].can_take(quad);
 }
 
 // Nothing is under way in any of the caches.

@@ -56,8 +56,16 @@ public:
         if (a >= 0 && a < 1048576 && dut_.integer_o != static_cast<std::uint32_t>(a))
             tell("integer", a, b);
     }
+    void check_conversion(std::uint32_t integer) {
+        dut_.signed_i = integer;
+        dut_.eval();
+        const auto exact = static_cast<std::int32_t>(integer);
+        const auto expected = static_cast<float>(exact);
+        ++conversions[rounding(exact, expected)];
+        if (bits(expected) != dut_.converted_o) tell("conversion", exact, 0);
+    }
     std::uint64_t wrong = 0, compared = 0, carries = 0; // of a rounding into the exponent
-    std::array<std::uint64_t, 4> products{}, sums{};
+    std::array<std::uint64_t, 4> products{}, sums{}, conversions{};
 
 private:
     void compare(const char* what, float expected, std::uint32_t got, double exact) {
@@ -86,6 +94,12 @@ TEST_CASE("products, sums and conversions of binary32 equal the host's") {
                                          : random_float(random, -60, 60);
         checker.check(a, b);
         if (random.one_in(16)) checker.check(a, -a);
+        // Integers of any magnitude, often of few bits, and their neighbours.
+        const std::uint32_t dropped = random.below(32);
+        std::uint32_t integer = random.word() >> random.below(32);
+        if (random.one_in(2)) integer = integer >> dropped << dropped;
+        if (random.one_in(2)) integer = 0 - integer;
+        checker.check_conversion(integer + random.below(3) - 1);
         // Products beside a power of two: half of those below are rounded up to it.
         if (a != 0 && random.one_in(4)) checker.check(a, 1 / a);
     }
@@ -95,6 +109,7 @@ TEST_CASE("products, sums and conversions of binary32 equal the host's") {
     for (unsigned way = 0; way < 4; ++way) {
         CHECK(checker.products[way] > 0);
         CHECK(checker.sums[way] > 0);
+        CHECK(checker.conversions[way] > 0);
     }
 }
 

@@ -5,7 +5,9 @@ module float_units (
   input  ffgpu_pkg::float_t b_i,
   output ffgpu_pkg::float_t product_o,
   output ffgpu_pkg::float_t sum_o,
-  output logic [19:0]       integer_o
+  output logic [19:0]       integer_o,
+  input  logic [31:0]       signed_i,
+  output ffgpu_pkg::float_t converted_o
 );
 
   float_multiply u_multiply (
@@ -25,6 +27,11 @@ module float_units (
   ) u_to_unsigned (
     .value_i(a_i),
     .integer_o
+  );
+  float_from_signed u_from_signed (
+    .enable_i (1'b1),
+    .integer_i(signed_i),
+    .value_o  (converted_o)
   );
 
 endmodule

@@ -112,6 +112,46 @@ TEST_CASE("the fog table equals the model's on every fixed-point exponent") {
     CHECK(bench.compared == Items);
 }
 
+// The last coordinate whose factor is at least this one, of a curve that falls; a small one where
+// there is none.
+float last_with(const FogCurve& curve, unsigned factor) {
+    std::uint32_t first = std::bit_cast<std::uint32_t>(0x1p-20f);
+    std::uint32_t last = std::bit_cast<std::uint32_t>(64.0f);
+    while (last - first > 1) {
+        const std::uint32_t middle = first + (last - first) / 2;
+        (fog_factor(curve, std::bit_cast<float>(middle)) >= factor ? first : last) = middle;
+    }
+    return std::bit_cast<float>(first);
+}
+
+// Where a constant of the curve is wrong in its last bit some factor begins or ends too early.
+TEST_CASE("the fog factor steps at the model's coordinates") {
+    FogUnit unit;
+    UnitBench<FogUnit> bench(unit);
+    constexpr std::array Modes{FogMode::Exp, FogMode::Exp2, FogMode::Linear};
+    constexpr std::array Scales{1.0f, 0.7f, 1.9f, 0.3f};
+    const auto state = [&](unsigned n) {
+        return FogUnit::State{{.mode = Modes[n / Scales.size()],
+                               .end = 1,
+                               .scale = Scales[n % Scales.size()],
+                               .color = {0, 255, 0, 0}}};
+    };
+    const auto input = [&](unsigned n, unsigned i) {
+        ShadeQuad shaded{.quad = {.live = 0xf}};
+        const std::uint32_t step = std::bit_cast<std::uint32_t>(last_with(state(n).curve, i + 1));
+        for (unsigned lane = 0; lane < Lanes; ++lane) {
+            shaded.fog_coordinate[lane] = std::bit_cast<float>(step + lane - 1);
+            shaded.quad.color[lane] = 0xff;
+        }
+        return shaded;
+    };
+    constexpr auto States = static_cast<unsigned>(Modes.size() * Scales.size());
+    bench.run(counted_source<FogUnit>(States, 255, state, input), Stall::Never, 1);
+    INFO(bench.report);
+    CHECK(bench.mismatches == 0);
+    CHECK(bench.compared == States * 255);
+}
+
 // Of every factor, colour and fog colour: 2^24 inputs in the long form, of the short one each
 // eighth fog colour. Linear with end 1 and k 1: a coordinate of (255 - F) / 255 has the factor F.
 TEST_CASE("the fogged colour equals the model's on every factor, colour and fog colour") {

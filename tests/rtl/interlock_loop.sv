@@ -1,5 +1,5 @@
-// quad_interlock in front of a read, three stages and a store, as a target has them: each quad
-// reads its place's number and stores one more. Left in depth 0 is how many of the place were
+// quad_interlock in front of a read, six stages and a store, as a target has them, of which its table
+// lets four quads in: each reads its place's number and stores one more. Left in depth 0 is how many of the place were
 // before.
 
 module interlock_loop (
@@ -15,7 +15,7 @@ module interlock_loop (
   output ffgpu_pkg::quad_t out_data_o
 );
 
-  localparam int unsigned Stages = 3;
+  localparam int unsigned Stages = 6;
   localparam int unsigned Width = $bits(in_data_i);
 
   ffgpu_pkg::quad_t        free, read;

@@ -133,6 +133,37 @@ TEST_CASE("logarithms equal the model's from every entry of the table") {
     CHECK(bench.compared == 6 * 1024);
 }
 
+// Lambda is the bias plus 256 for each doubling of the step.
+TEST_CASE("lambda is held to a least and a greatest one that are a step away from it") {
+    LevelOfDetail unit;
+    UnitBench<LevelOfDetail> bench(unit);
+    const auto state = [](unsigned n) {
+        TextureWords words;
+        words.image.shape = {.kind = TextureKind::OneD,
+                             .format = Format::Luminance8,
+                             .width = 1,
+                             .height = 1,
+                             .depth = 1,
+                             .levels = MaxTextureLevels};
+        words.sampler.minify_linear = true;
+        words.sampler.mip_filter = MipFilter::Linear;
+        words.sampler.bias = static_cast<std::int16_t>(n % 2 + 130);
+        const auto bound = static_cast<std::int16_t>(4 * 256 + words.sampler.bias +
+                                                     static_cast<int>(n / 2 % 5) - 2);
+        (n / 10 == 0 ? words.sampler.min_lod : words.sampler.max_lod) = bound;
+        return words;
+    };
+    const auto input = [](unsigned, unsigned i) {
+        LevelQuad quad;
+        quad.coordinates[3] = std::ldexp(1.0f, static_cast<int>(i) + 3);
+        return quad;
+    };
+    bench.run(counted_source<LevelOfDetail>(20, 3, state, input), Stall::Never, 1);
+    INFO(bench.report);
+    CHECK(bench.mismatches == 0);
+    CHECK(bench.compared == 20 * 3);
+}
+
 } // namespace
 } // namespace ffgpu::rtl
 

@@ -1,4 +1,4 @@
-// rtl/quad_interlock.sv around a read, three stages and a store: what a quad reads is what the one
+// rtl/quad_interlock.sv around a read, six stages and a store: what a quad reads is what the one
 // before it at its place has stored, whatever stalls.
 
 #include "Vinterlock_loop.h"
@@ -106,7 +106,7 @@ unsigned cycles_between(const Quad& first, const Quad& second) {
 TEST_CASE("a quad waits for one of its own place alone") {
     Random random(3);
     const Quad quad = random_quad(random);
-    CHECK(cycles_between(quad, quad) > 3);
+    CHECK(cycles_between(quad, quad) > 6);
     for (unsigned bit = 1; bit < 13; ++bit) {
         INFO(bit);
         for (std::uint16_t Quad::*const axis : {&Quad::x, &Quad::y}) {

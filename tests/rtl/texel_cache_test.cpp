@@ -51,13 +51,15 @@ struct TexelCache {
     static void set_tag(TexelRead& read, unsigned tag) { read.tag = tag != 0; }
     static State random_state(Random&) { return {}; }
 
-    // Steps through an image, lines that come again soon or late, and lines far away.
+    // Steps through an image, lines that come again soon or late, lines far away, and such whose
+    // number is another one's but for a bit.
     TexelRead random_input(Random& random, const State&) {
         if (random.one_in(50)) at_ = random.word();
         if (random.one_in(6)) at_ += (random.below(9) - 4) << (LineBits + random.below(4));
         at_ += 16 * (random.below(3) - 1);
-        const std::uint32_t address =
+        std::uint32_t address =
             random.one_in(3) ? 0x4000 + (random.below(24) << LineBits) + random.below(64) : at_;
+        if (random.one_in(16)) address ^= 1u << (LineBits + random.below(32 - LineBits));
         return {.place = static_cast<std::uint16_t>(random.below(1024)), .address = address};
     }
 

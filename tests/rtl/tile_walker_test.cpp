@@ -5,6 +5,9 @@
 #include "rtl/bundles/tile.h"
 #include "tests/rtl/bench/unit_bench.h"
 
+#include <algorithm>
+#include <set>
+
 #include <catch2/catch.hpp>
 
 namespace ffgpu::rtl {
@@ -126,3 +129,74 @@ using Unit = TileWalker;
 } // namespace ffgpu::rtl
 
 #include "tests/rtl/bench/unit_tests.inl"
+
+namespace ffgpu::rtl {
+namespace {
+
+// Blocks that the box overlaps and in which each edge by itself has a pixel.
+unsigned touched_blocks(const TileEdges& walk) {
+    std::array<TileCoverage, MaxEdges> sides;
+    for (unsigned i = 0; i < walk.edge_count; ++i) {
+        TileEdges side = walk;
+        side.box_x0 = side.box_y0 = 0;
+        side.box_x1 = side.box_y1 = 8192;
+        side.edge_count = 1;
+        side.a[0] = walk.a[i];
+        side.b[0] = walk.b[i];
+        side.c[0] = walk.c[i];
+        TileWalker::cover_tile(side, sides[i]);
+    }
+    unsigned count = 0;
+    for (int y = walk.tile_y; y < walk.tile_y + TileSize; y += 8)
+        for (int x = walk.tile_x; x < walk.tile_x + TileSize; x += 8) {
+            bool touched =
+                x < walk.box_x1 && y < walk.box_y1 && x + 8 > walk.box_x0 && y + 8 > walk.box_y0;
+            for (unsigned i = 0; i < walk.edge_count; ++i)
+                touched &= std::any_of(
+                    sides[i].blocks.begin(),
+                    sides[i].blocks.begin() + sides[i].count,
+                    [&](const BlockCoverage& block) { return block.x == x && block.y == y; });
+            count += touched;
+        }
+    return count;
+}
+
+TEST_CASE("a tile takes a cycle, one a block, and sixteen more one that edges and box touch") {
+    VerilatedContext context;
+    Vtile_walker dut(&context);
+    const auto cycle = [&] {
+        dut.clk_i = 1;
+        dut.eval();
+        dut.clk_i = 0;
+        dut.eval();
+    };
+    dut.in_valid_i = dut.clk_i = 0;
+    dut.out_ready_i = 1;
+    for (const int reset : {1, 0, 1}) {
+        dut.rst_ni = static_cast<std::uint8_t>(reset);
+        dut.eval();
+    }
+    Random random(11);
+    std::set<unsigned> seen;
+    for (unsigned i = 0; i < 2000; ++i) {
+        const TileEdges walk = TileWalker::random_input(random, {});
+        drive(dut.in_data_i, to_bits(walk));
+        dut.in_valid_i = 1;
+        dut.eval();
+        REQUIRE(dut.in_ready_o);
+        cycle();
+        dut.in_valid_i = 0;
+        dut.eval();
+        unsigned cycles = 1;
+        for (; !dut.in_ready_o && cycles < 1000; ++cycles)
+            cycle();
+        const unsigned touched = touched_blocks(walk);
+        INFO(i << ": " << touched << " blocks are touched");
+        REQUIRE(cycles == 1 + 16 + 16 * touched);
+        seen.insert(touched);
+    }
+    CHECK(seen.size() > 10);
+}
+
+} // namespace
+} // namespace ffgpu::rtl

@@ -147,12 +147,19 @@ Comparisons = [("texel cache of 32 lines", "64 lines"), ("64 lines", "128 lines"
                ("a memory of 20 cycles", "a memory of 100 cycles")]
 
 
+def is_current(pipe):
+    """It was built of the sources as they are."""
+    sources = [file for pattern in ("*.sv", "pipe/*", "bundles/*")
+               for file in (Root / "rtl").glob(pattern)]
+    return pipe.exists() and pipe.stat().st_mtime > max(f.stat().st_mtime for f in sources)
+
+
 def tree_of(build, parameters):
     """The build's, or one with a pipe of other parameters."""
     if not parameters:
         return build
     folder = build / "rtl_cycles" / "_".join(f"{name}{value}" for name, value in parameters.items())
-    if not (folder / "driver/GL/ffgpu_pipe.so").exists():
+    if not is_current(folder / "driver/GL/ffgpu_pipe.so"):
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
         build_tree(folder, build, options=[f"-G{n}={v}" for n, v in parameters.items()])

@@ -312,8 +312,16 @@ TEST_CASE("Coordinates over a q of any magnitude are the model's") {
     scene.into = &comparison;
     scene.texture(4, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
     scene.registers.samplers[0].wrap.fill(Wrap::ClampToEdge);
+    const unsigned unit = GENERATE(0u, 6u);
+    Registers& registers = scene.registers;
+    std::swap(registers.images[0], registers.images[unit]);
+    std::swap(registers.samplers[0], registers.samplers[unit]);
+    std::swap(registers.combiners[0], registers.combiners[unit]);
+    const auto texture = static_cast<unsigned>(CombineSource::Texture0) + unit;
+    for (CombineHalf* half : {&registers.combiners[unit].rgb, &registers.combiners[unit].alpha})
+        half->arguments[0].source = static_cast<CombineSource>(texture);
     // s and t in blue and alpha, q in t.
-    scene.registers.vertex_format.elements[static_cast<unsigned>(Attribute::TexCoord0)] = {4, 6};
+    registers.vertex_format.elements[static_cast<unsigned>(Attribute::TexCoord0) + unit] = {4, 6};
     scene.clear(0xffffffff);
     struct Plane {
         float step, level;
@@ -333,7 +341,8 @@ TEST_CASE("Coordinates over a q of any magnitude are the model's") {
                                               std::array{-100.0f, 300.0f, 0.54f}})
                     corners.push_back({x * w, y * w, 0, w, 0, 0, s.at(x), t.at(y), 0, q.at(x)});
                 scene.draw(PrimitiveType::Triangles, corners);
-                INFO(fmt::format("s {:a}, t {:a}, q {:a}", s.at(1), t.at(1), q.at(1)));
+                INFO(
+                    fmt::format("unit {} s {:a}, t {:a}, q {:a}", unit, s.at(1), t.at(1), q.at(1)));
                 INFO(comparison.summary());
                 REQUIRE(comparison.equal());
             }

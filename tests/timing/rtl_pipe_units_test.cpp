@@ -126,7 +126,60 @@ TEST_CASE("an interpolator takes a quad for each of its values and w, and divide
     CHECK(run(config, with_values(2, 1, true)).at("total_cycles") > 13 * FillQuads);
 }
 
-TEST_CASE("a texture unit that takes texels one by one takes sixteen cycles a bilinear quad") {
+// Items that a queue holds, on average.
+double held(const Figures& figures, const std::string& queue) {
+    return static_cast<double>(figures.at("queue_" + queue + "_item_cycles")) /
+           static_cast<double>(figures.at("total_cycles"));
+}
+
+// Behind the interpolator a quad takes sixteen cycles. The first one's values are collected but for
+// the last.
+TEST_CASE("between interpolator and texture unit there are places for values") {
+    const std::uint32_t places = 7;
+    for (const std::uint32_t values : {1u, 2u, 3u, 5u, 9u}) {
+        TimingConfig config = wide_machine(1);
+        config.interpolator.value_cycles = 1;
+        config.texture.rate = TexelRate::Texels;
+        const WorkBin bin = with_values(static_cast<std::uint8_t>(values), 1, true);
+        CHECK(held(run(config, bin), "interpolator_to_depth") > places + 1);
+        config.interpolator.value_places = places;
+        const Figures figures = run(config, bin);
+        const std::uint32_t quads = (places + values - 1) / values;
+        CAPTURE(values, quads);
+        CHECK(held(figures, "interpolator_to_depth") <= quads);
+        // Between two of them w is taken, and the values that found no place.
+        CHECK(held(figures, "interpolator_to_depth") > quads - (values + 3) / 16.0);
+        CHECK(run(config, bin, {5}) == figures);
+        CHECK(run(config, bin, {0, Pace::EveryCycle}) == figures);
+    }
+}
+
+TEST_CASE("a walk over tiles takes a piece when the last quad of the one before has left") {
+    TimingConfig config = tile_walker();
+    config.raster.latency = 3;
+    config.raster.queue = 2; // four places: three registers, and one of them is handed on
+    config.fragment.quad_cycles = 64;
+    config.fragment.queue = config.fragment.pipe_queue = 1;
+    config.depth_cache.fragment_fifo = config.texel_cache.fragment_fifo = 1;
+    // A quad a piece.
+    WorkBin bin = random_pieces(3, 200).bin;
+    WorkBatch& batch = bin.tiles[0].batches[0];
+    const auto same_piece = [](const WorkQuad& one, const WorkQuad& two) {
+        return one.piece == two.piece;
+    };
+    batch.quads.erase(std::unique(batch.quads.begin(), batch.quads.end(), same_piece),
+                      batch.quads.end());
+    for (PieceBox& box : bin.draws[0].geometry.pieces)
+        box = {box.x0, box.y0, box.x0, box.y0, 1};
+    const Figures figures = run(config, bin);
+    CHECK(held(figures, "raster_to_depth") < 3);
+    CHECK(held(figures, "raster_to_depth") > 2);
+    CHECK(run(config, bin, {5}) == figures);
+    CHECK(run(config, bin, {0, Pace::EveryCycle}) == figures);
+}
+
+TEST_CASE(
+    "a texture unit that takes texels one by one one by one takes sixteen cycles a bilinear quad") {
     TimingConfig config = wide_machine(1);
     config.texture.rate = TexelRate::Texels;
     for (const unsigned textures : {1u, 2u}) {
@@ -139,6 +192,55 @@ TEST_CASE("a texture unit that takes texels one by one takes sixteen cycles a bi
     const Figures figures = run(config, textured_draw(1));
     CHECK(run(config, textured_draw(1), {5}) == figures);
     CHECK(run(config, textured_draw(1), {0, Pace::EveryCycle}) == figures);
+}
+
+TEST_CASE("a sequencer takes a cycle for each texture of a quad, beside those of its samples") {
+    TimingConfig config = wide_machine(1);
+    config.texture.rate = TexelRate::Texels;
+    for (const unsigned textures : {1u, 2u, 3u}) {
+        WorkBin bin = textured_draw(textures);
+        for (WorkBatch& batch : bin.tiles[0].batches)
+            for (TexelFootprints& texture : batch.textures)
+                for (TexelAccess& access : texture.accesses)
+                    access.linear = 0;
+        const Figures figures = run(config, bin);
+        const std::uint64_t cycles = 5 * std::uint64_t{textures} * FillQuads;
+        CHECK(figures.at("total_cycles") > cycles);
+        CHECK(figures.at("total_cycles") < cycles + 2000); // the first misses
+    }
+}
+
+// What waits there does not hold up the rasterizer: sixteen texels a request, four a sample.
+TEST_CASE("requests and samples wait in queues before the tags") {
+    for (const unsigned textures : {1u, 2u}) {
+        TimingConfig config = wide_machine(1);
+        config.texture.rate = TexelRate::Texels;
+        config.fragment.pipe_queue = 256;
+        const auto stalled = [&](std::uint32_t requests, std::uint32_t samples) {
+            config.texture.request_queue = requests;
+            config.texture.sample_queue = samples;
+            return run(config, textured_draw(textures)).at("raster_stalled_output_cycles");
+        };
+        const std::uint64_t few = stalled(4, 8);
+        CHECK(few - stalled(6, 8) == 2 * 16);
+        CHECK(few - stalled(14, 8) == 10 * 16);
+        CHECK(few - stalled(4, 24) == 16 * 4);
+    }
+}
+
+TEST_CASE("one quad goes round through the environments, and others wait before") {
+    WorkBin bin = make_bin({8, 8, 8, [](double, double, SceneSample&) { return true; }});
+    TimingConfig config = wide_machine(1);
+    config.fragment.quad_cycles = 50;
+    config.fragment.queue = 2;
+    config.fragment.pipe_queue = 16;
+    CHECK(run(config, bin).at("texture_stalled_output_cycles") == 0);
+    config.fragment.entry_cycles = 1;
+    // Sixteen quads; one goes round, two are in the queue. The place of one that left is free in
+    // the next cycle.
+    const std::uint64_t stalled = run(config, bin).at("texture_stalled_output_cycles");
+    CHECK(stalled > 12 * 50);
+    CHECK(stalled < 13 * 50);
 }
 
 TimingConfig without_color_cache() {

@@ -255,6 +255,13 @@ TEST_CASE("An empty file is a configuration without changes") {
     CHECK_THROWS_AS(read_config_file("/no/such/file.toml", configuration), InputError);
 }
 
+TEST_CASE("A configuration as large as a disk is refused by its size") {
+    const TemporaryFile file("", ".toml");
+    std::filesystem::resize_file(file.path(), std::uintmax_t{1} << 40);
+    Configuration configuration;
+    CHECK_THROWS_WITH(read_config_file(file.path(), configuration), Contains("larger than 16 MiB"));
+}
+
 TEST_CASE("compare measures, and fails above its limit") {
     const TemporaryFolder folder;
     Image a(4, 2), b(4, 2);

@@ -121,7 +121,7 @@ TEST_CASE("A trace is equal to its capture, which has no calls") {
 }
 
 TEST_CASE("diff's exit status and words") {
-    const TemporaryFile a("", ".ffc"), b("", ".ffc");
+    const TemporaryFile a("", ".ffc"), b("", "it's b.ffc");
     write_capture(a.path());
     write_capture(b.path(), 1, 15);
     int status = -1;
@@ -135,6 +135,7 @@ TEST_CASE("diff's exit status and words") {
     CHECK(status == 1);
     CHECK(text.find("draw 15") != std::string::npos);
     CHECK(text.find("--command 16") != std::string::npos);
+    CHECK(text.find("it'\\''s b.ffc' --backend-a") != std::string::npos); // as a shell reads it
     CHECK(diff({a.path(), b.path(), "--command", "15"}).find("Equal") != std::string::npos);
     CHECK(status == 0);
     diff({a.path(), b.path(), "--command", "16", "--most", "5"});

@@ -102,6 +102,27 @@ TEST_CASE("draws.csv has a line a draw, with the call that it came from and what
     CHECK(cycles > 0);
 }
 
+TEST_CASE("A command of which nobody looked what it waited for waits for none") {
+    const TwoSquares squares;
+    const TemporaryFolder folder;
+    const TemporaryFile file(squares.scene.file());
+    REQUIRE(run({"replay",
+                 file.path(),
+                 "-o",
+                 folder / "out",
+                 "--per-draw",
+                 "--timing",
+                 "--set",
+                 "bottlenecks.enable=off"}) == 0);
+    const std::vector<Line> lines = lines_in(folder / "out/draws.csv");
+    CHECK(lines.size() >= 2);
+    for (const Line& line : lines)
+        CHECK(line.at("bottleneck") == "none");
+    const auto frame = nlohmann::json::parse(content(folder / "out/stats.json"))["frames"][0];
+    for (const auto& command : frame["commands"])
+        CHECK(command["bottleneck"] == "none");
+}
+
 TEST_CASE("A draw's bytes by client stand in draws.csv and stats.json, and add up to the frame's") {
     const TwoSquares squares;
     const TemporaryFolder folder;

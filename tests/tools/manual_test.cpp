@@ -52,6 +52,8 @@ TEST_CASE("bash completes verbs, options and values") {
     CHECK(completed("ffgpu replay -o README", 3) == "\n");          // no folder
     CHECK(completed("ffgpu compare --sw", 2) == "\n");              // another verb's
     CHECK_THAT(completed("ffgpu run -- bas", 3), Contains("bash")); // a program
+    CHECK(completed("ffgpu completion \"\"", 2) == "bash zsh fish\n");
+    CHECK(completed("ffgpu manual repl", 2) == "replay\n");
 }
 
 TEST_CASE("zsh and fish understand what is for them") {
@@ -68,6 +70,8 @@ TEST_CASE("zsh and fish understand what is for them") {
     CHECK_THAT(completed("ffgpu replay --sw"), Contains("--swap\t"));
     CHECK_THAT(completed("ffgpu replay --swap "), Contains("copy") && Contains("exchange"));
     CHECK_THAT(completed("ffgpu compare --sw"), !Contains("--swap"));
+    CHECK(completed("ffgpu completion ") == "bash\nfish\nzsh\n");
+    CHECK(completed("ffgpu manual repl") == "replay\n");
     CHECK(run({"completion", "tcsh"}) == 2);
 }
 

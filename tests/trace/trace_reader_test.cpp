@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <catch2/catch.hpp>
+#include <unistd.h>
 
 namespace ffgpu::trace {
 namespace {
@@ -344,6 +345,14 @@ TEST_CASE("What is no trace is named in one line") {
     CHECK_THAT(read_all("Hello, this is text.\n").error, Contains("not a trace"));
     CHECK_THROWS_WITH(TraceReader("/nonexistent/x.trace"), Contains("cannot be opened"));
     CHECK_THROWS_WITH(TraceReader("/"), Contains("directory"));
+    const std::string snappy = in_snappy(small_trace().bytes, 64);
+    CHECK_THAT(read_all(in_gzip(snappy)).error, Contains("compressed once more"));
+    CHECK_THAT(read_all(in_zstd(snappy)).error, Contains("compressed once more"));
+    int ends[2];
+    REQUIRE(::pipe(ends) == 0);
+    CHECK_THROWS_WITH(TraceReader("/dev/fd/" + std::to_string(ends[0])), Contains("is a pipe"));
+    ::close(ends[0]);
+    ::close(ends[1]);
 }
 
 TEST_CASE("A damaged place is named by byte and call") {

@@ -77,6 +77,48 @@ TEST_CASE("what an exit handler draws is drawn and recorded") {
                    "147.22") == 1);
 }
 
+TEST_CASE("what an exit handler draws behind the recorder's is told of") {
+    if (!has_display()) return;
+    const OutputFolder out;
+    const Outcome run = ffgpu_run("-o " + out.path.string() + " -- " FFGPU_FRAMES " early");
+    INFO(run.text);
+    CHECK(run.status == 0);
+    CHECK(files_in(out.path) == 2); // with stats.json
+    CHECK(count_of(run.text, "when the program had all but ended, and is not recorded") == 1);
+}
+
+TEST_CASE("a child that draws on without the recorded process is told of") {
+    if (!has_display()) return;
+    const OutputFolder out;
+    const Outcome run = ffgpu_run("-o " + out.path.string() + " -- " FFGPU_FRAMES " daemon");
+    INFO(run.text);
+    CHECK(run.status == 4);
+    CHECK(count_of(run.text, "draws too, and is not recorded: it was forked") == 1);
+    CHECK(count_of(run.text, NotComplete) == 1); // It does not say that they will be.
+}
+
+TEST_CASE("quick_exit completes the files") {
+    if (!has_display()) return;
+    const OutputFolder out;
+    const Outcome run = ffgpu_run("-o " + out.path.string() + " -- " FFGPU_FRAMES " quick");
+    INFO(run.text);
+    CHECK(run.status == 5);
+    CHECK(files_in(out.path) == 4);
+    CHECK(count_of(statistics_in(out), "\"frame_count\": 3,") == 1);
+}
+
+TEST_CASE("a TMPDIR that is empty or not there is none") {
+    if (!has_display()) return;
+    for (const std::string folder : {"", "/nonexistent"}) {
+        const OutputFolder out;
+        const Outcome run = shell("TMPDIR=" + folder + " " FFGPU_BINARY " run -o " +
+                                  out.path.string() + " -- " FFGPU_FRAMES " last");
+        INFO(run.text);
+        CHECK(run.status == 0);
+        CHECK(files_in(out.path) == 3);
+    }
+}
+
 TEST_CASE("a program that leaves no memory is one line and status 2") {
     if (!has_display()) return;
     const OutputFolder out;

@@ -9,6 +9,9 @@
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+
 namespace ffgpu {
 namespace {
 
@@ -241,6 +244,25 @@ int run_and_signal(const std::string& seconds, int signal) {
     const int status = wait_status(process);
     CHECK(runs);
     return status;
+}
+
+// It waits for what its configuration says.
+TEST_CASE("a signal before the program is there leaves no file behind") {
+    const OutputFolder out;
+    fs::create_directories(out.path / "temporary");
+    const std::string configuration = out.path / "configuration.toml";
+    REQUIRE(::mkfifo(configuration.c_str(), 0600) == 0);
+    ::setenv("TMPDIR", (out.path / "temporary").c_str(), 1);
+    const pid_t process = start(
+        {"ffgpu", "run", "--config", configuration, "-o", out.path / "o", "--", "sleep", "52.25"});
+    ::unsetenv("TMPDIR");
+    const int file = ::open(configuration.c_str(), O_WRONLY); // when ffgpu reads it
+    ::kill(process, SIGTERM);
+    const int status = wait_status(process);
+    CHECK(WIFSIGNALED(status));
+    CHECK(WTERMSIG(status) == SIGTERM);
+    CHECK(fs::is_empty(out.path / "temporary"));
+    ::close(file);
 }
 
 #ifndef __SANITIZE_THREAD__

@@ -46,7 +46,7 @@ void add_manual_command(CLI::App& application, Run& run) {
     const auto name = std::make_shared<std::string>();
     CLI::App* const verb =
         application.add_subcommand("manual", "Prints the manual page of ffgpu or of a verb");
-    verb->add_option("verb", *name, "The verb; without it: of ffgpu");
+    verb->add_option("verb", *name, "The verb; without it: of ffgpu")->type_name("VERB");
     verb->footer("Example: ffgpu manual replay | man -l -");
     verb->callback([name, &application, &run] {
         run = [name, &application] {

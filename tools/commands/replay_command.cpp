@@ -62,8 +62,9 @@ int run_replay(Arguments& arguments) {
     warn_of_settings(settings_without_effect(arguments.recording));
     if (options.output.empty() && options.capture.empty() && options.save_work.empty() &&
         options.benchmark == 0 && arguments.rtl.empty())
-        throw InputError("replay: nothing to do: expected -o DIR, --capture FILE, --save-work FILE "
-                         "--rtl UNIT or --benchmark N");
+        throw InputError(
+            "replay: nothing to do: expected -o DIR, --capture FILE, --save-work FILE, "
+            "--rtl UNIT or --benchmark N");
     const Interruption interruption;
     int status = 0;
     if (arguments.rtl.empty())

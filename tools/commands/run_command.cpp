@@ -1,5 +1,3 @@
-#include "tools/commands/run_command.h"
-
 #include "driver/window_system/run_mark.h"
 #include "model/base/input_error.h"
 #include "tools/commands/commands.h"
@@ -15,8 +13,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
@@ -31,6 +32,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int CannotRun = 127; // the shell's status for it
+
+struct Environment {
+    std::string name, value;
+};
 
 volatile std::sig_atomic_t child = 0;
 
@@ -47,6 +52,26 @@ void pass_on_if_sent(int signal, siginfo_t* info, void*) {
     if (by_a_process) pass_on(signal);
 }
 
+// Those that end a program wait, from the making of its files to the moment that it can be told.
+class HeldSignals {
+public:
+    HeldSignals() {
+        sigset_t ends;
+        sigemptyset(&ends);
+        for (const int signal : {SIGINT, SIGQUIT, SIGTERM, SIGHUP})
+            sigaddset(&ends, signal);
+        ::sigprocmask(SIG_BLOCK, &ends, &before_);
+    }
+    ~HeldSignals() { release(); }
+    HeldSignals(const HeldSignals&) = delete;
+    HeldSignals& operator=(const HeldSignals&) = delete;
+
+    void release() const { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
+
+private:
+    sigset_t before_{};
+};
+
 void watch_signals() {
     struct sigaction action {};
     action.sa_flags = SA_SIGINFO | SA_RESTART;
@@ -58,7 +83,9 @@ void watch_signals() {
 }
 
 [[noreturn]] void run_child(const std::vector<std::string>& command,
-                            const std::vector<Environment>& environment) {
+                            const std::vector<Environment>& environment,
+                            const HeldSignals& signals) {
+    signals.release();
     ::prctl(PR_SET_PDEATHSIG, SIGTERM); // Nobody draws on where ffgpu was killed.
     for (const Environment& variable : environment)
         ::setenv(variable.name.c_str(), variable.value.c_str(), 1);
@@ -68,12 +95,38 @@ void watch_signals() {
     std::_Exit(CannotRun);
 }
 
+// Returns its exit status; as the shell, 128 + the number of the signal that ended it. Throws
+// InputError if it cannot be started.
+int run_program(const std::vector<std::string>& command,
+                const std::vector<Environment>& environment,
+                const HeldSignals& signals) {
+    const pid_t program = ::fork();
+    if (program < 0)
+        throw InputError("run: no process can be made: " + std::string(std::strerror(errno)));
+    if (program == 0) run_child(command, environment, signals);
+    child = program;
+    watch_signals();
+    signals.release();
+    int status = 0;
+    while (::waitpid(program, &status, 0) < 0 && errno == EINTR) {
+    }
+    child = 0;
+    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+// TMPDIR may be empty, or name what is not there.
+fs::path temporary_folder() {
+    std::error_code missing;
+    const fs::path folder = fs::temp_directory_path(missing);
+    return missing ? fs::path("/tmp") : folder;
+}
+
 // A file that lives as long as the program runs. Its lock is held until this process ends, however
 // it does: the recorder sees by it that it is alone (tools/recorder/run_watch.h).
 class PassingFile {
 public:
     explicit PassingFile(const std::string& text) {
-        std::string pattern = (fs::temp_directory_path() / "ffgpu_run_XXXXXX").string();
+        std::string pattern = (temporary_folder() / "ffgpu_run_XXXXXX").string();
         file_ = ::mkostemp(pattern.data(), O_CLOEXEC);
         path_ = pattern;
         const bool written = file_ >= 0 && ::write(file_, text.data(), text.size()) ==
@@ -138,10 +191,6 @@ int run_run(const Arguments& arguments) {
     if (arguments.samples > 1)
         environment.push_back({"FFGPU_SAMPLES", std::to_string(arguments.samples)});
     if (arguments.swap == gl::SwapMode::Exchange) environment.push_back({"FFGPU_SWAP", "exchange"});
-    // The library says here that it was used.
-    const PassingFile mark("");
-    environment.push_back({"FFGPU_MARK", mark.path()});
-    std::optional<PassingFile> settings;
     if (arguments.recording.any()) {
         RecordingOptions checked;
         resolve(arguments.recording, checked); // What is wrong is said before the program starts.
@@ -149,33 +198,25 @@ int run_run(const Arguments& arguments) {
         check_samples(arguments.samples, panel);
         add_panel(panel, environment);
         warn_of_settings(settings_without_effect(arguments.recording));
+    }
+    const HeldSignals signals;
+    // The library says here that it was used.
+    const PassingFile mark("");
+    environment.push_back({"FFGPU_MARK", mark.path()});
+    std::optional<PassingFile> settings;
+    if (arguments.recording.any()) {
         settings.emplace(to_json(arguments.recording));
         settings->lock();
         const fs::path recorder = folder / "ffgpu_recorder.so";
         environment.push_back({"FFGPU_RECORD", recorder.string() + ":" + settings->path()});
     }
-    const int status = run_program(arguments.command, environment);
+    const int status = run_program(arguments.command, environment, signals);
     if (status != CannotRun)
         warn_of_loss(arguments.command[0], mark.path(), settings.has_value(), status);
     return status;
 }
 
 } // namespace
-
-int run_program(const std::vector<std::string>& command,
-                const std::vector<Environment>& environment) {
-    const pid_t program = ::fork();
-    if (program < 0)
-        throw InputError("run: no process can be made: " + std::string(std::strerror(errno)));
-    if (program == 0) run_child(command, environment);
-    child = program;
-    watch_signals();
-    int status = 0;
-    while (::waitpid(program, &status, 0) < 0 && errno == EINTR) {
-    }
-    child = 0;
-    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-}
 
 void add_run_command(CLI::App& application, Run& run) {
     const auto arguments = std::make_shared<Arguments>();

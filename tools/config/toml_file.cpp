@@ -3,7 +3,7 @@
 #include "model/base/input_error.h"
 
 #include <fstream>
-#include <iterator>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -19,14 +19,18 @@ toml::table parse_toml(const std::string& text, const std::string& source) {
 }
 
 toml::table read_toml_file(const std::string& path) {
-    std::string text;
+    constexpr std::size_t Most = 16u << 20;
+    std::string text(Most + 1, '\0');
     try {
         std::ifstream file(path, std::ios::binary);
-        text.assign(std::istreambuf_iterator<char>(file), {});
+        file.read(text.data(), static_cast<std::streamsize>(text.size()));
         if (!file.is_open() || file.bad()) throw InputError(path + ": cannot be read");
+        text.resize(static_cast<std::size_t>(file.gcount()));
     } catch (const std::ios_base::failure&) { // A folder opens as a file does.
         throw InputError(path + ": cannot be read");
     }
+    if (text.size() > Most)
+        throw InputError(fmt::format("{}: is larger than {} MiB", path, Most >> 20));
     return parse_toml(text, path);
 }
 

@@ -9,7 +9,7 @@
 
 namespace ffgpu::tools {
 
-// Both throw InputError: one line with source, or path, and line.
+// Both throw InputError: one line with source, or path, and line. A file may have 16 MiB.
 toml::table parse_toml(const std::string& text, const std::string& source);
 toml::table read_toml_file(const std::string& path);
 

@@ -1,5 +1,7 @@
 #include "tools/diff/difference_text.h"
 
+#include "tools/files/shell_word.h"
+
 #include <cstdio>
 #include <iterator>
 
@@ -33,11 +35,11 @@ std::string entry_text(const DifferentEntry& entry) {
 
 std::string side_words(const DiffOptions& options) {
     const AccountSide &a = options.a, &b = options.b;
-    std::string words = a.input;
-    if (b.input != a.input) words += ' ' + b.input;
+    std::string words = shell_word(a.input);
+    if (b.input != a.input) words += ' ' + shell_word(b.input);
     words += " --backend-a " + a.backend + " --backend-b " + b.backend;
-    if (!a.program.empty()) words += " --program-a " + a.program;
-    if (!b.program.empty()) words += " --program-b " + b.program;
+    if (!a.program.empty()) words += " --program-a " + shell_word(a.program);
+    if (!b.program.empty()) words += " --program-b " + shell_word(b.program);
     if (options.question.samples > 1)
         words += fmt::format(" --samples {}", options.question.samples);
     if (options.question.swap == gl::SwapMode::Exchange) words += " --swap exchange";
@@ -72,7 +74,7 @@ std::string difference_text(const DiffOptions& options, const Difference& differ
     if (pixel)
         fmt::format_to(out,
                        "       ffgpu explain {} --frame {} --pixel {},{} --lower-left\n",
-                       options.a.input,
+                       shell_word(options.a.input),
                        difference.frame,
                        pixel->x,
                        pixel->y);

@@ -29,10 +29,7 @@ std::string client_columns() {
 
 std::string costs_text(const timing::CommandCycles& cost) {
     std::string text =
-        fmt::format("{},{},{}",
-                    cost.cycles,
-                    timing::ResourceNames[static_cast<std::size_t>(cost.bottleneck())],
-                    cost.bottleneck_cycles());
+        fmt::format("{},{},{}", cost.cycles, cost.bottleneck_name(), cost.bottleneck_cycles());
     for (const timing::MovedBytes& bytes : cost.moved)
         text += fmt::format(",{},{}", bytes.read, bytes.written);
     return text;

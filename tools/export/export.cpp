@@ -4,6 +4,7 @@
 #include "model/timing/gpu_timing.h"
 #include "model/work/lookup_walk.h"
 #include "tools/config/nearest_name.h"
+#include "tools/export/command_trace.h"
 #include "tools/export/din_writer.h"
 #include "tools/export/memory_trace.h"
 #include "tools/export/timeline_trace.h"
@@ -199,6 +200,39 @@ std::string export_memory(const ExportOptions& options) {
     return traffic_text(trace.traffic());
 }
 
+// --- DRAM commands -------------------------------------------------------------------------------
+
+std::string commands_text(const CommandTrace::Counts& counts) {
+    std::string text;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (counts[i] > 0)
+            text += fmt::format("{:>5}: {}\n", timing::DramOperationNames[i], counts[i]);
+    return text;
+}
+
+std::string export_commands(const ExportOptions& options) {
+    const timing::TimingConfig config = without_bottlenecks(options.configuration.timing);
+    if (config.memory.kind != timing::MemoryKind::Dram)
+        throw InputError("--format dram_commands: expected memory.kind dram, found fixed");
+    ExportOutput output(options.output, options.compresses);
+    TextWriter text(output);
+    TracedMachine machine(config, false);
+    CommandTrace trace(config.memory, text);
+    machine.timing().set_command_observer(&trace);
+    play_and_finish(
+        options,
+        machine,
+        [&](const work::FrameFigures&) {
+            machine.timing().catch_up();
+            trace.check_failure();
+        },
+        [&] {
+            trace.finish();
+            output.commit();
+        });
+    return commands_text(trace.counts());
+}
+
 // --- Time ----------------------------------------------------------------------------------------
 
 std::unique_ptr<TimelineFormat> make_timeline(const ExportOptions& options, TextWriter& text) {
@@ -257,6 +291,8 @@ std::string export_trace(const ExportOptions& options) {
     case ExportFormat::Din:
     case ExportFormat::Xdin:
         return export_lookups(options);
+    case ExportFormat::DramCommands:
+        return export_commands(options);
     case ExportFormat::Perfetto:
     case ExportFormat::Vcd:
     case ExportFormat::Fst:

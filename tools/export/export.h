@@ -23,17 +23,19 @@ enum class ExportFormat : std::uint8_t {
     Dramsim3,
     Dramsys,
     Csv,
+    DramCommands,
     Perfetto,
     Vcd,
     Fst
 };
-inline constexpr std::array<std::string_view, 10> ExportFormatNames{"din",
+inline constexpr std::array<std::string_view, 11> ExportFormatNames{"din",
                                                                     "xdin",
                                                                     "ramulator2",
                                                                     "ramulator2_vectors",
                                                                     "dramsim3",
                                                                     "dramsys",
                                                                     "csv",
+                                                                    "dram_commands",
                                                                     "perfetto",
                                                                     "vcd",
                                                                     "fst"};

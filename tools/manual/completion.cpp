@@ -1,5 +1,7 @@
 #include "tools/manual/completion.h"
 
+#include "tools/files/shell_word.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -32,14 +34,6 @@ std::string escaped(std::string text, std::string_view special, const std::strin
     return text;
 }
 
-// Within '...' a quote ends the string, is escaped, and begins another.
-std::string quoted(const std::string& text) {
-    std::string result = "'";
-    for (const char c : text)
-        result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return result + "'";
-}
-
 std::string bash_values(const OptionText& option) {
     if (!option.choices.empty()) return fmt::format("-W \"{}\"", fmt::join(option.choices, " "));
     if (option.is_number()) return "-W \"\"";
@@ -56,6 +50,14 @@ std::string bash_cases(const VerbText& verb) {
         text += fmt::format("    {}) what=({}) ;;\n", names, bash_values(option));
     }
     return text;
+}
+
+// The verb's argument, where it is one of a few.
+const OptionText* positional_choice(const VerbText& verb) {
+    const auto found = std::ranges::find_if(verb.options, [](const OptionText& option) {
+        return option.is_positional && !option.choices.empty();
+    });
+    return found == verb.options.end() ? nullptr : &*found;
 }
 
 } // namespace
@@ -77,10 +79,13 @@ _ffgpu() {{
                                    verb_names(program, "|"),
                                    verb_names(program, " "),
                                    option_names(program.options));
-    for (const VerbText& verb : program.verbs)
-        text += fmt::format("  {}) [[ $current == -* ]] && what=(-W \"{}\") ;;\n",
+    for (const VerbText& verb : program.verbs) {
+        const OptionText* const choice = positional_choice(verb);
+        text += fmt::format("  {}) {}[[ $current == -* ]] && what=(-W \"{}\") ;;\n",
                             verb.name,
+                            choice ? "what=(" + bash_values(*choice) + "); " : "",
                             option_names(verb.options));
+    }
     text += "  esac\n  case $verb:$previous in\n";
     for (const VerbText& verb : program.verbs)
         text += bash_cases(verb);
@@ -107,15 +112,16 @@ std::string zsh_specifications(const OptionText& option) {
         fmt::format(":{}:{}", escaped(option.value, ":", "\\"), zsh_action(option));
     if (option.is_positional) {
         const std::string name = escaped(option.names[0], ":", "\\");
-        return fmt::format(" \\\n      {}", quoted(fmt::format("*:{}:_files", name)));
+        return fmt::format(" \\\n      {}",
+                           shell_quoted(fmt::format("*:{}:{}", name, zsh_action(option))));
     }
     std::string text;
     for (const std::string& name : option.names)
         text += fmt::format(" \\\n      {}",
-                            quoted(fmt::format("*{}[{}]{}",
-                                               name,
-                                               escaped(option.description, "[]:\\", "\\"),
-                                               option.value.empty() ? "" : action)));
+                            shell_quoted(fmt::format("*{}[{}]{}",
+                                                     name,
+                                                     escaped(option.description, "[]:\\", "\\"),
+                                                     option.value.empty() ? "" : action)));
     return text;
 }
 
@@ -125,7 +131,7 @@ std::string zsh_completion(const ProgramText& program) {
     std::string text = "#compdef ffgpu\n# Completions of ffgpu for zsh, made from its options.\n"
                        "_ffgpu() {\n  if (( CURRENT == 2 )); then\n    local -a verbs=(";
     for (const VerbText& verb : program.verbs)
-        text += "\n      " + quoted(verb.name + ':' + escaped(verb.description, ":", "\\"));
+        text += "\n      " + shell_quoted(verb.name + ':' + escaped(verb.description, ":", "\\"));
     text += ")\n    _describe 'verb' verbs\n    return\n  fi\n"
             "  local verb=$words[2]\n  shift words\n  (( CURRENT-- ))\n  case $verb in\n";
     for (const VerbText& verb : program.verbs) {
@@ -142,7 +148,12 @@ std::string fish_completion(const ProgramText& program) {
     for (const VerbText& verb : program.verbs) {
         text += fmt::format("complete -c ffgpu -n __fish_use_subcommand -f -a {} -d {}\n",
                             verb.name,
-                            quoted(verb.description));
+                            shell_quoted(verb.description));
+        if (const OptionText* const choice = positional_choice(verb))
+            text +=
+                fmt::format("complete -c ffgpu -n '__fish_seen_subcommand_from {}' -f -a \"{}\"\n",
+                            verb.name,
+                            fmt::join(choice->choices, " "));
         for (const OptionText& option : verb.options) {
             if (option.is_positional) continue;
             text += fmt::format("complete -c ffgpu -n '__fish_seen_subcommand_from {}'", verb.name);
@@ -154,7 +165,7 @@ std::string fish_completion(const ProgramText& program) {
                 text += " -x -a '(__fish_complete_directories)'";
             else if (!option.value.empty())
                 text += option.is_number() ? " -x" : " -r -F";
-            text += " -d " + quoted(option.description) + '\n';
+            text += " -d " + shell_quoted(option.description) + '\n';
         }
     }
     return text;

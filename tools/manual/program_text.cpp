@@ -90,6 +90,12 @@ ProgramText program_text(const CLI::App& application) {
          application.get_subcommands([](const CLI::App*) { return true; }))
         program.verbs.push_back(
             {verb->get_name(), verb->get_description(), verb->get_footer(), options_of(*verb)});
+    std::vector<std::string> names;
+    for (const VerbText& verb : program.verbs)
+        names.push_back(verb.name);
+    for (VerbText& verb : program.verbs)
+        for (OptionText& option : verb.options)
+            if (option.value == "VERB") option.choices = names;
     return program;
 }
 

@@ -25,7 +25,9 @@
 #include <optional>
 #include <semaphore>
 #include <thread>
+#include <utility>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 namespace ffgpu::tools {
@@ -90,7 +92,10 @@ public:
     Device& device() override { return device_; }
 
     void frame_shown(const Surface& picture) override {
-        if (finished_ || !is_own_process()) return;
+        if (finished_ || !is_own_process()) {
+            tell_of_lost_frame();
+            return;
+        }
         guarded([&] {
             recording_->after_frame({.number = frames_, .picture = picture, .api_calls = 0});
             const bool is_last = frames_++ == options_.frames.last;
@@ -167,6 +172,18 @@ private:
     // the parent's.
     bool is_own_process() const { return ::getpid() == process_; }
 
+    // A forked child's first, or the first that an exit handler draws which is older than the
+    // recorder: those are called last.
+    void tell_of_lost_frame() {
+        if (std::exchange(lost_frame_told_, true)) return;
+        warn(is_own_process()
+                 ? "a frame was drawn when the program had all but ended, and is not recorded"
+                 : fmt::format("{} (process {}) draws too, and is not recorded: it was forked by "
+                               "the process that is",
+                               ::program_invocation_short_name,
+                               ::getpid()));
+    }
+
     const pid_t process_ = ::getpid();
     const gl::RecorderHost host_;
     const RecordingOptions options_;
@@ -174,6 +191,7 @@ private:
     GuardedDevice device_;
     std::uint64_t frames_ = 0; // so far
     bool finished_ = false;
+    bool lost_frame_told_ = false;
 };
 
 } // namespace

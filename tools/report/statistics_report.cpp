@@ -60,7 +60,7 @@ Json describe(const timing::CommandCycles& command) {
     Json json{{"kind", timing::CommandKindNames[static_cast<std::size_t>(command.kind)]},
               {"draw", command.number},
               {"cycles", command.cycles},
-              {"bottleneck", timing::ResourceNames[static_cast<std::size_t>(command.bottleneck())]},
+              {"bottleneck", command.bottleneck_name()},
               {"bottleneck_cycles", command.bottleneck_cycles()}};
     for (std::size_t i = 0; i < command.moved.size(); ++i) {
         const std::string client(timing::ClientNames[i]);

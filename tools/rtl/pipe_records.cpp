@@ -8,10 +8,8 @@ void PipeRecords::make(const Registers& registers,
                        std::uint32_t number,
                        const DrawCommand& command) {
     const FloatEnvironment environment;
-    context_ = compile_draw_context(std::make_shared<const Registers>(registers),
-                                    number,
-                                    {memory_, *FastStages.fragment},
-                                    nullptr);
+    context_ = compile_draw_context(
+        std::make_shared<const Registers>(registers), number, pixel_contexts_, nullptr);
     arena_.clear();
     places_.clear();
     last_key_ = next_piece_ = 0;

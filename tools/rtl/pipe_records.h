@@ -16,7 +16,7 @@ namespace ffgpu::tools {
 class PipeRecords final : private PrimitiveSink {
 public:
     explicit PipeRecords(std::span<std::byte> memory)
-        : memory_(memory)
+        : pixel_contexts_(memory, *FastStages.fragment)
         , geometry_(memory) {}
 
     // Of a draw under the registers.
@@ -37,7 +37,7 @@ private:
 
     void primitives(std::span<const Primitive> batch) override;
 
-    std::span<std::byte> memory_;
+    PixelContexts pixel_contexts_;
     GeometryUnit geometry_;
     std::shared_ptr<const DrawContext> context_;
     std::vector<Block> arena_; // records one behind the other, each from a block on

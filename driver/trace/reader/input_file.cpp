@@ -15,6 +15,9 @@ InputFile::InputFile(const std::string& path)
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
         throw InputError(path + ": is a directory; a trace file was expected");
+    // A trace is read from its beginning more than once.
+    if (std::fseek(file_.get(), 0, SEEK_SET) != 0)
+        throw InputError(path + ": is a pipe or a terminal; a file was expected");
     const int first = std::fgetc(file_.get());
     if (first == EOF)
         throw InputError(path + ": byte 0: is empty; a trace or a capture was expected");

@@ -13,7 +13,7 @@ namespace ffgpu::trace {
 
 class InputFile {
 public:
-    // Throws InputError if the file cannot be opened, is a directory or is empty.
+    // Throws InputError if the file cannot be opened, is a directory or a pipe, or is empty.
     explicit InputFile(const std::string& path);
 
     // Reads up to bytes.size() bytes; fewer only at the end of the file.

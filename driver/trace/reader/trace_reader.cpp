@@ -61,6 +61,8 @@ void TraceReader::rewind() {
 
 void TraceReader::read_header() {
     version_ = stream_.uint();
+    if (version_ == 'a') // Snappy's 'at', as a file that was packed once more begins.
+        throw InputError(path_ + ": is a trace that was compressed once more; unpack it first");
     if (version_ > MaxTraceVersion)
         throw InputError(path_ + ": trace version " + std::to_string(version_) +
                          "; versions up to " + std::to_string(MaxTraceVersion) + " can be read");

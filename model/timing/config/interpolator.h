@@ -15,6 +15,7 @@ struct InterpolatorConfig {
     std::uint32_t divide_latency = 1;
     std::uint32_t divide_queue = 8;
     std::uint32_t latency = 1;
+    std::uint32_t value_places = 0;
 
     bool is_on() const { return value_cycles > 0; }
 
@@ -46,6 +47,13 @@ struct InterpolatorConfig {
                .minimum = 1,
                .maximum = 1024,
                .meaning = "from a quad's last attribute to the next unit"});
+        field("value_places",
+              self.value_places,
+              {.unit = "values",
+               .minimum = 0,
+               .maximum = 4096,
+               .meaning = "of all quads on their way there; the first one's are collected, but "
+                          "for the last, and take none; 0: as many as the quads have"});
     }
 };
 

@@ -22,6 +22,8 @@ struct TextureConfig {
     UnitShare share = UnitShare::Textures;
     std::uint32_t miss_cycles = 0;
     TexelRate rate = TexelRate::Samples;
+    std::uint32_t request_queue = 8;
+    std::uint32_t sample_queue = 8;
     std::uint32_t texel_queue = 32;
     std::uint32_t latency = 0;
 
@@ -51,9 +53,21 @@ struct TextureConfig {
               self.rate,
               {.meaning =
                    "samples: tags compare lines, filters take bilinear samples; texels: tags, "
-                   "data and filter take a quad's texels one after the other, a cycle each, "
-                   "and one more for a quad whose samples are of one texel",
+                   "data and filter take a quad's texels one after the other, a cycle each",
                .choices = TexelRateNames});
+        field("request_queue",
+              self.request_queue,
+              {.unit = "requests",
+               .minimum = 1,
+               .maximum = 4096,
+               .meaning = "rate texels: of quads, one a texture, before a sequencer, which takes a "
+                          "cycle for each and one for each of its samples"});
+        field("sample_queue",
+              self.sample_queue,
+              {.unit = "samples",
+               .minimum = 1,
+               .maximum = 4096,
+               .meaning = "rate texels: between the sequencer and the tags"});
         field("texel_queue",
               self.texel_queue,
               {.unit = "texels",

@@ -7,6 +7,7 @@
 #include "model/base/parameters.h"
 #include "model/work/cache_policy.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -66,11 +67,13 @@ struct MemoryConfig {
     // Sets what the profile says (profiles.cpp).
     void apply_profile();
 
+    std::uint32_t burst_bytes() const { return burst_cycles * bytes_per_cycle; }
     // Data of one request on the bus: whole bursts.
     std::uint32_t bursts(std::uint32_t bytes) const {
-        const std::uint32_t burst_bytes = burst_cycles * bytes_per_cycle;
-        return (bytes + burst_bytes - 1) / burst_bytes;
+        return (bytes + burst_bytes() - 1) / burst_bytes();
     }
+    // From a request's column to its next.
+    std::uint32_t column_spacing() const { return std::max(burst_cycles, column_to_column_cycles); }
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {

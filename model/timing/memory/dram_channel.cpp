@@ -41,7 +41,7 @@ void DramChannel::rest(const DramCommand& none, MemoryCycle now) {
     causes_.note(now, none.cause);
     next_work_ = std::min(none.again_at, refresh_due_);
     if (config_.page_policy != PagePolicy::Timeout || close_idle_row(now)) return;
-    next_work_ = std::min(next_work_, next_row_to_close());
+    next_work_ = std::min(next_work_, next_row_to_close(now));
 }
 
 // Behind a command mostly nothing can go out, and nobody has to come back to see that. What is
@@ -58,17 +58,21 @@ void DramChannel::look_ahead(MemoryCycle next) {
 void DramChannel::work_on_refresh(MemoryCycle now) {
     causes_.note(now, waiting_.empty() ? LostTo::NoRequest : LostTo::Refresh);
     const bool must_close = device_.any_row_open();
-    const MemoryCycle ready = must_close ? device_.all_precharge_ready() : device_.refresh_ready();
+    const MemoryCycle allowed =
+        must_close ? device_.all_precharge_ready() : device_.refresh_ready();
+    const MemoryCycle ready = device_.free_slot(std::max(allowed, now));
     if (ready > now) {
         next_work_ = ready;
         return;
     }
     if (must_close) {
         device_.precharge_all(now);
+        tell_command(DramOperation::PREA, now);
         for (std::uint32_t bank = 0; bank < config_.banks; ++bank)
             waiting_.set_open_row(bank, DramDevice::NoRow);
     } else {
         device_.refresh(now);
+        tell_command(DramOperation::REF, now);
         observer_.on_refresh();
         refresh_due_ += config_.refresh_interval_cycles;
     }
@@ -84,6 +88,7 @@ void DramChannel::issue(const DramCommand& command, MemoryCycle now) {
     case DramCommand::Kind::Activate:
         causes_.note(now, command.cause);
         device_.activate(request.bank, request.row, now);
+        tell_command(DramOperation::ACT, now, request.bank, request.row);
         waiting_.set_open_row(request.bank, request.row);
         waiting.result = std::max(waiting.result, RowResult::Miss);
         return;
@@ -99,6 +104,7 @@ void DramChannel::issue(const DramCommand& command, MemoryCycle now) {
 
 void DramChannel::precharge(std::uint32_t bank, MemoryCycle now) {
     device_.precharge(bank, now);
+    tell_command(DramOperation::PRE, now, bank);
     waiting_.set_open_row(bank, DramDevice::NoRow);
 }
 
@@ -116,12 +122,26 @@ void DramChannel::serve(std::size_t index, MemoryCycle now) {
 
     policy_.learn(request.bank, request.row, waiting.result);
     const auto wanted = [&] { return is_wanted(request.bank); };
-    if (policy_.closes_behind(request.bank, wanted)) {
+    const bool closes = policy_.closes_behind(request.bank, wanted);
+    if (commands_) tell_columns(request, closes, now);
+    if (closes) {
         device_.auto_precharge(request.bank);
         waiting_.set_open_row(request.bank, DramDevice::NoRow);
     }
     observer_.on_access(number_, request, waiting.result);
     served_.push_back({request, data});
+}
+
+void DramChannel::tell_columns(const DramRequest& request, bool closes, MemoryCycle now) const {
+    const DramOperation read = closes ? DramOperation::RDA : DramOperation::RD;
+    const DramOperation write = closes ? DramOperation::WRA : DramOperation::WR;
+    commands_->issued({.at = now,
+                       .channel = number_,
+                       .bank = request.bank,
+                       .operation = request.write ? write : read,
+                       .row = request.row,
+                       .bursts = config_.bursts(request.bytes),
+                       .byte = request.offset});
 }
 
 // The bus up to the end of these data: first the gap before them, by the causes of the command
@@ -177,6 +197,7 @@ bool DramChannel::is_wanted(std::uint32_t bank) const {
 }
 
 bool DramChannel::close_idle_row(MemoryCycle now) {
+    if (device_.free_slot(now) > now) return false;
     for (std::uint32_t bank = 0; bank < config_.banks; ++bank) {
         if (device_.open_row(bank) == DramDevice::NoRow || is_wanted(bank)) continue;
         if (policy_.closes_at(device_.last_column(bank)) > now) continue;
@@ -188,7 +209,8 @@ bool DramChannel::close_idle_row(MemoryCycle now) {
     return false;
 }
 
-MemoryCycle DramChannel::next_row_to_close() const {
+// From the next cycle on, where none closed in this one.
+MemoryCycle DramChannel::next_row_to_close(MemoryCycle now) const {
     MemoryCycle next = NoCycle;
     for (std::uint32_t bank = 0; bank < config_.banks; ++bank) {
         if (device_.open_row(bank) == DramDevice::NoRow || is_wanted(bank)) continue;
@@ -196,7 +218,7 @@ MemoryCycle DramChannel::next_row_to_close() const {
                         std::max(policy_.closes_at(device_.last_column(bank)),
                                  device_.precharge_ready(bank).at));
     }
-    return next;
+    return std::max(next, now + 1);
 }
 
 } // namespace ffgpu::timing

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "model/base/ring.h"
+#include "model/timing/memory/dram_commands.h"
 #include "model/timing/memory/dram_device.h"
 #include "model/timing/memory/dram_scheduler.h"
 #include "model/timing/memory/row_policy.h"
@@ -24,6 +25,9 @@ public:
                 std::uint32_t number,
                 DramObserver& observer,
                 bool plainly = false);
+
+    // Null: nobody.
+    void set_command_observer(DramCommandObserver* observer) { commands_ = observer; }
 
     bool has_room() const { return waiting_.size() < config_.queue; }
     // In the queue from cycle `now` on, which must not have passed yet.
@@ -53,6 +57,13 @@ private:
     void issue(const DramCommand& command, MemoryCycle now);
     void precharge(std::uint32_t bank, MemoryCycle now);
     void serve(std::size_t index, MemoryCycle now);
+    void tell_columns(const DramRequest& request, bool closes, MemoryCycle now) const;
+    void tell_command(DramOperation operation,
+                      MemoryCycle now,
+                      std::uint32_t bank = 0,
+                      std::uint64_t row = 0) const {
+        if (commands_) commands_->issued({now, number_, bank, operation, row, 1, 0});
+    }
     // The bus's cycles from charged_ on: what they carried or were lost to.
     struct Charge {
         bool data = false;
@@ -64,11 +75,12 @@ private:
     void charge(const Charge& charge);
     void tell(MemoryCycle end);
     bool is_wanted(std::uint32_t bank) const;
-    MemoryCycle next_row_to_close() const;
+    MemoryCycle next_row_to_close(MemoryCycle now) const;
 
     const MemoryConfig& config_;
     const std::uint32_t number_;
     DramObserver& observer_;
+    DramCommandObserver* commands_ = nullptr;
     DramDevice device_;
     DramScheduler scheduler_;
     RowPolicy policy_;

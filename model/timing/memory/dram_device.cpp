@@ -14,9 +14,8 @@ bool DramDevice::any_row_open() const {
 
 MemoryCycle DramDevice::all_precharge_ready() const {
     MemoryCycle at = 0;
-    for (const Bank& bank : banks_) {
-        if (bank.row != NoRow) at = std::max(at, bank.precharge_at);
-    }
+    for (const Bank& bank : banks_)
+        at = std::max(at, bank.row != NoRow ? bank.precharge_at : bank.closed_at);
     return at;
 }
 
@@ -42,6 +41,7 @@ void DramDevice::activate(std::uint32_t bank, std::uint64_t row, MemoryCycle now
 
 void DramDevice::precharge(std::uint32_t bank, MemoryCycle now) {
     banks_[bank].row = NoRow;
+    banks_[bank].closed_at = now;
     banks_[bank].activate_at = now + config_.precharge_cycles;
 }
 
@@ -56,7 +56,7 @@ void DramDevice::refresh(MemoryCycle now) {
 }
 
 DataBurst DramDevice::column(const DramRequest& request, MemoryCycle now) {
-    const std::uint32_t spacing = std::max(config_.burst_cycles, config_.column_to_column_cycles);
+    const std::uint32_t spacing = config_.column_spacing();
     const std::uint32_t bursts = config_.bursts(request.bytes);
     const MemoryCycle last = now + MemoryCycle{bursts - 1} * spacing;
     const MemoryCycle latency = column_latency(request.write);
@@ -66,6 +66,8 @@ DataBurst DramDevice::column(const DramRequest& request, MemoryCycle now) {
     bank.precharge_at = std::max(bank.precharge_at,
                                  request.write ? data.end + config_.write_recovery_cycles
                                                : last + config_.read_to_precharge_cycles);
+    first_column_ = now;
+    last_column_ = last;
     next_column_ = last + spacing;
     bus_free_ = data.end;
     last_was_write_ = request.write;

@@ -48,6 +48,9 @@ public:
     MemoryCycle column_ready_at(std::uint32_t bank, bool write) const {
         return std::max(banks_[bank].column_at, bus_ready_[write]);
     }
+    // The first cycle from `at` on in which none of the last request's columns goes out: one
+    // command a cycle.
+    MemoryCycle free_slot(MemoryCycle at) const;
     // All banks may be precharged, all may be refreshed.
     MemoryCycle all_precharge_ready() const;
     MemoryCycle refresh_ready() const;
@@ -72,6 +75,7 @@ private:
     struct Bank {
         std::uint64_t row = NoRow;
         MemoryCycle activate_at = 0, column_at = 0, precharge_at = 0; // not before
+        MemoryCycle closed_at = 0; // where no row is open; not yet where it closes by itself
         MemoryCycle last_column = 0;
         LostTo opened_after = LostTo::Row; // what the activate waited for, and tRCD with it
     };
@@ -85,7 +89,8 @@ private:
     MemoryCycle next_activate_ = 0;          // tRRD
     std::array<MemoryCycle, 4> activates_{}; // the last four, + tFAW
     std::size_t oldest_activate_ = 0;
-    MemoryCycle next_column_ = 0; // tCCD
+    MemoryCycle first_column_ = 1, last_column_ = 0; // of the last request
+    MemoryCycle next_column_ = 0;                    // tCCD
     MemoryCycle bus_free_ = 0;
     bool last_was_write_ = false;
     std::array<MemoryCycle, 2> bus_ready_{}; // for the column of a read, of a write: of any bank
@@ -108,6 +113,13 @@ inline Ready DramDevice::precharge_ready(std::uint32_t bank) const {
 inline Ready DramDevice::column_ready(const DramRequest& request) const {
     const Bank& bank = banks_[request.bank];
     return bus_ready({bank.column_at, bank.opened_after}, request.write);
+}
+
+inline MemoryCycle DramDevice::free_slot(MemoryCycle at) const {
+    if (at > last_column_ || at < first_column_) return at;
+    const std::uint32_t spacing = config_.column_spacing();
+    if (spacing == 1) return last_column_ + 1;
+    return at + ((at - first_column_) % spacing == 0);
 }
 
 // Data follow the command by the column latency, so the bus is not held while they are on their

@@ -11,6 +11,7 @@ namespace ffgpu::timing {
 struct DramRequest {
     std::uint32_t bank = 0;
     std::uint64_t row = 0;
+    std::uint32_t offset = 0; // in the row, of the first byte
     std::uint32_t bytes = 0;
     bool write = false;
     std::uint32_t client = 0; // for the observer

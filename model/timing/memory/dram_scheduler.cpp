@@ -17,8 +17,9 @@ struct DramScheduler::Search {
     const WaitingRequests& waiting;
     const DramDevice& device;
     MemoryCycle now;
-    std::uint64_t hits = 0;     // banks whose open row somebody waits for
-    bool order_forbids = false; // a younger one's data could flow
+    MemoryCycle row_slot = device.free_slot(now); // for an activate or a precharge
+    std::uint64_t hits = 0;                       // banks whose open row somebody waits for
+    bool order_forbids = false;                   // a younger one's data could flow
     // Banks of which a column was looked at: [to write]. All columns of a kind in an open row are
     // ready at one time.
     std::array<std::uint64_t, 2> looked_at{};
@@ -35,6 +36,10 @@ struct DramScheduler::Search {
         }
         command.again_at = std::min(command.again_at, ready_at);
         return false;
+    }
+    // The same of a row.
+    bool consider_row(DramCommand::Kind kind, std::size_t index, MemoryCycle ready_at) {
+        return consider(kind, index, std::max(ready_at, row_slot));
     }
     // The same of a column, which may go out of turn only where that `may_pass`.
     bool consider_column(std::size_t index, bool may_pass, MemoryCycle ready_at) {
@@ -74,10 +79,10 @@ void DramScheduler::find_row(Search& search) const {
         if (search.is_hit(request)) continue;
         if (search.device.open_row(request.bank) == DramDevice::NoRow) {
             const Ready ready = search.device.activate_ready(request.bank);
-            if (search.consider(DramCommand::Kind::Activate, i, ready.at)) return;
+            if (search.consider_row(DramCommand::Kind::Activate, i, ready.at)) return;
         } else if ((search.hits & bank) == 0 || search.waiting[i].passed >= limit_) {
             const Ready ready = search.device.precharge_ready(request.bank);
-            if (search.consider(DramCommand::Kind::Precharge, i, ready.at)) return;
+            if (search.consider_row(DramCommand::Kind::Precharge, i, ready.at)) return;
         }
     }
 }
@@ -106,10 +111,10 @@ void DramScheduler::find_row_by_bits(Search& search) const {
         if ((hits >> i & 1) != 0) continue;
         if (search.device.open_row(bank) == DramDevice::NoRow) {
             const MemoryCycle ready_at = search.device.activate_ready_at(bank);
-            if (search.consider(DramCommand::Kind::Activate, i, ready_at)) return;
+            if (search.consider_row(DramCommand::Kind::Activate, i, ready_at)) return;
         } else if (hits == 0 || waiting[i].passed >= limit_) {
             const MemoryCycle ready_at = search.device.precharge_ready(bank).at;
-            if (search.consider(DramCommand::Kind::Precharge, i, ready_at)) return;
+            if (search.consider_row(DramCommand::Kind::Precharge, i, ready_at)) return;
         }
     }
 }
@@ -126,7 +131,8 @@ LostTo DramScheduler::why_oldest_waits(const Search& search) {
     const DramCommand& command = search.command;
     const bool goes_elsewhere = command.kind != DramCommand::Kind::None &&
                                 search.waiting[command.index].request.bank != oldest.bank;
-    if (goes_elsewhere && ready.at <= search.now) return LostTo::Commands;
+    const bool no_slot = search.row_slot > search.now;
+    if ((goes_elsewhere || no_slot) && ready.at <= search.now) return LostTo::Commands;
     return ready.at < search.now ? LostTo::Row : ready.cause;
 }
 

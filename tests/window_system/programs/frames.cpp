@@ -3,7 +3,9 @@
 // SIGKILL. "endless": frames until somebody ends it. "later": asks for contexts of OpenGL 3.3 and
 // 2.1, and draws a frame on an older one. "leak WHAT": endless, and loses a little of WHAT.
 // "abandon": a frame, then _exit(4). "become": a frame, then this program again as "abandon".
-// "last": a frame, and another one from an exit handler. "starved": a frame where no memory is
+// "last": a frame, and another one from an exit handler; "early": from one registered before the
+// context was made. "daemon": a frame, then _exit(4), and two more from a forked child. "quick":
+// three frames, then quick_exit(5). "starved": a frame where no memory is
 // left. "attach": tells its process, and is killed where the server is to share memory for a frame.
 
 // glXCreateContextAttribsARB is declared only then.
@@ -120,6 +122,29 @@ void last() {
     std::atexit([] { last_drawing->frame(10); });
 }
 
+// The handler is older than the recorder's.
+void early_handler() {
+    std::atexit([] { last_drawing->frame(10); });
+    last_drawing = new Drawing;
+    last_drawing->frame(0);
+}
+
+// Its child goes on without it, as a daemon does, on a connection of its own.
+void leave_to_child() {
+    Drawing().frame(0);
+    if (::fork() != 0) ::_exit(4);
+    const Drawing drawing;
+    drawing.frame(1);
+    drawing.frame(2);
+}
+
+void quickly() {
+    const Drawing drawing;
+    for (int frame = 0; frame < 3; ++frame)
+        drawing.frame(frame);
+    std::quick_exit(5);
+}
+
 void starved() {
     constexpr rlimit Limit{.rlim_cur = 64u << 20, .rlim_max = 64u << 20};
     ::setrlimit(RLIMIT_DATA, &Limit);
@@ -155,6 +180,9 @@ int main(int count, char** arguments) {
     if (mode == "abandon") abandon();
     if (mode == "become") become(arguments[0]);
     if (mode == "last") last();
+    if (mode == "early") early_handler();
+    if (mode == "daemon") leave_to_child();
+    if (mode == "quick") quickly();
     if (mode == "starved") starved();
     if (mode == "attach") attach();
     if (mode == "leak" && count > 2) leak(arguments[2]);
