@@ -74,20 +74,20 @@ class Player:
         return seconds_of(self.command(loops), self.environment, self.threads)
 
     def enough_loops(self):
-        """So many that they take about a second, and what comes before them."""
+        """So many that they take about a second, and what comes before them. None where a player repeats
+        nothing: one that finds no end of a frame in the trace."""
         start, loops = self.seconds(1), 4
-        while start is not None and loops < 20000:
+        while start is not None and loops < 2_000_000:
             spent = self.seconds(loops + 1)
             if spent is None or spent - start > 0.25:
                 return spent and max(loops, round(loops / (spent - start)))
             loops *= 5
-        return start and loops
+        return None
 
     def rate(self, loops):
-        """Frames a second; what compiles, uploads and starts is behind. None, too, where a player repeats
-        nothing: one that finds no end of a frame in the trace."""
+        """Frames a second; what compiles, uploads and starts is behind."""
         short, long = self.seconds(1), self.seconds(loops + 1)
-        return loops / (long - short) if short and long and long - short > 0.05 else None
+        return loops / (long - short) if short and long and long - short > 0.2 else None
 
 
 def players(options, display, trace):

@@ -106,21 +106,23 @@ struct LevelOfDetail {
 };
 using Unit = LevelOfDetail;
 
+TextureWords one_texel() {
+    TextureWords words;
+    words.image.shape = {.kind = TextureKind::OneD,
+                         .format = Format::Luminance8,
+                         .width = 1,
+                         .height = 1,
+                         .depth = 1,
+                         .levels = MaxTextureLevels};
+    return words;
+}
+
 // Of one texel's density the squared length's exponent and leading bits are the step's, squared:
 // all entries of the table are met.
 TEST_CASE("logarithms equal the model's from every entry of the table") {
     LevelOfDetail unit;
     UnitBench<LevelOfDetail> bench(unit);
-    const auto state = [](unsigned) {
-        TextureWords words;
-        words.image.shape = {.kind = TextureKind::OneD,
-                             .format = Format::Luminance8,
-                             .width = 1,
-                             .height = 1,
-                             .depth = 1,
-                             .levels = MaxTextureLevels};
-        return words;
-    };
+    const auto state = [](unsigned) { return one_texel(); };
     const auto input = [](unsigned n, unsigned i) {
         LevelQuad quad;
         quad.coordinates[3] = std::sqrt(1 + static_cast<float>(i) / 1024) * std::ldexp(1.0f, 4);
@@ -138,13 +140,7 @@ TEST_CASE("lambda is held to a least and a greatest one that are a step away fro
     LevelOfDetail unit;
     UnitBench<LevelOfDetail> bench(unit);
     const auto state = [](unsigned n) {
-        TextureWords words;
-        words.image.shape = {.kind = TextureKind::OneD,
-                             .format = Format::Luminance8,
-                             .width = 1,
-                             .height = 1,
-                             .depth = 1,
-                             .levels = MaxTextureLevels};
+        TextureWords words = one_texel();
         words.sampler.minify_linear = true;
         words.sampler.mip_filter = MipFilter::Linear;
         words.sampler.bias = static_cast<std::int16_t>(n % 2 + 130);

@@ -1,7 +1,7 @@
 // What goes out on a channel's command bus, by hand from the timings. dram_commands.py has the
 // rules of the data sheets for whole frames.
 
-#include "model/timing/memory/dram_channel.h"
+#include "tests/timing/nobody_watches.h"
 
 #include <string>
 #include <vector>
@@ -11,14 +11,6 @@
 
 namespace ffgpu::timing {
 namespace {
-
-class Silent : public DramObserver {
-    void on_access(std::uint32_t, const DramRequest&, RowResult) override {}
-    void on_data(MemoryCycle) override {}
-    void on_lost(LostTo, MemoryCycle) override {}
-    void on_turnaround() override {}
-    void on_refresh() override {}
-};
 
 class Lines final : public DramCommandObserver {
 public:
@@ -38,7 +30,7 @@ private:
 
 std::vector<std::string>
 commands(const MemoryConfig& config, const std::vector<DramRequest>& requests, MemoryCycle end) {
-    Silent silent;
+    NobodyWatches silent;
     Lines lines;
     DramChannel channel(config, 0, silent);
     channel.set_command_observer(&lines);

@@ -1,6 +1,6 @@
 // Each timing of the DRAM at both sides of its edge: when data begin, from the parameters alone.
 
-#include "model/timing/memory/dram_channel.h"
+#include "tests/timing/nobody_watches.h"
 
 #include <algorithm>
 #include <vector>
@@ -9,14 +9,6 @@
 
 namespace ffgpu::timing {
 namespace {
-
-class NobodyWatches : public DramObserver {
-    void on_access(std::uint32_t, const DramRequest&, RowResult) override {}
-    void on_data(MemoryCycle) override {}
-    void on_lost(LostTo, MemoryCycle) override {}
-    void on_turnaround() override {}
-    void on_refresh() override {}
-};
 
 MemoryConfig plain() {
     MemoryConfig config;

@@ -255,9 +255,9 @@ TEST_CASE("An empty file is a configuration without changes") {
     CHECK_THROWS_AS(read_config_file("/no/such/file.toml", configuration), InputError);
 }
 
-TEST_CASE("A configuration as large as a disk is refused by its size") {
+TEST_CASE("A configuration that is no text of a person is refused by its size") {
     const TemporaryFile file("", ".toml");
-    std::filesystem::resize_file(file.path(), std::uintmax_t{1} << 40);
+    std::filesystem::resize_file(file.path(), (16u << 20) + 1);
     Configuration configuration;
     CHECK_THROWS_WITH(read_config_file(file.path(), configuration), Contains("larger than 16 MiB"));
 }

@@ -2,6 +2,7 @@
 
 #include "model/base/input_error.h"
 
+#include <array>
 #include <fstream>
 #include <string>
 
@@ -20,12 +21,15 @@ toml::table parse_toml(const std::string& text, const std::string& source) {
 
 toml::table read_toml_file(const std::string& path) {
     constexpr std::size_t Most = 16u << 20;
-    std::string text(Most + 1, '\0');
+    std::string text;
     try {
         std::ifstream file(path, std::ios::binary);
-        file.read(text.data(), static_cast<std::streamsize>(text.size()));
+        std::array<char, 65536> part;
+        do {
+            file.read(part.data(), part.size());
+            text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+        } while (file && text.size() <= Most);
         if (!file.is_open() || file.bad()) throw InputError(path + ": cannot be read");
-        text.resize(static_cast<std::size_t>(file.gcount()));
     } catch (const std::ios_base::failure&) { // A folder opens as a file does.
         throw InputError(path + ": cannot be read");
     }
