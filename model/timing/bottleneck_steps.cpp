@@ -22,7 +22,7 @@ void Bottlenecks::connect_steps(Place& place) {
                   .cycles = std::vector<float>(std::bit_ceil(std::size_t{told.places} + 1))});
         if (!told.answers) continue;
         Way& way = way_of(told.answers);
-        if (!way.fills) way.fills = &fills_.emplace_back(way.link->places());
+        if (!way.fills) way.fills = &fills_.emplace_back(way.places);
         each.fills = way.fills;
     }
     check(place.passages.size() <= 64, "a bit for each passage");
@@ -134,7 +134,7 @@ void Bottlenecks::find_dependences(const Place& place,
                 moved.lookups > 0 || (moved.coming > 0 && step.told.takes_when_done);
             if (!takes_from && (!begins || way->arrival > now_)) continue;
             const Moment& sent = way->sent[takes_from ? way->seen_popped - 1 : way->popped];
-            const auto latency = static_cast<float>(way->link->latency());
+            const auto latency = static_cast<float>(way->latency);
             found_.add({&sent, latency, {Resource::Links, latency - 1}});
         }
     }

@@ -41,6 +41,8 @@ Bottlenecks::Way& Bottlenecks::way_of(const Link* link) {
     };
     const bool of_stage = is_stage(link->producer());
     return ways_.emplace_back(Way{.link = link,
+                                  .places = link->places(),
+                                  .latency = link->latency(),
                                   .of_stage = of_stage,
                                   .to_stage = is_stage(link->consumer()),
                                   .freed = Moments(of_stage ? link->places() : 1)});
@@ -145,7 +147,7 @@ void Bottlenecks::take_answers(Place& place) {
     for (Way* const way : place.answered) {
         for (; way->popped < way->seen_popped; ++way->popped) {
             Moment answer = way->sent[way->popped];
-            const Cycle way_back = way->link->latency() - 1;
+            const Cycle way_back = way->latency - 1;
             if (way_back > 0) { // of a second level of caches alone
                 answer.at += way_back;
                 answer.path =
@@ -237,12 +239,12 @@ void Bottlenecks::find_dependences(const Place& place, const Moved& moved) {
         const bool takes = way->popped != way->seen_popped;
         if (!takes && (way->arrival > now || way->arrival <= place.last.at)) continue;
         const Moment& sent = way->sent[takes ? way->seen_popped - 1 : way->popped];
-        const Cycle arrival = sent.at + way->link->latency();
+        const Cycle arrival = sent.at + way->latency;
         // What came behind the last moment has been worked on since, where it is taken when done.
         const float since =
             arrival > place.last.at && arrival < now ? static_cast<float>(now - arrival) : 0;
         const float on_it = std::min(work, since);
-        const auto latency = static_cast<float>(way->link->latency());
+        const auto latency = static_cast<float>(way->latency);
         found.add({&sent,
                    latency + on_it,
                    {Resource::Links, latency - 1},

@@ -59,7 +59,9 @@ public:
 private:
     // When a link's items were sent, and when they left a place to another.
     struct Way {
-        const Link* link;
+        const Link* link; // which it is: the machine writes there meanwhile, and is not disturbed
+        std::size_t places;
+        Cycle latency;
         bool of_stage = false;  // Its producer is one.
         bool to_stage = false;  // Its consumer is one.
         bool to_memory = false; // Its items are answered to.
@@ -91,7 +93,7 @@ private:
         }
         void note_answer(std::uint64_t item);
         // When the place of the item came free; long ago where it is the first there.
-        const Moment& place_freed(std::uint64_t item) const { return freed[item - link->places()]; }
+        const Moment& place_freed(std::uint64_t item) const { return freed[item - places]; }
     };
     // What went by in a cycle: items.
     struct Moved {
