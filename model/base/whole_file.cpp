@@ -4,9 +4,11 @@
 #include "model/base/no_file_size_signal.h"
 
 #include <cerrno>
+#include <climits>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <utility>
 
 #include <fcntl.h>
@@ -30,6 +32,16 @@ ssize_t write_some(int file, std::span<const std::byte> bytes) {
 
 } // namespace
 
+std::string unfinished_name(const std::string& path) {
+    constexpr std::size_t Longest = NAME_MAX - 8; // Some writers add an ending of their own.
+    const std::string end = ".part" + std::to_string(::getpid());
+    const fs::path wanted = path;
+    const std::string name = wanted.filename().string();
+    if (name.size() + end.size() <= Longest) return path + end;
+    const std::string own = '-' + std::to_string(std::hash<std::string>{}(name)) + end;
+    return wanted.parent_path() / (name.substr(0, Longest - own.size()) + own);
+}
+
 WholeFile::WholeFile(std::string path)
     : path_(std::move(path))
     , process_(::getpid()) {
@@ -38,7 +50,7 @@ WholeFile::WholeFile(std::string path)
     if (error) fail(error.value());
     const fs::file_status status = fs::status(target_, error);
     const bool is_special = fs::exists(status) && !fs::is_regular_file(status);
-    if (!is_special) temporary_ = target_ + ".part" + std::to_string(process_);
+    if (!is_special) temporary_ = unfinished_name(target_);
     const std::string& name = is_special ? target_ : temporary_;
     file_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, Rights);
     if (file_ < 0) fail(errno);

@@ -15,6 +15,9 @@
 
 namespace ffgpu {
 
+// Of this process, beside the wanted one, which may be as long as a name can be.
+std::string unfinished_name(const std::string& path);
+
 class WholeFile {
 public:
     // Throws InputError, as all below, with the path and the system's reason. A limit on the sizes

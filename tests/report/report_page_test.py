@@ -102,9 +102,9 @@ class PageTest(unittest.TestCase):
                         self.assertLessEqual(self.browser.run("document.documentElement.scrollWidth"), size["width"])
                         self.leave(f"{page.stem}_{name}_{'dark' if dark else 'light'}")
 
-    def test_a_run_without_heat_maps_and_draws_fits_a_phone(self):
+    def test_a_run_without_heat_maps_and_draws_and_with_a_long_name_fits_a_phone(self):
         with runs.folder() as folder:
-            page = runs.report(runs.replay(folder, frames="2-2"))
+            page = runs.report(runs.replay(folder / ("M" * 200), frames="2-2"))
             self.browser.open(page, **PHONE)
             self.assertGreater(self.browser.run("document.querySelectorAll('.note').length"), 2)
             self.assertLessEqual(self.browser.run("document.documentElement.scrollWidth"), PHONE["width"])

@@ -75,6 +75,21 @@ Image noise(unsigned size) {
 
 } // namespace
 
+TEST_CASE("A file's name may be as long as names can be, beside one that begins alike") {
+    const Folder folder;
+    const fs::path one = folder.path / (std::string(254, 'x') + '1');
+    const fs::path other = folder.path / (std::string(254, 'x') + '2');
+    WholeFile first(one), second(other);
+    first.write("first");
+    second.write("second");
+    CHECK(folder.files() == 2);
+    first.commit();
+    second.commit();
+    CHECK(folder.files() == 2);
+    CHECK(fs::file_size(one) == 5);
+    CHECK(fs::file_size(other) == 6);
+}
+
 TEST_CASE("a picture that finds no room leaves the older one, and nothing else") {
     const Folder folder;
     const std::string path = (folder.path / "a.png").string();

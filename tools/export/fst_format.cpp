@@ -1,6 +1,7 @@
 // FST, GTKWave's compressed waveforms, by GTKWave's own writer, as Verilator brings it.
 
 #include "model/base/input_error.h"
+#include "model/base/whole_file.h"
 #include "tools/export/timeline_format.h"
 
 #ifdef FFGPU_WITH_FST
@@ -11,7 +12,6 @@
 
 #include <fstapi.h>
 #include <malloc.h>
-#include <unistd.h>
 #endif
 
 namespace ffgpu::tools {
@@ -24,7 +24,7 @@ class Fst final : public TimelineFormat {
 public:
     explicit Fst(std::string path)
         : path_(std::move(path))
-        , temporary_(path_ + ".part" + std::to_string(::getpid()))
+        , temporary_(unfinished_name(path_))
         , writer_(fstWriterCreate(temporary_.c_str(), 1)) {
         if (!writer_) throw InputError(path_ + ": cannot be written");
     }

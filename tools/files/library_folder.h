@@ -6,6 +6,9 @@
 
 namespace ffgpu::tools {
 
+// The file that this process runs. Throws InputError where the system does not tell.
+std::filesystem::path this_program();
+
 // The folder of the drop-in libraries and of what ffgpu loads on demand, in an installation or in
 // the build tree. Throws InputError where there is none.
 std::filesystem::path find_library_folder();

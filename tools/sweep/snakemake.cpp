@@ -1,6 +1,7 @@
 #include "tools/sweep/snakemake.h"
 
 #include "model/base/input_error.h"
+#include "tools/files/library_folder.h"
 #include "tools/files/other_program.h"
 
 #include <algorithm>
@@ -125,7 +126,7 @@ void read_logs(const fs::path& folder, Listener& listener) {
 } // namespace
 
 fs::path find_flow_folder() {
-    const fs::path above = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
+    const fs::path above = this_program().parent_path().parent_path();
     for (const char* const place : {FFGPU_INSTALLED_FLOW, FFGPU_BUILT_FLOW})
         if (fs::exists(above / place / "sweep.smk")) return above / place;
     throw InputError("sweep: ffgpu's sweep.smk is neither in " +

@@ -4,6 +4,7 @@
 #include "model/base/whole_file.h"
 #include "model/work/work_file_reader.h"
 #include "tools/config/config_file.h"
+#include "tools/files/library_folder.h"
 #include "tools/report/statistics_file.h"
 #include "tools/sweep/text_hash.h"
 #include "tools/work/work_player.h"
@@ -104,7 +105,7 @@ std::size_t write_plan(const SweepPlan& plan, const std::string& version) {
         make_folder((plan.folder / part).string());
     Json json = Json::object();
     json["ffgpu"] = version;
-    json["program"] = fs::read_symlink("/proc/self/exe").string();
+    json["program"] = this_program().string();
     json["frames"] = plan.frames_text;
     json["traces"] = Json::object();
     json["missing"] = Json::array();
