@@ -92,7 +92,7 @@ private:
         std::vector<LevelQuad> inputs;
         for (const unsigned q : seen_.quads)
             inputs.push_back(level_quad(q));
-        const auto levels = unit<LevelOfDetailUnit>().run(words_, inputs);
+        const auto levels = unit<LevelOfDetailUnit>().run(words_, inputs, bank_);
         for (std::size_t i = 0; i < levels.size(); ++i) {
             const QuadSampling& expected = seen_.samplings[i];
             const StageDifference at = at_place(LevelOfDetailUnit::Name, 4 * seen_.quads[i]);
@@ -140,7 +140,7 @@ private:
     }
 
     void find_texels() {
-        const auto requests = unit<TexelAddressUnit>().run(words_, addresses_);
+        const auto requests = unit<TexelAddressUnit>().run(words_, addresses_, bank_);
         for (const TexelRequest& request : requests) {
             lanes_.push_back(lane_of(request));
             levels_.push_back({.last_level = request.last_level,
@@ -245,6 +245,7 @@ private:
     const ObservedTexels& seen_;
     // Whose coordinates they are; null: an image's.
     const FragmentBatch* const batch_ = std::exchange(loop_log().batch, nullptr);
+    const unsigned bank_ = batch_ ? bank_of(*batch_) : 0;
     std::vector<AddressQuad> addresses_;
     std::vector<TexelBlock> blocks_;
     std::vector<FilterLevel> levels_;
