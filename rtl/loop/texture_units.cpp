@@ -101,6 +101,14 @@ private:
             compare_lane(at, "weight", expected.weight, levels[i].weight);
             compare_lane(at, "linear", expected.linear, levels[i].linear);
             compare_lane(at, "probes", expected.probes, levels[i].probes);
+            // Only between several probes does it count.
+            const TexCoord& step = expected.major_step;
+            const std::array model{step.s, step.t, step.r};
+            for (unsigned axis = 0; axis < unit_.dimensions && expected.probes > 1; ++axis)
+                compare_lane(at,
+                             "major_step",
+                             std::bit_cast<std::uint32_t>(model[axis]),
+                             std::bit_cast<std::uint32_t>(levels[i].major_step[axis]));
             addresses_.push_back(address_quad(seen_.quads[i], levels[i]));
         }
     }

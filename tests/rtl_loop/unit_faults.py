@@ -14,7 +14,7 @@ def covered(file, expression, mutant, lane=0):
     return (file, expression, mutant, "plain", "coverage", lane, "covered")
 
 
-def depth(file, expression, mutant, draw="plain", lane=0):
+def depth(file, expression, mutant, draw="depth", lane=0):
     return (file, expression, mutant, draw, "depth", lane, "depth")
 
 

@@ -95,16 +95,20 @@ void add_targets(Draws& draws) {
     draws.add("plain", [](Registers&) {});
     draws.add("plain, other bank", [](Registers&) {});
     draws.add("perspective", [](Registers&) {}, {.near_w = 2});
+    draws.add("depth", [](Registers& r) {
+        r.depth = {.test_enable = true, .write_enable = true, .compare = Compare::Lequal};
+    });
     draws.add("below", [](Registers& r) {
+        r.depth.test_enable = true;
+        r.depth.compare = Compare::Always;
         r.primitive.offset_fill = true;
         r.primitive.offset_units = -16777216;
     });
     draws.add("above", [](Registers& r) {
+        r.depth.test_enable = true;
+        r.depth.compare = Compare::Always;
         r.primitive.offset_fill = true;
         r.primitive.offset_units = 16777216;
-    });
-    draws.add("depth", [](Registers& r) {
-        r.depth = {.test_enable = true, .write_enable = true, .compare = Compare::Lequal};
     });
     draws.add("stencil", [](Registers& r) {
         r.stencil.enable = true;
@@ -184,7 +188,7 @@ void add_textures(Draws& draws) {
                       r.samplers[0].magnify_linear = r.samplers[0].minify_linear = true;
                       r.samplers[0].mip_filter = MipFilter::Linear;
                   },
-                  {.texels = 0.35f});
+                  {.texels = 2.5f});
     draws.add("anisotropic",
               [](Registers& r) {
                   Draws::texture(r);
@@ -192,13 +196,13 @@ void add_textures(Draws& draws) {
                   r.samplers[0].mip_filter = MipFilter::Linear;
                   r.samplers[0].max_anisotropy = 4;
               },
-              {.texels = 0.3f, .stretch = 3.7f});
+              {.texels = 2, .stretch = 3.4f});
     draws.add("mirrored",
               [](Registers& r) {
                   Draws::texture(r);
                   r.samplers[0].wrap = {Wrap::MirroredRepeat, Wrap::MirroredRepeat, Wrap::Repeat};
               },
-              {.texels = 20.1f});
+              {.texels = 160});
     draws.add("srgb", [](Registers& r) {
         Draws::texture(r);
         r.images[0].srgb = true;
