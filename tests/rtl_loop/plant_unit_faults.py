@@ -50,8 +50,7 @@ def planted(expression, mutant, number):
 
 
 def write_sources(folder):
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
+    folder.mkdir(parents=True, exist_ok=True)
     for file in Rtl.glob("*.sv"):
         text = file.read_text()
         by_place = {}  # several faults of one expression stand inside each other
@@ -64,7 +63,9 @@ def write_sources(folder):
                 result = planted(expression, mutant, number) if result == expression else \
                     f"({Chosen} == {number} ? ({mutant}) : {result})"
             text = text.replace(expression, result)
-        (folder / file.name).write_text(text)
+        written = folder / file.name
+        if not written.exists() or written.read_text() != text:
+            written.write_text(text)
 
 
 def build(tree, place):

@@ -18,15 +18,17 @@ constexpr std::uint16_t Width = 256, Height = 8;
 // colour that changes by some twenty codes a pixel, coordinates over `texels` texels of 1 / 64 a
 // pixel.
 struct Shape {
-    float near_w = 1, texels = 1, stretch = 1, front = 0;
+    float near_w = 1, texels = 1, stretch = 1;
+    float depth = -0.2f, rise = 0.5f; // at the corner, and from there on
+    float inset = 0;                  // of the corner, of the quad's side
 };
 
 std::vector<Vertex> triangle(const Shape& shape) {
     const float s = shape.texels * shape.stretch / 8, t = shape.texels / 8, w = shape.near_w;
-    const float f = shape.front;
-    return {{-w, -w, (f - 0.2f) * w, w, 0.3f, 0.4f, 0.2f, 0.6f, 0.02f, 0.03f},
-            {1, -1, f + 0.4f, 1, 0.9f, 0.5f, 0.7f, 0.8f, 0.02f + s, 0.03f},
-            {-1, 1, f + 0.3f, 1, 0.5f, 0.9f, 0.4f, 0.4f, 0.02f, 0.03f + t}};
+    const float z = shape.depth, low = shape.inset / 2 - 1;
+    return {{low * w, low * w, z * w, w, 0.3f, 0.4f, 0.2f, 0.6f, 0.02f, 0.03f},
+            {1, low, z + 1.2f * shape.rise, 1, 0.9f, 0.5f, 0.7f, 0.8f, 0.02f + s, 0.03f},
+            {low, 1, z + shape.rise, 1, 0.5f, 0.9f, 0.4f, 0.4f, 0.02f, 0.03f + t}};
 }
 
 class Draws {
@@ -98,18 +100,15 @@ void add_targets(Draws& draws) {
     draws.add("depth", [](Registers& r) {
         r.depth = {.test_enable = true, .write_enable = true, .compare = Compare::Lequal};
     });
-    draws.add("below", [](Registers& r) {
+    // The first pixel's centre lies before the triangle, whose corner has the least or greatest
+    // depth.
+    const auto beside = [](Registers& r) {
         r.depth.test_enable = true;
         r.depth.compare = Compare::Always;
-        r.primitive.offset_fill = true;
-        r.primitive.offset_units = -16777216;
-    });
-    draws.add("above", [](Registers& r) {
-        r.depth.test_enable = true;
-        r.depth.compare = Compare::Always;
-        r.primitive.offset_fill = true;
-        r.primitive.offset_units = 16777216;
-    });
+        r.primitive.polygon_smooth = true;
+    };
+    draws.add("below", beside, {.depth = -1, .inset = 0.4f});
+    draws.add("above", beside, {.depth = 1, .rise = -0.5f, .inset = 0.4f});
     draws.add("stencil", [](Registers& r) {
         r.stencil.enable = true;
         r.stencil.front.depth_pass = StencilOp::Increment;
