@@ -84,8 +84,9 @@ void run_environment(const EnvironmentProgram& program, unsigned i, FragmentBatc
     const auto inputs = shade_quads(batch, i == 0 ? batch.primary : batch.color, fill);
     FastFragmentStages.run_environment(program, i, batch);
     const EnvironmentWords words{program.units[i].combiner, program.sampled_units};
-    take_colors(
-        TextureEnvironmentUnit::Name, unit<TextureEnvironmentUnit>().run(words, inputs), batch);
+    take_colors(TextureEnvironmentUnit::Name,
+                unit<TextureEnvironmentUnit>().run(words, inputs, bank_of(batch)),
+                batch);
 }
 
 void add_secondary(FragmentBatch& batch) {
@@ -95,7 +96,7 @@ void add_secondary(FragmentBatch& batch) {
     const auto inputs = shade_quads(batch, batch.color, fill);
     FastFragmentStages.add_secondary(batch);
     const ControlWords words{{.color_sum = true}};
-    take_colors(ColorSumUnit::Name, unit<ColorSumUnit>().run(words, inputs), batch);
+    take_colors(ColorSumUnit::Name, unit<ColorSumUnit>().run(words, inputs, bank_of(batch)), batch);
 }
 
 void apply_fog(const FogCurve& curve, FragmentBatch& batch) {
@@ -104,7 +105,7 @@ void apply_fog(const FogCurve& curve, FragmentBatch& batch) {
     };
     const auto inputs = shade_quads(batch, batch.color, fill);
     FastFragmentStages.apply_fog(curve, batch);
-    take_colors(FogUnit::Name, unit<FogUnit>().run({curve}, inputs), batch);
+    take_colors(FogUnit::Name, unit<FogUnit>().run({curve}, inputs, bank_of(batch)), batch);
 }
 
 void apply_coverage(FragmentBatch& batch) {
@@ -116,7 +117,7 @@ void apply_coverage(FragmentBatch& batch) {
 FragmentMask alpha_test(const FragmentControl& control, const FragmentBatch& batch) {
     const FragmentMask expected = FastFragmentStages.alpha_test(control, batch);
     loop_log().count(AlphaTestUnit::Name, "", batch.live.count());
-    const auto outputs = unit<AlphaTestUnit>().run({control}, quads_of(batch));
+    const auto outputs = unit<AlphaTestUnit>().run({control}, quads_of(batch), bank_of(batch));
     return take_live(AlphaTestUnit::Name, outputs, batch, expected);
 }
 

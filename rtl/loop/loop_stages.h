@@ -25,6 +25,7 @@ void write_color(const ColorStage& stage,
 
 // tile_walker; the others count what it does not do.
 void cover_tile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage);
+void cover_windows(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage);
 void cover_tile_samples(const SetupRecord& record,
                         const Rectangle& tile,
                         TileSampleCoverage& coverage);

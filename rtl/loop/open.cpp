@@ -72,6 +72,7 @@ private:
     void choose_raster_units() {
         if (has("tile_walker")) {
             table_.cover_tile = cover_tile;
+            table_.cover_windows = cover_windows;
             table_.cover_tile_samples = cover_tile_samples;
             table_.smooth_block = smooth_block;
         }

@@ -10,6 +10,11 @@
 
 namespace ffgpu::rtl {
 
+// Of the registers of a batch: both banks have a part in a picture.
+inline unsigned bank_of(const FragmentBatch& batch) {
+    return batch.x[0] >> 1 & 1;
+}
+
 inline std::uint32_t packed_color(const ColorPlanes& planes, unsigned lane) {
     return pack_rgba8(lane_color(planes, lane));
 }

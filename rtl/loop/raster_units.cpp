@@ -58,7 +58,7 @@ std::vector<TileEdges> unit_tiles(const EdgeSet& set, const Rectangle& tile) {
     return tiles;
 }
 
-// Blocks of a tile, row by row, as the stage gives them.
+// Blocks of a tile, or a primitive's windows, row by row, as the stage gives them.
 class Blocks {
 public:
     explicit Blocks(const Rectangle& tile)
@@ -70,8 +70,9 @@ public:
         if (quad.x < tile_.x0 || quad.x >= tile_.x1 || quad.y < tile_.y0 || quad.y >= tile_.y1)
             return;
         if (((quad.x | quad.y) & 1) != 0) return;
-        const unsigned shift = 4 * (quad.y % 8u / 2 * 4 + quad.x % 8u / 2);
-        masks_[number(quad.x, quad.y)] |= BlockMask{quad.live} << shift;
+        const auto x = static_cast<unsigned>(quad.x - tile_.x0) % 8;
+        const auto y = static_cast<unsigned>(quad.y - tile_.y0) % 8;
+        masks_[number(quad.x, quad.y)] |= BlockMask{quad.live} << 4 * (y / 2 * 4 + x / 2);
     }
     BlockMask at(int x, int y) const { return masks_[number(x, y)]; }
 
@@ -110,6 +111,30 @@ void compare_block(int x, int y, BlockMask expected, BlockMask got) {
                  got >> bit & 1);
 }
 
+// `coverage` has the model's blocks, which lie in the grid, and gets the unit's.
+void take_coverage(const EdgeSet& edges,
+                   const Rectangle& tile,
+                   const Rectangle& grid,
+                   TileCoverage& coverage) {
+    Blocks expected(grid), got(grid);
+    std::uint64_t fragments = 0;
+    for (unsigned i = 0; i < coverage.count; ++i) {
+        const BlockCoverage& block = coverage.blocks[i];
+        fragments += static_cast<std::uint64_t>(std::popcount(block.mask));
+        for (unsigned quad = 0; quad < 16; ++quad)
+            expected.add({.x = static_cast<std::uint16_t>(block.x + quad % 4 * 2),
+                          .y = static_cast<std::uint16_t>(block.y + quad / 4 * 2),
+                          .live = static_cast<std::uint8_t>(block.mask >> 4 * quad & 0xf)});
+    }
+    for (const CoveredQuad& quad : unit<TileWalkerUnit>().run({}, unit_tiles(edges, tile)))
+        got.add(quad);
+    for (int y = grid.y0; y < grid.y1; y += BlockSize)
+        for (int x = grid.x0; x < grid.x1; x += BlockSize)
+            compare_block(x, y, expected.at(x, y), got.at(x, y));
+    got.take(coverage);
+    loop_log().count(TileWalkerUnit::Name, "", fragments);
+}
+
 DepthPlaneQuad plane_quad(const SetupRecord& record, const FragmentBatch& batch, unsigned q) {
     return {.x = static_cast<std::int16_t>(batch.x[q] - record.x_reference),
             .y = static_cast<std::int16_t>(batch.y[q] - record.y_reference),
@@ -124,23 +149,18 @@ DepthPlaneQuad plane_quad(const SetupRecord& record, const FragmentBatch& batch,
 
 void cover_tile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
     FastStages.cover_tile(edges, tile, coverage);
-    Blocks expected(tile), got(tile);
-    std::uint64_t fragments = 0;
-    for (unsigned i = 0; i < coverage.count; ++i) {
-        const BlockCoverage& block = coverage.blocks[i];
-        fragments += static_cast<std::uint64_t>(std::popcount(block.mask));
-        for (unsigned quad = 0; quad < 16; ++quad)
-            expected.add({.x = static_cast<std::uint16_t>(block.x + quad % 4 * 2),
-                          .y = static_cast<std::uint16_t>(block.y + quad / 4 * 2),
-                          .live = static_cast<std::uint8_t>(block.mask >> 4 * quad & 0xf)});
-    }
-    for (const CoveredQuad& quad : unit<TileWalkerUnit>().run({}, unit_tiles(edges, tile)))
-        got.add(quad);
-    for (int y = tile.y0; y < tile.y1; y += BlockSize)
-        for (int x = tile.x0; x < tile.x1; x += BlockSize)
-            compare_block(x, y, expected.at(x, y), got.at(x, y));
-    got.take(coverage);
-    loop_log().count(TileWalkerUnit::Name, "", fragments);
+    take_coverage(edges, tile, tile, coverage);
+}
+
+void cover_windows(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
+    FastStages.cover_windows(edges, tile, coverage);
+    const Rectangle area = intersect(edges.box, tile);
+    if (area.empty()) return;
+    const auto end = [](int from, int to) {
+        return from + (to - from + BlockSize - 1) / BlockSize * BlockSize;
+    };
+    const int x = area.x0 & ~1, y = area.y0 & ~1;
+    take_coverage(edges, tile, {x, y, end(x, area.x1), end(y, area.y1)}, coverage);
 }
 
 void cover_tile_samples(const SetupRecord& record,

@@ -96,7 +96,7 @@ StencilDepthFates test_depth_target(const StencilDepthState& state,
         {.enable = state.stencil, .front = state.front, .back = state.back},
         state.depth,
         state.format};
-    const auto written = unit<StencilDepthUnit>().run(words, before);
+    const auto written = unit<StencilDepthUnit>().run(words, before, bank_of(batch));
     pixels.write(StencilDepthUnit::Name, before, written);
     loop_log().count(StencilDepthUnit::Name, "", batch.live.count());
     // Who died by which of the tests is counted, and nothing else: the unit does not say it.
@@ -115,7 +115,7 @@ void write_color(const ColorStage& stage,
     if (target.srgb) return loop_log().count(BlendUnit::Name, "sRGB targets", batch.live.count());
     BlendWords words{stage.state, {.dither = stage.dither}, target.surface.format};
     words.blend.write_mask = target.write_mask;
-    pixels.write(BlendUnit::Name, before, unit<BlendUnit>().run(words, before));
+    pixels.write(BlendUnit::Name, before, unit<BlendUnit>().run(words, before, bank_of(batch)));
     loop_log().count(BlendUnit::Name, "", batch.live.count());
 }
 

@@ -92,7 +92,7 @@ private:
         std::vector<LevelQuad> inputs;
         for (const unsigned q : seen_.quads)
             inputs.push_back(level_quad(q));
-        const auto levels = unit<LevelOfDetailUnit>().run(words_, inputs);
+        const auto levels = unit<LevelOfDetailUnit>().run(words_, inputs, bank_);
         for (std::size_t i = 0; i < levels.size(); ++i) {
             const QuadSampling& expected = seen_.samplings[i];
             const StageDifference at = at_place(LevelOfDetailUnit::Name, 4 * seen_.quads[i]);
@@ -101,6 +101,14 @@ private:
             compare_lane(at, "weight", expected.weight, levels[i].weight);
             compare_lane(at, "linear", expected.linear, levels[i].linear);
             compare_lane(at, "probes", expected.probes, levels[i].probes);
+            // Only between several probes does it count.
+            const TexCoord& step = expected.major_step;
+            const std::array model{step.s, step.t, step.r};
+            for (unsigned axis = 0; axis < unit_.dimensions && expected.probes > 1; ++axis)
+                compare_lane(at,
+                             "major_step",
+                             std::bit_cast<std::uint32_t>(model[axis]),
+                             std::bit_cast<std::uint32_t>(levels[i].major_step[axis]));
             addresses_.push_back(address_quad(seen_.quads[i], levels[i]));
         }
     }
@@ -140,7 +148,7 @@ private:
     }
 
     void find_texels() {
-        const auto requests = unit<TexelAddressUnit>().run(words_, addresses_);
+        const auto requests = unit<TexelAddressUnit>().run(words_, addresses_, bank_);
         for (const TexelRequest& request : requests) {
             lanes_.push_back(lane_of(request));
             levels_.push_back({.last_level = request.last_level,
@@ -245,6 +253,7 @@ private:
     const ObservedTexels& seen_;
     // Whose coordinates they are; null: an image's.
     const FragmentBatch* const batch_ = std::exchange(loop_log().batch, nullptr);
+    const unsigned bank_ = batch_ ? bank_of(*batch_) : 0;
     std::vector<AddressQuad> addresses_;
     std::vector<TexelBlock> blocks_;
     std::vector<FilterLevel> levels_;

@@ -35,14 +35,20 @@ public:
         dut_->rst_ni = 1;
     }
 
-    // Valid until the next call.
-    std::span<const Output> run(const State& state, std::span<const Input> inputs) {
-        if constexpr (!std::is_same_v<State, NoState>) drive(dut_->state_0_i, to_bits(state));
+    // Valid until the next call. The state stands in a bank, and its opposite in the other one: a
+    // unit that takes a bit of the wrong bank shows it.
+    std::span<const Output>
+    run(const State& state, std::span<const Input> inputs, unsigned bank = 0) {
+        bank_ = bank;
+        if constexpr (!std::is_same_v<State, NoState>) {
+            drive(bank == 0 ? dut_->state_0_i : dut_->state_1_i, to_bits(state));
+            drive(bank == 0 ? dut_->state_1_i : dut_->state_0_i, opposite(to_bits(state)));
+        }
         outputs_.clear();
         std::size_t taken = 0;
         for (unsigned quiet = 0; !is_done(inputs, taken, quiet);) {
             dut_->in_valid_i = taken < inputs.size();
-            if (dut_->in_valid_i) drive(dut_->in_data_i, to_bits(inputs[taken]));
+            if (dut_->in_valid_i) drive(dut_->in_data_i, with_tag<Input>(to_bits(inputs[taken])));
             dut_->eval();
             waves_.settled();
             const bool takes = dut_->in_valid_i && dut_->in_ready_o;
@@ -70,11 +76,29 @@ private:
     }
 
     void receive() {
-        Bits bits = sample(dut_->out_data_o, bits_of<Output>());
+        Bits bits = with_tag<Output>(sample(dut_->out_data_o, bits_of<Output>()));
         const std::optional<PlantedFault>& fault = loop_log().fault;
         if (fault && fault->unit == Unit::Name && loop_log().faulty_items++ >= fault->from)
             flip(bits, fault->field);
         outputs_.push_back(from_bits<Output>(bits));
+    }
+    // Outside, tags are 0: one that comes out wrong is left at 1.
+    template <class Packed>
+    Bits with_tag(Bits bits) const {
+        unsigned at = bits.count;
+        const Packed packed{};
+        const auto turn = [&](FieldName name, const auto&, unsigned width = 32) {
+            at -= width;
+            if (name.text() == "tag" || name.text() == "header.tag")
+                put(bits, at, 1, take(bits, at, 1) ^ bank_);
+        };
+        if (bank_ != 0) Packed::visit(packed, turn);
+        return bits;
+    }
+    static Bits opposite(Bits bits) {
+        for (unsigned at = 0; at < bits.count; ++at)
+            put(bits, at, 1, take(bits, at, 1) ^ 1);
+        return bits;
     }
     static void flip(Bits& bits, const std::string& field) {
         unsigned at = bits.count;
@@ -97,6 +121,7 @@ private:
     std::unique_ptr<typename Unit::Dut> dut_ = std::make_unique<typename Unit::Dut>(context_.get());
     Waves waves_{*dut_, loop_log().waves, Unit::Name, loop_log().wave_cycles};
     std::vector<Output> outputs_;
+    unsigned bank_ = 0;
 };
 
 // An output for each input.
