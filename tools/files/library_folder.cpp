@@ -8,7 +8,7 @@ namespace fs = std::filesystem;
 
 fs::path this_program() {
     std::error_code missing;
-    const fs::path program = fs::read_symlink("/proc/self/exe", missing);
+    fs::path program = fs::read_symlink("/proc/self/exe", missing);
     if (missing)
         throw InputError("/proc/self/exe: cannot be read, which tells where ffgpu is: " +
                          missing.message());

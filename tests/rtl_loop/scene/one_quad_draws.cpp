@@ -133,7 +133,7 @@ void add_fog(Draws& draws) {
                                          {"exponential", FogMode::Exp},
                                          {"squared", FogMode::Exp2}})
             draws.add((std::string("fog ") + name + (bank ? ", other bank" : "")).c_str(),
-                      [&](Registers& r) {
+                      [mode = mode](Registers& r) {
                           r.fog = {.mode = mode, .color = 0x2080ff, .density = 0.7f, .end = 3};
                           r.fog.source = FogCoordinateSource::Attribute;
                           r.current.values[static_cast<unsigned>(Attribute::FogCoordinate)] = {
@@ -208,7 +208,7 @@ void add_textures(Draws& draws) {
     });
     for (const auto& [name, format] :
          {std::pair{"dxt1", Format::Dxt1Rgb}, {"dxt5", Format::Dxt5}, {"fxt1", Format::Fxt1Rgba}})
-        draws.add(name, [&](Registers& r) { Draws::texture(r, format); });
+        draws.add(name, [format = format](Registers& r) { Draws::texture(r, format); });
 }
 
 void add_environments(Draws& draws) {
