@@ -30,8 +30,9 @@ module color_sum (
   for (genvar lane = 0; lane < ffgpu_pkg::Lanes; lane++) begin : g_lane
     for (genvar channel = 0; channel < 3; channel++) begin : g_channel
       localparam int unsigned At = 32 * lane + 8 * channel;
+      localparam int unsigned SecondaryAt = 24 * lane + 8 * channel;
       logic [8:0] sum;
-      assign sum = {1'b0, quad.color[At +: 8]} + {1'b0, in_data_i.secondary[At +: 8]};
+      assign sum = {1'b0, quad.color[At +: 8]} + {1'b0, in_data_i.secondary[SecondaryAt +: 8]};
       assign color[At +: 8] = sum[8] ? 8'd255 : sum[7:0];
     end
     assign color[32*lane+24 +: 8] = quad.color[32*lane+24 +: 8];

@@ -92,7 +92,7 @@ package ffgpu_pipe_pkg;
   typedef struct packed {
     logic [383:0] quad;
     logic [127:0] primary;
-    logic [127:0] secondary;
+    logic [95:0]  secondary;
     logic [127:0] fog_coordinate;
   } pending_quad_t;
 

@@ -9,6 +9,7 @@ package ffgpu_pkg;
 
   localparam int unsigned ChannelWidth = 8;
   localparam int unsigned ColorWidth = 4 * ChannelWidth;  // rgba8, red lowest
+  localparam int unsigned SecondaryWidth = 3 * ChannelWidth;
   localparam int unsigned DepthWidth = 24;
   localparam int unsigned PixelWidth = 32;  // of a target; narrower formats stand in the lower bits
   localparam int unsigned FloatWidth = 32;  // binary32
@@ -44,7 +45,7 @@ package ffgpu_pkg;
   typedef struct packed {
     quad_t                                    quad;
     logic [Lanes*ColorWidth-1:0]              primary;
-    logic [Lanes*ColorWidth-1:0]              secondary;  // alpha is not used
+    logic [Lanes*SecondaryWidth-1:0]          secondary;  // red, green and blue
     logic [Lanes*FloatWidth-1:0]              fog_coordinate;
     logic [TextureUnits*Lanes*ColorWidth-1:0] samples;  // unit u, lane l: number 4 u + l
   } shade_quad_t;

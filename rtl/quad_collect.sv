@@ -25,7 +25,8 @@ module quad_collect (
 );
 
   ffgpu_pkg::quad_t quad;
-  logic [127:0]     primary_q, primary, secondary_q, secondary, fog_q, fog;
+  logic [127:0]     primary_q, primary, fog_q, fog;
+  logic [95:0]      secondary_q, secondary;
   logic [383:0]     coordinates_q, coordinates;
   logic [5:0]       attribute;
   logic             is_last, is_unit_last, ends;
@@ -50,11 +51,11 @@ module quad_collect (
           if (in_data_i.has_values && attribute == {4'd1, part[1:0]}) begin
             primary[32*lane + 8*part +: 8] = value_i.values[32*lane +: 8];
           end
-          if (in_data_i.has_values && attribute == {4'd2, part[1:0]}) begin
-            secondary[32*lane + 8*part +: 8] = value_i.values[32*lane +: 8];
-          end
         end
         for (int unsigned part = 0; part < 3; part++) begin
+          if (in_data_i.has_values && attribute == {4'd2, part[1:0]}) begin
+            secondary[24*lane + 8*part +: 8] = value_i.values[32*lane +: 8];
+          end
           if (attribute[5:4] != 2'd0 && attribute[1:0] == part[1:0]) begin
             coordinates[96*lane + 32*part +: 32] = value_i.values[32*lane +: 32];
           end
@@ -98,8 +99,7 @@ module quad_collect (
   always_comb begin
     out_data_o.quad           = quad;
     out_data_o.primary        = in_data_i.constant_color ? {4{in_data_i.color}} : primary;
-    out_data_o.secondary      = in_data_i.constant_secondary ?
-      {4{8'd0, in_data_i.secondary}} : secondary;
+    out_data_o.secondary      = in_data_i.constant_secondary ? {4{in_data_i.secondary}} : secondary;
     out_data_o.fog_coordinate = fog;
   end
 

@@ -46,7 +46,7 @@ struct Quad {
 
 struct ShadeQuad {
     Quad quad;
-    PerLane<std::uint32_t> primary{}, secondary{};
+    PerLane<std::uint32_t> primary{}, secondary{}; // the secondary has no alpha
     PerLane<float> fog_coordinate{};
     std::array<std::uint32_t, 8 * Lanes> samples{}; // unit u, lane l: number 4 u + l
 
@@ -54,7 +54,7 @@ struct ShadeQuad {
     static void visit(Self& self, Visitor&& field) {
         Quad::visit(self.quad, field);
         visit_lanes(field, "primary", self.primary, 32);
-        visit_lanes(field, "secondary", self.secondary, 32);
+        visit_lanes(field, "secondary", self.secondary, 24);
         visit_lanes(field, "fog_coordinate", self.fog_coordinate, 32);
         visit_lanes(field, "samples", self.samples, 32);
     }

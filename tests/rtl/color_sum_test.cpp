@@ -57,7 +57,7 @@ TEST_CASE("the colour sum equals the model's on every pair of channels") {
         ShadeQuad shaded{.quad = {.live = 0xf}};
         for (unsigned lane = 0; lane < Lanes; ++lane) {
             shaded.quad.color[lane] = a * 0x01010101u;
-            shaded.secondary[lane] = b * 0x01010101u;
+            shaded.secondary[lane] = b * 0x010101u;
         }
         return shaded;
     };

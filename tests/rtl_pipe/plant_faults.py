@@ -88,7 +88,7 @@ Mutants = [
     ("tag mismatch", "target_stages", "tested_valid && !tested_lives", "1'b0"),
     ("order", "quad_collect", "(value_valid_i && is_last)", "value_valid_i"),
     ("bytes", "raster_front", "{2'd0, covered.y} - shading.y_reference", "{2'd0, covered.y} - shading.x_reference"),
-    ("stale state", "environment_loop", "shaded_q.quad.color <= in_data_i.primary", "shaded_q.quad.color <= in_data_i.secondary"),
+    ("stale state", "environment_loop", "shaded_q.quad.color <= in_data_i.primary", "shaded_q.quad.color <= {32'd0, in_data_i.secondary}"),
     ("not reset", "texel_gather", "texel_q <= 3'd0", "texel_q <= texel_q"),
     ("not reset", "environment_loop", "inside_q   <= 1'b0", "inside_q <= inside_q"),
     ("bytes", "sample_collect", "sample_i.color", "sample_i.color ^ {31'd0, at == 5'd6}"),

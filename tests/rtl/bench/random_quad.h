@@ -37,7 +37,7 @@ inline ShadeQuad random_shade_quad(Random& random) {
     ShadeQuad shaded{.quad = random_quad(random)};
     for (unsigned lane = 0; lane < Lanes; ++lane) {
         shaded.primary[lane] = random_color(random);
-        shaded.secondary[lane] = random_color(random);
+        shaded.secondary[lane] = random_color(random) & 0xffffff;
         shaded.fog_coordinate[lane] = std::bit_cast<float>(random.word());
     }
     for (std::uint32_t& sample : shaded.samples)
