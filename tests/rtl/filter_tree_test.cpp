@@ -144,6 +144,36 @@ TEST_CASE("lerps equal the model's on every input") {
     CHECK(bench.compared == 256 / step * 64 * 256);
 }
 
+// Of n probes that are (sum + i) / n rounded down, i = 0 .. n-1, the sum is that (Hermite). Each
+// channel has a sum of its own.
+TEST_CASE("means equal the model's of every sum of every count of probes") {
+    FilterTree unit;
+    UnitBench<FilterTree> bench(unit);
+    std::vector<FilterLevel> levels;
+    unsigned fragments = 0;
+    for (unsigned count = 1; count <= 16; ++count)
+        for (unsigned sum = 0; sum <= 255 * count; sum += 4, ++fragments)
+            for (unsigned probe = 0; probe < count; ++probe) {
+                const auto share = [&](unsigned channel) {
+                    const unsigned own = std::min(sum + channel, 255 * count);
+                    return static_cast<std::uint8_t>((own + probe) / count);
+                };
+                FilterLevel level{.place = static_cast<std::uint16_t>(fragments & 1023),
+                                  .last_level = true,
+                                  .last_probe = probe + 1 == count,
+                                  .probes = static_cast<std::uint8_t>(count)};
+                level.texels.fill(pack_rgba8({share(0), share(1), share(2), share(3)}));
+                levels.push_back(level);
+            }
+    const auto state = [](unsigned) { return NoState{}; };
+    const auto input = [&](unsigned, unsigned i) { return levels[i]; };
+    const auto count = static_cast<unsigned>(levels.size());
+    bench.run(counted_source<FilterTree>(1, count, state, input), Stall::Never, 1);
+    INFO(bench.report);
+    CHECK(bench.mismatches == 0);
+    CHECK(bench.compared == fragments);
+}
+
 } // namespace
 } // namespace ffgpu::rtl
 
