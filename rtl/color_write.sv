@@ -80,19 +80,20 @@ module color_write (
   end
   assign mask = is_plain ? state_i.write_mask & stored_channels : 4'd0;
 
-  // The pixel's bits of the channels in the mask, repeated over the word as the pixel is.
+  // The pixel's bits of the channels in the mask.
   always_comb begin
     unique case (format_i)
+      ffgpu_registers_pkg::FormatRgbx8: bits = {8'd0, {8{mask[2]}}, {8{mask[1]}}, {8{mask[0]}}};
       ffgpu_registers_pkg::FormatLuminance8,
-      ffgpu_registers_pkg::FormatIntensity8:      bits = {32{mask[0]}};
-      ffgpu_registers_pkg::FormatAlpha8:          bits = {32{mask[3]}};
-      ffgpu_registers_pkg::FormatLuminanceAlpha8: bits = {2{{8{mask[3]}}, {8{mask[0]}}}};
+      ffgpu_registers_pkg::FormatIntensity8:      bits = {24'd0, {8{mask[0]}}};
+      ffgpu_registers_pkg::FormatAlpha8:          bits = {24'd0, {8{mask[3]}}};
+      ffgpu_registers_pkg::FormatLuminanceAlpha8: bits = {16'd0, {8{mask[3]}}, {8{mask[0]}}};
       ffgpu_registers_pkg::FormatRgb565:
-        bits = {2{{5{mask[0]}}, {6{mask[1]}}, {5{mask[2]}}}};
+        bits = {16'd0, {5{mask[0]}}, {6{mask[1]}}, {5{mask[2]}}};
       ffgpu_registers_pkg::FormatRgba4:
-        bits = {2{{4{mask[0]}}, {4{mask[1]}}, {4{mask[2]}}, {4{mask[3]}}}};
+        bits = {16'd0, {4{mask[0]}}, {4{mask[1]}}, {4{mask[2]}}, {4{mask[3]}}};
       ffgpu_registers_pkg::FormatRgb5a1:
-        bits = {2{{5{mask[0]}}, {5{mask[1]}}, {5{mask[2]}}, mask[3]}};
+        bits = {16'd0, {5{mask[0]}}, {5{mask[1]}}, {5{mask[2]}}, mask[3]};
       default: bits = {{8{mask[3]}}, {8{mask[2]}}, {8{mask[1]}}, {8{mask[0]}}};
     endcase
   end

@@ -1,5 +1,4 @@
-// The pixel that is stored for a colour, in a plain colour format. A narrow one is repeated over the
-// word, of which nothing but the pixel is stored.
+// The pixel that is stored for a colour, in a plain colour format. Bits above the pixel's are 0.
 //
 // Combinational. Equals ffgpu::pack_pixel() in model/memory/color_pixel.h, with either rounding.
 
@@ -57,12 +56,12 @@ module pixel_pack (
     unique case (format_i)
       ffgpu_registers_pkg::FormatRgbx8: pixel_o = {8'd255, color_i[23:0]};
       ffgpu_registers_pkg::FormatLuminance8,
-      ffgpu_registers_pkg::FormatIntensity8: pixel_o = {4{red}};
-      ffgpu_registers_pkg::FormatAlpha8: pixel_o = {4{alpha}};
-      ffgpu_registers_pkg::FormatLuminanceAlpha8: pixel_o = {2{alpha, red}};
-      ffgpu_registers_pkg::FormatRgb565: pixel_o = {2{five[14:10], six, five[4:0]}};
-      ffgpu_registers_pkg::FormatRgba4: pixel_o = {2{four}};
-      ffgpu_registers_pkg::FormatRgb5a1: pixel_o = {2{five, alpha[7]}};
+      ffgpu_registers_pkg::FormatIntensity8: pixel_o = {24'd0, red};
+      ffgpu_registers_pkg::FormatAlpha8: pixel_o = {24'd0, alpha};
+      ffgpu_registers_pkg::FormatLuminanceAlpha8: pixel_o = {16'd0, alpha, red};
+      ffgpu_registers_pkg::FormatRgb565: pixel_o = {16'd0, five[14:10], six, five[4:0]};
+      ffgpu_registers_pkg::FormatRgba4: pixel_o = {16'd0, four};
+      ffgpu_registers_pkg::FormatRgb5a1: pixel_o = {16'd0, five, alpha[7]};
       default: pixel_o = color_i;
     endcase
   end

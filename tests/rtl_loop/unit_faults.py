@@ -178,8 +178,8 @@ Faults = [
     stored("color_write", "LogicOpXor:          combined = source ^ stored_i",
            "LogicOpXor:          combined = source | stored_i", "logic 6"),
     stored("color_write", "~(source & stored_i)", "~(source | stored_i)", "logic 14"),
-    stored("pixel_pack", "{2{five[14:10], six, five[4:0]}}",
-           "{2{five[4:0], six, five[14:10]}}", "narrow"),
+    stored("pixel_pack", "{16'd0, five[14:10], six, five[4:0]}",
+           "{16'd0, five[4:0], six, five[14:10]}", "narrow"),
     stored("pixel_level", "{8'd0, value_i} * Maximum", "{8'd0, ~value_i} * Maximum", "narrow"),
     stored("pixel_level", "value_i - (value_i >> Width)", "8'd0", "dithered"),
     stored("pixel_unpack", "{Opaque, pixel_i[4:0], pixel_i[4:2], pixel_i[10:5], pixel_i[10:9],\n"
