@@ -4,6 +4,8 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/tool.h"
 
+#include <filesystem>
+
 #include <catch2/catch.hpp>
 #include <fcntl.h>
 
@@ -145,6 +147,22 @@ TEST_CASE("Pictures of an older run are told of") {
     const TemporaryFile damaged("Some text.\n");
     CHECK(run({"replay", damaged.path(), "-o", folder / "out"}) == 2);
     CHECK(!content(folder / "out/stats.json").empty()); // Nothing was written over it.
+}
+
+TEST_CASE("A capture or work file without a frame is not kept") {
+    const TemporaryFolder folder;
+    const TemporaryFile trace(trace::in_snappy(clears(2)));
+    for (const std::string frames : {"2-3", "7-8"})
+        for (const std::string option : {"--capture", "--save-work"}) {
+            const std::string file = folder / "kept";
+            int status = 0;
+            const std::string told = printed(stderr, [&] {
+                status = run({"replay", trace.path(), "--frames", frames, option, file});
+            });
+            CAPTURE(frames, option, told);
+            CHECK(status == 2);
+            CHECK_FALSE(std::filesystem::exists(file));
+        }
 }
 
 TEST_CASE("What is printed where no room is ends with status 2") {

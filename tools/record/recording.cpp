@@ -172,6 +172,7 @@ bool Recording::after_frame(const Frame& frame) {
                      .api_calls = frame.api_calls,
                      .functional = counted_.take(gpu_.statistics())},
                     frame.picture);
+    has_frame_ = true;
     images_.check_failure();
     if (!options_.heat.maps.empty()) pipeline_.drain();
     // Looking at the picture is no work of the machine's.
@@ -221,7 +222,9 @@ void Recording::finish() {
         }
     };
     step([&] { images_.finish(); });
-    step([&] { capture_.end(); });
+    step([&] {
+        if (has_frame_) capture_.end(); // One without a frame shows nothing, and is not kept.
+    });
     step([&] {
         gpu_.finish();
         pipeline_.finish();
@@ -236,6 +239,8 @@ void Recording::finish() {
 
 void Recording::tell_what_is_missing() const {
     if (const std::string older = folder_.older_pictures(); !older.empty()) options_.warn(older);
+    for (const std::string& file : {options_.capture, options_.save_work})
+        if (!has_frame_ && !file.empty()) options_.warn(file + ": not written: there is no frame");
     if (!watch_) return;
     if (const std::string line = watch_->missing_draws(); !line.empty()) options_.warn(line);
     if (options_.steps > most_draws_)

@@ -35,6 +35,7 @@ void WorkPipeline::frame(const work::FrameFigures& figures, const Surface& shown
 }
 
 void WorkPipeline::add(const work::FrameFigures& figures, const Surface& shown) {
+    has_frame_ = true;
     if (file_) file_->frame(figures);
     const std::optional<timing::FrameTiming> timed = meter_.add(figures);
     if (costs_ && timed) costs_->frame_waited(timed->waited);
@@ -65,7 +66,7 @@ void WorkPipeline::write_series(const std::string& folder) const {
 
 void WorkPipeline::finish() {
     drain();
-    if (file_) file_->finish();
+    if (file_ && has_frame_) file_->finish(); // One without a frame is not kept.
     if (table_) table_->finish();
     if (draw_pixels_) draw_pixels_->finish();
 }

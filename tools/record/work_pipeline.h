@@ -60,6 +60,7 @@ private:
     std::unique_ptr<DrawTable> table_;
     std::unique_ptr<timing::GpuTiming> timing_; // tells series_ and table_
     std::unique_ptr<work::WorkFileWriter> file_;
+    bool has_frame_ = false; // the thread's, until it is drained
     std::unique_ptr<DrawPixels> draw_pixels_;
     FrameMeter meter_;
     HeatRecorder* costs_ = nullptr;
