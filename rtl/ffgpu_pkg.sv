@@ -292,7 +292,7 @@ package ffgpu_pkg;
     divide_255 = sum[15:8];
   endfunction
 
-  // floor(value / 255) for value < 65535.
+  // floor(value / 255) for value < 65280, where it is a channel's.
   function automatic channel_t floor_255(input logic [15:0] value);
     logic [15:0] sum;
     sum = value + 16'd1 + {8'd0, value[15:8]};
