@@ -32,13 +32,13 @@ def modules(text):
 def proves(file, rtl):
     """Whether yosys proves the claims, of RTL that stands in a folder."""
     text = file.read_text()
-    sources = [rtl / f"{name}.sv" for name in Packages + modules(text)]
+    sources = [rtl / f"{name}.sv" for name in [*Packages, "ffgpu_pipe_pkg", *modules(text)]]
     sources += [Proofs / f"{Claims}.sv"] if Claims + " #(" in text else []
     cycles = Cycles.search(text)
     time = f"-seq {cycles[1]}" if cycles else \
         "-tempinduct -seq 1 -maxsteps 12" if "clk_i" in text else ""
     script = (f"read_verilog -sv -formal {' '.join(map(str, [*sources, file]))}; "
-              f"hierarchy -check -top {file.stem}_proof; proc; flatten; memory_map; async2sync; "
+              f"hierarchy -check -top {file.stem}_proof; proc; flatten; opt; memory_map; async2sync; "
               "opt; "
               f"sat -verify -prove-asserts -set-assumes {time}")
     run = subprocess.run(["yosys", "-q", "-p", script], capture_output=True, text=True,
