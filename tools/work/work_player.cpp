@@ -64,7 +64,7 @@ private:
             progress.show(frame->number);
             next = frame->number + 1;
         }
-        if (!recording_)
+        if (!recording_ && Interruption::signal() == 0)
             throw InputError(fmt::format("--frames: {} ends before frame {}: none of those asked "
                                          "for is there",
                                          options_.input,
@@ -104,6 +104,7 @@ void play_file(const WorkPlayOptions& options, work::CommandSink& sink, const On
     file.play(sink, [&](const work::FrameFigures& figures) {
         on_frame(figures);
         progress.show(figures.number);
+        if (Interruption::signal() != 0) file.stop();
     });
 }
 
