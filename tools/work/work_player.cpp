@@ -117,6 +117,7 @@ std::string forces_nothing(const std::string& path) {
 
 bool is_work_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
+    if (!file.seekg(0)) return false; // A pipe keeps its bytes, and its reader says what it is.
     std::string magic(work::WorkFileMagic.size(), '\0');
     return file.read(magic.data(), static_cast<std::streamsize>(magic.size())) &&
            magic == work::WorkFileMagic;
