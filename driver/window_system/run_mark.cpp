@@ -12,13 +12,13 @@ namespace ffgpu::gl {
 namespace {
 
 constexpr const char* Variable = "FFGPU_MARK";
-constexpr off_t DrawsAt = 0, FrameAt = 1, BegunAt = 2, CompleteAt = 3;
+constexpr off_t DrawsAt = 0, FrameAt = 1, BegunAt = 2, CompleteAt = 3, Size = 4;
 
 // Those of the file's bytes that say yes; none where it cannot be read.
-std::array<bool, 4> said(int file) {
-    std::array<char, 4> bytes{};
+std::array<bool, Size> said(int file) {
+    std::array<char, Size> bytes{};
     if (::pread(file, bytes.data(), bytes.size(), 0) < 0) bytes = {};
-    std::array<bool, 4> yes{};
+    std::array<bool, Size> yes{};
     for (std::size_t i = 0; i < bytes.size(); ++i)
         yes[i] = bytes[i] == '1';
     return yes;
@@ -46,6 +46,10 @@ void write_at(int file, off_t at, const char* byte = "1") {
 
 bool RunMark::is_there() {
     return std::getenv(Variable) != nullptr;
+}
+
+std::string RunMark::blank() {
+    return std::string(Size, '0');
 }
 
 void RunMark::leave() {

@@ -13,6 +13,10 @@ public:
     // This process was started by `ffgpu run`.
     static bool is_there();
 
+    // What the file begins with: each byte is there, so that none wants room on a disk that has
+    // become full.
+    static std::string blank();
+
     // This process draws.
     static void leave();
 

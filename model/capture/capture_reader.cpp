@@ -28,8 +28,9 @@ std::shared_ptr<const Translator> translator_of(std::string_view text) {
 bool CaptureReader::is_capture(const std::string& path) {
     const File file(std::fopen(path.c_str(), "rb"));
     std::array<char, Magic.size()> magic{};
-    return file && std::fread(magic.data(), 1, magic.size(), file.get()) == magic.size() &&
-           magic == Magic;
+    const bool is_pipe = file && std::fseek(file.get(), 0, SEEK_SET) != 0; // Its bytes stay in it.
+    return file && !is_pipe &&
+           std::fread(magic.data(), 1, magic.size(), file.get()) == magic.size() && magic == Magic;
 }
 
 CaptureReader::CaptureReader(std::string path)

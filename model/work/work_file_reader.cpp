@@ -83,7 +83,7 @@ void WorkFileReader::need_item() {
 
 void WorkFileReader::play(CommandSink& sink,
                           const std::function<void(const FrameFigures&)>& frame) {
-    while (true) {
+    while (!stopped_) {
         Content content;
         try {
             if (!begin_item()) return;

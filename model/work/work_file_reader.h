@@ -26,6 +26,9 @@ public:
     // All of it. `frame` is called where a measured frame's work has all been handed over.
     void play(CommandSink& sink, const std::function<void(const FrameFigures&)>& frame);
 
+    // For `frame` to call: play() returns behind it, whatever follows in the file.
+    void stop() { stopped_ = true; }
+
 private:
     struct FrameEnd {
         std::uint32_t frame = 0;
@@ -63,7 +66,7 @@ private:
     WorkFileBlocks blocks_;
     ColumnReader& in_ = blocks_.columns();
     std::uint32_t items_left_ = 0;
-    bool over_ = false;
+    bool over_ = false, stopped_ = false;
     Places register_places_, image_places_, clear_places_, copy_places_, surface_places_;
     std::shared_ptr<const Registers> state_; // the last read
     FieldValues file_values_;                // of the file's fields of registers

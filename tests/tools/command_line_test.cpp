@@ -289,6 +289,34 @@ TEST_CASE("compare measures, and fails above its limit") {
     CHECK(read_image(folder / "d.png").rgb[3 * 5 + 1] == 8 * 24);
 }
 
+TEST_CASE("compare passes over no picture, and compares with numbers from 0 alone") {
+    const TemporaryFolder folder;
+    write_png(folder / "a.png", Image(4, 2));
+    CHECK(run({"compare", folder.path(), folder.path()}) == 0);
+    CHECK(run({"compare", folder.path(), folder.path(), "--max-rmse", "nan"}) == 2);
+    CHECK(run({"compare", folder.path(), folder.path(), "--max-rmse", "-1"}) == 2);
+    fs::create_symlink("/nonexistent", folder / "b.png");
+    CHECK(run({"compare", folder.path(), folder.path()}) == 2);
+}
+
+TEST_CASE("What is read more than once and comes by a pipe is told so") {
+    int ends[2];
+    REQUIRE(::pipe(ends) == 0);
+    const std::string pipe = "/dev/fd/" + std::to_string(ends[0]);
+    const auto told_of = [&](const std::vector<std::string>& arguments, const std::string& bytes) {
+        REQUIRE(::write(ends[1], bytes.data(), bytes.size()) == std::ssize(bytes));
+        const std::string told = printed(stderr, [&] { CHECK(run(arguments) == 2); });
+        CHECK_THAT(told, Contains("a pipe") && Contains("a file was expected"));
+    };
+    const TemporaryFolder folder;
+    write_png(folder / "a.png", Image(4, 2));
+    told_of({"replay", pipe, "-o", folder / "out"}, capture_without_frames().substr(0, 1000));
+    told_of({"cache", pipe}, "FFGPUWRK and more");
+    told_of({"compare", pipe, folder / "a.png"}, content(folder / "a.png"));
+    ::close(ends[0]);
+    ::close(ends[1]);
+}
+
 TEST_CASE("The configuration reads what it prints") {
     Configuration configuration;
     configuration.gpu.tile_size = 32;

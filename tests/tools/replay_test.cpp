@@ -165,6 +165,23 @@ TEST_CASE("A capture or work file without a frame is not kept") {
         }
 }
 
+TEST_CASE("A capture and a work file of one name are refused, and nothing is written") {
+    const TemporaryFolder folder;
+    const TemporaryFile trace(trace::in_snappy(clears(2)));
+    int status = 0;
+    const std::string told = printed(stderr, [&] {
+        status = run({"replay",
+                      trace.path(),
+                      "--capture",
+                      folder / "kept",
+                      "--save-work",
+                      folder / "none/../kept"});
+    });
+    CHECK(status == 2);
+    CHECK_THAT(told, Contains("is both --capture's and --save-work's file"));
+    CHECK(std::filesystem::is_empty(folder.path()));
+}
+
 TEST_CASE("What is printed where no room is ends with status 2") {
     std::fflush(stdout);
     const int kept = ::dup(::fileno(stdout));

@@ -189,6 +189,33 @@ TEST_CASE("a file that finds no room ends the run with its name and status 2") {
     CHECK(files_in(out.path) <= 1);
 }
 
+// Its own files, which tell the program's processes of each other.
+TEST_CASE("a temporary folder without room ends the run with one line, and is left as it was") {
+    const OutputFolder out;
+    fs::create_directories(out.path);
+    const Outcome run =
+        shell("ulimit -f 0; TMPDIR=" + out.path.string() + " " FFGPU_BINARY " run -- true");
+    INFO(run.text);
+    CHECK(run.status == 2);
+    CHECK(count_of(run.text, "cannot be written: File too large") == 1);
+    CHECK(files_in(out.path) == 0);
+}
+
+TEST_CASE("what a program's processes tell a run wants no room that a full disk has not") {
+    const Outcome room = ffgpu_run("-- sh -c 'wc -c < $FFGPU_MARK'");
+    CHECK(room.text.rfind("4\n", 0) == 0); // All bytes that are ever written.
+}
+
+TEST_CASE("a folder whose name is no UTF-8 gets a run's files") {
+    if (!has_display()) return;
+    const OutputFolder out;
+    const fs::path odd = out.path / "\xff\xe9";
+    const Outcome run = ffgpu_run("-o '" + odd.string() + "' -- " FFGPU_FRAMES " last");
+    INFO(run.text);
+    CHECK(run.status == 0);
+    CHECK(files_in(odd) == 3);
+}
+
 TEST_CASE("no file takes the place of a standard stream that is closed") {
     const OutputFolder out;
     const Outcome run =

@@ -185,6 +185,44 @@ TEST_CASE("Ctrl-C or its terminal's end ends a replay behind a frame, with its s
     CHECK(fs::exists(out.path / "stats.json"));
 }
 
+// Interrupts it once `begun` is there; its wait status.
+int interrupt_once(const std::vector<std::string>& arguments, const fs::path& begun) {
+    const pid_t process = start(arguments);
+    CHECK(comes_true([&] { return fs::exists(begun); }));
+    ::kill(process, SIGINT);
+    return wait_status(process);
+}
+
+TEST_CASE("Ctrl-C ends time, cache and export behind a frame, and nothing is half written") {
+    const OutputFolder out;
+    const std::string work = out.path / "corridor.ffw", folder = out.path / "out";
+    const std::string trace = FFGPU_SOURCE_DIR "/traces/corridor.trace";
+    fs::create_directories(out.path);
+    REQUIRE(shell(FFGPU_BINARY " replay " + trace + " --save-work " + work).status == 0);
+
+    const int time =
+        interrupt_once({"ffgpu", "time", work, "-o", folder, "--totals", folder + "_"}, folder);
+    CHECK(WIFEXITED(time));
+    CHECK(WEXITSTATUS(time) == 128 + SIGINT);
+    CHECK(count_of(statistics_in({folder}), "\"frame_count\"") == 1);
+    CHECK_FALSE(fs::exists(folder + "_")); // They would be of some frames.
+
+    const std::string traffic = out.path / "traffic";
+    const fs::path part = traffic + ".part";
+    const pid_t process = start({"ffgpu", "export", work, "--format", "perfetto", "-o", traffic});
+    CHECK(comes_true([&] { return fs::exists(part.string() + std::to_string(process)); }));
+    ::kill(process, SIGINT);
+    const int exported = wait_status(process);
+    CHECK(WIFEXITED(exported));
+    CHECK(WEXITSTATUS(exported) == 128 + SIGINT);
+    CHECK_FALSE(fs::exists(part.string() + std::to_string(process)));
+
+    const std::string curves = out.path / "curves";
+    const int cache = interrupt_once({"ffgpu", "cache", trace, "-o", curves}, curves);
+    CHECK(WIFEXITED(cache));
+    CHECK(WEXITSTATUS(cache) == 128 + SIGINT);
+}
+
 TEST_CASE("a replay under nohup outlives its terminal") {
     const OutputFolder out;
     const std::string folder = out.path.string();
@@ -210,6 +248,13 @@ TEST_CASE("a program that ends by an error before it draws is told of as one") {
     CHECK(run.status == 3);
     CHECK(count_of(run.text,
                    "sh made no OpenGL context on ffgpu: it ended before, with status 3") == 1);
+}
+
+TEST_CASE("a program's status is there also where the ends of children are ignored") {
+    const Outcome run =
+        shell("exec env --ignore-signal=CHLD " FFGPU_BINARY " run -- sh -c 'exit 3'");
+    INFO(run.text);
+    CHECK(run.status == 3);
 }
 
 TEST_CASE("a program that asks for an OpenGL of shaders is told of, once") {

@@ -5,6 +5,7 @@
 #include "tools/cache/curve_plots.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/warn.h"
+#include "tools/replay/interruption.h"
 #include "tools/report/statistics_file.h"
 
 #include <cerrno>
@@ -38,9 +39,10 @@ void write_results(const CacheArguments& arguments,
         write_file(arguments.output, plot.file, plot.svg);
 }
 
-void run_cache(const CacheArguments& arguments) {
+int run_cache(const CacheArguments& arguments) {
     CacheStudyOptions options = resolve(arguments);
     options.warn = warn;
+    const Interruption interruption;
     if (!arguments.output.empty()) make_folder(arguments.output);
     options.on_miss_map = [&](std::uint64_t frame, const Image& map) {
         const std::string name = fmt::format("miss_map_{:04}.png", frame);
@@ -53,7 +55,9 @@ void run_cache(const CacheArguments& arguments) {
         if (!result.frames.empty()) write_results(arguments, options, result); // What is done.
         throw;
     }
-    write_results(arguments, options, result);
+    if (!result.frames.empty() || Interruption::signal() == 0)
+        write_results(arguments, options, result);
+    return Interruption::status(0);
 }
 
 } // namespace
@@ -65,12 +69,7 @@ void add_cache_command(CLI::App& application, Run& run) {
     add_cache_options(*verb, *arguments);
     verb->footer("Example: ffgpu cache traces/corridor.trace -o out/cache --layout linear,blocked "
                  "--order scanline,tiled:8");
-    verb->callback([arguments, &run] {
-        run = [arguments] {
-            run_cache(*arguments);
-            return 0;
-        };
-    });
+    verb->callback([arguments, &run] { run = [arguments] { return run_cache(*arguments); }; });
 }
 
 } // namespace ffgpu::tools

@@ -47,8 +47,7 @@ int run_check(Arguments& arguments) {
     write_text(arguments.junit, junit_report(suite.name, frames));
     const auto passed = std::ranges::count(frames, Verdict::Passed, &CheckedFrame::verdict);
     fmt::print("{} of {} pass; {}\n", passed, frames.size(), (output / "index.html").string());
-    if (Interruption::signal() != 0) return 128 + Interruption::signal(); // as the shell says it
-    return passed == std::ssize(frames) ? 0 : 1;
+    return Interruption::status(passed == std::ssize(frames) ? 0 : 1);
 }
 
 } // namespace

@@ -24,7 +24,7 @@ struct Arguments {
 std::set<std::string> pictures_in(const fs::path& folder) {
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.is_regular_file() && entry.path().extension() == ".png")
+        if (!entry.is_directory() && entry.path().extension() == ".png") // A link to nothing, too.
             names.insert(entry.path().filename().string());
     return names;
 }
@@ -63,6 +63,7 @@ int run_compare(const Arguments& arguments) {
     if (fs::is_directory(a) != fs::is_directory(b))
         throw InputError("compare: expected two pictures or two folders");
     const double limit = arguments.max_rmse.value_or(0);
+    if (!(limit >= 0)) throw InputError("--max-rmse: expected a number from 0");
     const auto passes = [&](std::optional<double> rmse) { return rmse && *rmse <= limit; };
     if (!fs::is_directory(a)) return passes(compare_files(a, b, arguments.difference)) ? 0 : 1;
 

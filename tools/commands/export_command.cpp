@@ -4,6 +4,7 @@
 #include "tools/commands/warn.h"
 #include "tools/config/config_file.h"
 #include "tools/export/export.h"
+#include "tools/replay/interruption.h"
 
 #include <bit>
 #include <cstdio>
@@ -21,7 +22,7 @@ struct Arguments {
     std::vector<std::string> settings;
 };
 
-void run_export(Arguments& arguments) {
+int run_export(Arguments& arguments) {
     ExportOptions& options = arguments.options;
     options.format = parse_export_format(arguments.format);
     options.client = parse_client("--client", arguments.client);
@@ -33,7 +34,9 @@ void run_export(Arguments& arguments) {
         throw InputError(fmt::format("--access-bytes {}: expected a power of two up to 512",
                                      options.access_bytes));
     options.warn = warn;
+    const Interruption interruption;
     std::fputs(export_trace(options).c_str(), stderr);
+    return Interruption::status(0);
 }
 
 } // namespace
@@ -65,12 +68,7 @@ void add_export_command(CLI::App& application, Run& run) {
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
     verb->footer("Example: ffgpu export traces/corridor.trace --format dramsim3 -o corridor.trc");
-    verb->callback([arguments, &run] {
-        run = [arguments] {
-            run_export(*arguments);
-            return 0;
-        };
-    });
+    verb->callback([arguments, &run] { run = [arguments] { return run_export(*arguments); }; });
 }
 
 } // namespace ffgpu::tools

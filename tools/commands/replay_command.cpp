@@ -71,8 +71,7 @@ int run_replay(Arguments& arguments) {
         std::fputs(replay(options).c_str(), stderr);
     else
         status = replay_by_rtl(arguments, options);
-    return Interruption::signal() == 0 ? status
-                                       : 128 + Interruption::signal(); // as the shell says it
+    return Interruption::status(status);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "driver/window_system/run_mark.h"
 #include "model/base/input_error.h"
+#include "model/base/no_file_size_signal.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/unused_reason.h"
 #include "tools/commands/warn.h"
@@ -129,14 +130,15 @@ public:
         std::string pattern = (temporary_folder() / "ffgpu_run_XXXXXX").string();
         file_ = ::mkostemp(pattern.data(), O_CLOEXEC);
         path_ = pattern;
-        const bool written = file_ >= 0 && ::write(file_, text.data(), text.size()) ==
-                                               static_cast<ssize_t>(text.size());
-        if (!written) throw InputError(path_ + ": cannot be written");
+        if (file_ < 0) fail(errno);
+        const NoFileSizeSignal no_signal;
+        errno = ENOSPC; // A write that is short by that sets none.
+        if (::write(file_, text.data(), text.size()) == static_cast<ssize_t>(text.size())) return;
+        const int reason = errno;
+        remove();
+        fail(reason);
     }
-    ~PassingFile() {
-        ::unlink(path_.c_str());
-        ::close(file_);
-    }
+    ~PassingFile() { remove(); }
     PassingFile(const PassingFile&) = delete;
     PassingFile& operator=(const PassingFile&) = delete;
 
@@ -144,6 +146,14 @@ public:
     void lock() const { ::flock(file_, LOCK_EX); }
 
 private:
+    void remove() const {
+        ::unlink(path_.c_str());
+        ::close(file_);
+    }
+    [[noreturn]] void fail(int reason) const {
+        throw InputError(path_ + ": cannot be written: " + std::strerror(reason));
+    }
+
     std::string path_;
     int file_ = -1;
 };
@@ -201,7 +211,7 @@ int run_run(const Arguments& arguments) {
     }
     const HeldSignals signals;
     // The library says here that it was used.
-    const PassingFile mark("");
+    const PassingFile mark(gl::RunMark::blank());
     environment.push_back({"FFGPU_MARK", mark.path()});
     std::optional<PassingFile> settings;
     if (arguments.recording.any()) {

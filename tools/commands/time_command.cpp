@@ -3,6 +3,7 @@
 #include "tools/commands/warn.h"
 #include "tools/config/config_file.h"
 #include "tools/config/settings_option.h"
+#include "tools/replay/interruption.h"
 #include "tools/time/time_work.h"
 #include "tools/work/work_player.h"
 
@@ -46,8 +47,9 @@ void add_time_command(CLI::App& application, Run& run) {
             for (const std::string& setting : arguments->settings)
                 apply_setting(setting, configuration);
             if (configuration.gpu.forces()) warn(forces_nothing(arguments->time.input));
+            const Interruption interruption;
             std::fputs(time_work(arguments->time).c_str(), stderr);
-            return 0;
+            return Interruption::status(0);
         };
     });
 }

@@ -8,6 +8,7 @@
 #include "tools/export/din_writer.h"
 #include "tools/export/memory_trace.h"
 #include "tools/export/timeline_trace.h"
+#include "tools/replay/interruption.h"
 #include "tools/work/work_player.h"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ WorkPlayOptions play_options(const ExportOptions& options) {
             .warn = options.warn};
 }
 
-// Plays the work, then completes the output; a fault of the input comes after that.
+// Plays the work, then completes the output; a fault of the input comes after that, and an
+// Interruption is the input's end.
 template <class Finish>
 void play_and_finish(const ExportOptions& options,
                      work::CommandSink& sink,
@@ -43,6 +45,7 @@ void play_and_finish(const ExportOptions& options,
         if (frames == 0) throw;
         fault = std::current_exception();
     }
+    if (frames == 0 && Interruption::signal() != 0) return; // There is nothing to keep.
     finish();
     if (fault) std::rethrow_exception(fault);
 }

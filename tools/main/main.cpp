@@ -30,5 +30,7 @@ int main(int count, char** arguments) {
     // Whoever reads no further (ffgpu export ... | head) ends ffgpu without a word, also where the
     // shell that started it ignores the signal, as those of some schedulers do.
     std::signal(SIGPIPE, SIG_DFL);
+    // Where it is ignored the system keeps no exit status of a program that ffgpu starts.
+    std::signal(SIGCHLD, SIG_DFL);
     return ffgpu::tools::run_command_line(count, arguments, FFGPU_VERSION);
 }

@@ -94,6 +94,45 @@ void resolve_draws(const RecordingArguments& arguments, RecordingOptions& option
         throw InputError("--view, --steps, --per-draw and --draw-pixels need -o DIR");
 }
 
+// Two writers of one file would leave neither's.
+void check_files(const RecordingArguments& arguments) {
+    if (arguments.capture.empty() || arguments.save_work.empty()) return;
+    namespace fs = std::filesystem;
+    std::error_code capture_error, work_error;
+    const fs::path capture = fs::weakly_canonical(fs::absolute(arguments.capture), capture_error),
+                   work = fs::weakly_canonical(fs::absolute(arguments.save_work), work_error);
+    if (!capture_error && !work_error && capture == work && !fs::is_character_file(capture))
+        throw InputError(arguments.capture + ": is both --capture's and --save-work's file");
+}
+
+// What is no UTF-8, as names of files may be, is no text to JSON: it stands there as its bytes.
+nlohmann::ordered_json member(const std::string& text) {
+    using Json = nlohmann::ordered_json;
+    const Json member = text;
+    try {
+        static_cast<void>(member.dump());
+        return member;
+    } catch (const nlohmann::json::type_error&) {
+        return std::vector<unsigned char>(text.begin(), text.end());
+    }
+}
+
+template <class Value>
+const Value& member(const Value& value) {
+    return value;
+}
+
+void take(const nlohmann::json& member, std::string& text) {
+    if (!member.is_array()) return static_cast<void>(member.get_to(text));
+    const auto bytes = member.get<std::vector<unsigned char>>();
+    text.assign(bytes.begin(), bytes.end());
+}
+
+template <class Value>
+void take(const nlohmann::json& member, Value& value) {
+    member.get_to(value);
+}
+
 } // namespace
 
 bool RecordingArguments::any() const {
@@ -144,6 +183,7 @@ void add_swap_option(CLI::App& verb, gl::SwapMode& swap) {
 }
 
 void resolve(const RecordingArguments& arguments, RecordingOptions& options) {
+    check_files(arguments);
     if (!arguments.config.empty()) read_config_file(arguments.config, options.configuration);
     for (const std::string& setting : arguments.settings)
         apply_setting(setting, options.configuration);
@@ -178,7 +218,8 @@ std::string to_json(RecordingArguments arguments) {
     if (arguments.threads)
         arguments.settings.push_back("gpu.threads=" + std::to_string(*arguments.threads));
     nlohmann::ordered_json file;
-    visit_members(arguments, [&](const char* name, const auto& value) { file[name] = value; });
+    visit_members(arguments,
+                  [&](const char* name, const auto& value) { file[name] = member(value); });
     return file.dump(2) + '\n';
 }
 
@@ -189,7 +230,7 @@ RecordingArguments read_recording_arguments(const std::string& path) {
     try {
         const auto members = nlohmann::json::parse(file);
         visit_members(arguments, [&](const char* name, auto& value) {
-            if (members.contains(name)) members.at(name).get_to(value);
+            if (members.contains(name)) take(members.at(name), value);
         });
     } catch (const nlohmann::json::exception& error) {
         throw InputError(path + ": is no file of recording options: " + error.what());

@@ -42,4 +42,8 @@ int Interruption::signal() {
     return came;
 }
 
+int Interruption::status(int of_whole_work) {
+    return came == 0 ? of_whole_work : 128 + came;
+}
+
 } // namespace ffgpu::tools

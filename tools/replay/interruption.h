@@ -14,6 +14,9 @@ public:
 
     // The signal that came; 0: none.
     static int signal();
+
+    // The exit status: of work that was interrupted 128 + the signal, as the shell says it.
+    static int status(int of_whole_work);
 };
 
 } // namespace ffgpu::tools

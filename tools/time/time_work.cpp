@@ -4,6 +4,7 @@
 #include "model/timing/machine_stuck.h"
 #include "model/work/work_file_reader.h"
 #include "tools/frames/progress.h"
+#include "tools/replay/interruption.h"
 #include "tools/report/frame_meter.h"
 #include "tools/report/series_file.h"
 #include "tools/report/statistics_file.h"
@@ -32,6 +33,7 @@ std::string time_work(const TimeOptions& options) {
         file.play(timing, [&](const work::FrameFigures& frame) {
             meter.add(frame);
             progress.show(frame.number);
+            if (Interruption::signal() != 0) file.stop();
         });
     } catch (const timing::MachineStuck&) {
         write();
@@ -42,6 +44,7 @@ std::string time_work(const TimeOptions& options) {
         throw;
     }
     write();
+    if (Interruption::signal() != 0) return report.summary(); // The sums are no totals.
     write_totals_file(report, options.totals, false);
     if (!options.measure_gains) return report.summary();
     const std::vector<FrameGains> gains =

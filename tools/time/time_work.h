@@ -17,7 +17,9 @@ struct TimeOptions {
         false; // gains.csv, too; it takes as many times longer as there are resources
 };
 
-// Returns a summary for people. Throws InputError; what was finished before is written.
+// Returns a summary for people. Ends behind a frame where an Interruption came: stats.json has
+// those before, and neither totals nor gains are written. Throws InputError; what was finished
+// before is written.
 std::string time_work(const TimeOptions& options);
 
 } // namespace ffgpu::tools

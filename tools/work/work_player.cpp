@@ -64,7 +64,7 @@ private:
             progress.show(frame->number);
             next = frame->number + 1;
         }
-        if (!recording_)
+        if (!recording_ && Interruption::signal() == 0)
             throw InputError(fmt::format("--frames: {} ends before frame {}: none of those asked "
                                          "for is there",
                                          options_.input,
@@ -104,6 +104,7 @@ void play_file(const WorkPlayOptions& options, work::CommandSink& sink, const On
     file.play(sink, [&](const work::FrameFigures& figures) {
         on_frame(figures);
         progress.show(figures.number);
+        if (Interruption::signal() != 0) file.stop();
     });
 }
 
@@ -116,6 +117,7 @@ std::string forces_nothing(const std::string& path) {
 
 bool is_work_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
+    if (!file.seekg(0)) return false; // A pipe keeps its bytes, and its reader says what it is.
     std::string magic(work::WorkFileMagic.size(), '\0');
     return file.read(magic.data(), static_cast<std::streamsize>(magic.size())) &&
            magic == work::WorkFileMagic;

@@ -28,8 +28,8 @@ struct WorkPlayOptions {
 };
 
 // Calls `frame` where a frame's work has all been handed over; that and all calls of the sink come
-// from one thread, which need not be the caller's. Throws InputError; all that came before the
-// fault has been handed over then.
+// from one thread, which need not be the caller's. Ends behind a frame where an Interruption came,
+// perhaps without any. Throws InputError; all that came before the fault has been handed over then.
 void play_work(const WorkPlayOptions& options,
                work::CommandSink& sink,
                const std::function<void(const work::FrameFigures&)>& frame);
