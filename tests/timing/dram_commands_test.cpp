@@ -60,15 +60,36 @@ TEST_CASE("a row is opened, read from, and closed for another when tRAS and tRTP
           List{"0 ACT 2", "5 RD 2", "17 PRE 2", "23 ACT 2", "28 RD 2"});
 }
 
-// Four bursts of two cycles go out at 4, 6, 8 and 10. tRRD would let the second row be opened in
-// cycle 4, the third in 8.
+// Four bursts of two cycles go out at 4, 6, 8 and 10. tRRD would let the third row be opened in
+// cycle 10.
 TEST_CASE("rows are opened between a request's columns, not in their cycles") {
     MemoryConfig config = without_refresh();
     config.row_to_column_cycles = 4;
-    config.activate_to_activate_cycles = 4;
+    config.activate_to_activate_cycles = 5;
     const auto read = [](std::uint32_t bank) { return DramRequest{.bank = bank, .bytes = 64}; };
     CHECK(commands(config, {read(0), read(1), read(2)}, 100) ==
-          List{"0 ACT 0", "4 RD 0 x4", "5 ACT 1", "9 ACT 2", "12 RD 1 x4", "20 RD 2 x4"});
+          List{"0 ACT 0", "4 RD 0 x4", "5 ACT 1", "11 ACT 2", "12 RD 1 x4", "20 RD 2 x4"});
+}
+
+// In cycle 4 the first column and the second activate meet. Nothing was on the bus before.
+TEST_CASE("a row is opened before a column that the bus stood still for") {
+    MemoryConfig config = without_refresh();
+    config.row_to_column_cycles = 4;
+    config.activate_to_activate_cycles = 4;
+    const auto read = [](std::uint32_t bank) { return DramRequest{.bank = bank, .bytes = 16}; };
+    CHECK(commands(config, {read(0), read(1)}, 100) ==
+          List{"0 ACT 0", "4 ACT 1", "5 RD 0", "8 RD 1"});
+}
+
+// The data of the column in cycle 6 follow those of the one in cycle 4; cycle 6 is the first in
+// which tRRD lets the second row be opened.
+TEST_CASE("a row is opened behind a column that leaves no gap on the bus") {
+    MemoryConfig config = without_refresh();
+    config.row_to_column_cycles = 4;
+    config.activate_to_activate_cycles = 6;
+    const auto read = [](std::uint32_t bank) { return DramRequest{.bank = bank, .bytes = 16}; };
+    CHECK(commands(config, {read(0), read(0), read(1)}, 100) ==
+          List{"0 ACT 0", "4 RD 0", "6 RD 0", "7 ACT 1", "11 RD 1"});
 }
 
 // Bursts of one cycle leave no room before the last of them.

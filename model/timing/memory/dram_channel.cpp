@@ -82,6 +82,7 @@ void DramChannel::work_on_refresh(MemoryCycle now) {
 void DramChannel::issue(const DramCommand& command, MemoryCycle now) {
     WaitingRequest& waiting = waiting_[command.index];
     const DramRequest& request = waiting.request;
+    scheduler_.issued(command);
     switch (command.kind) {
     case DramCommand::Kind::Column:
         return serve(command.index, now);

@@ -48,6 +48,12 @@ public:
     MemoryCycle column_ready_at(std::uint32_t bank, bool write) const {
         return std::max(banks_[bank].column_at, bus_ready_[write]);
     }
+    // tRCD of its open row is over.
+    bool takes_columns(std::uint32_t bank, MemoryCycle now) const {
+        return banks_[bank].column_at <= now;
+    }
+    // The bus could have taken a column of that kind before.
+    bool bus_stood(bool write, MemoryCycle now) const { return bus_ready_[write] < now; }
     // The first cycle from `at` on in which none of the last request's columns goes out: one
     // command a cycle.
     MemoryCycle free_slot(MemoryCycle at) const;

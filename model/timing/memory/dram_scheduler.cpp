@@ -24,7 +24,10 @@ struct DramScheduler::Search {
     // ready at one time.
     std::array<std::uint64_t, 2> looked_at{};
     DramCommand command{.again_at = NoCycle};
+    bool column_yields = false; // its data could flow, but a bank's row went first
 
+    bool has_column() const { return command.kind == DramCommand::Kind::Column; }
+    bool write_of(std::size_t index) const { return waiting[index].request.write; }
     bool is_hit(const DramRequest& request) const {
         return device.open_row(request.bank) == request.row;
     }
@@ -60,11 +63,23 @@ void DramScheduler::find_column(Search& search) const {
         const DramRequest& request = search.waiting[i].request;
         if (!search.is_hit(request)) continue;
         search.hits |= bit(request.bank);
+        if (search.has_column()) continue;
         std::uint64_t& looked_at = search.looked_at[request.write];
         if ((looked_at & bit(request.bank)) != 0) continue;
         looked_at |= bit(request.bank);
-        if (search.consider_column(i, may_pass, search.device.column_ready(request).at)) return;
+        search.consider_column(i, may_pass, search.device.column_ready(request).at);
     }
+}
+
+// Whether more columns than the one found could go out but for the bus.
+bool DramScheduler::is_bus_wanted(const Search& search) {
+    for (std::size_t i = 0; i < search.waiting.size(); ++i) {
+        const DramRequest& request = search.waiting[i].request;
+        if (i != search.command.index && search.is_hit(request) &&
+            search.device.takes_columns(request.bank, search.now))
+            return true;
+    }
+    return false;
 }
 
 // A bank works for the oldest request that needs it, and leaves its row only when nobody waits for
@@ -98,6 +113,20 @@ void DramScheduler::find_column_by_bits(Search& search) const {
         const MemoryCycle ready_at = search.device.column_ready_at(request.bank, request.write);
         if (search.consider_column(i, may_pass, ready_at)) return;
     }
+}
+
+bool DramScheduler::is_bus_wanted_by_bits(const Search& search) {
+    const WaitingRequests& waiting = search.waiting;
+    const std::size_t found = search.command.index;
+    WaitingRequests::Bits left = waiting.hits() & ~(WaitingRequests::Bits{1} << found);
+    if ((left & waiting.of_bank(waiting[found].request.bank)) != 0) return true;
+    while (left != 0) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left));
+        const std::uint32_t bank = waiting[i].request.bank;
+        if (search.device.takes_columns(bank, search.now)) return true;
+        left &= ~waiting.of_bank(bank);
+    }
+    return false;
 }
 
 // The oldest request of each bank, from the oldest to the youngest.
@@ -138,11 +167,32 @@ LostTo DramScheduler::why_oldest_waits(const Search& search) {
 
 // What goes out, or else why no data do.
 DramCommand DramScheduler::result(Search& search) {
-    if (search.command.kind == DramCommand::Kind::Column) return search.command;
-    search.command.cause = why_oldest_waits(search);
+    if (search.has_column()) return search.command;
+    search.command.cause = search.column_yields ? LostTo::Commands : why_oldest_waits(search);
     if (search.order_forbids && search.command.cause != LostTo::Turnaround)
         search.command.cause = LostTo::Order;
     return search.command;
+}
+
+// Behind the search for a column. Where one could go out and a row, too, the row goes if the bus
+// stood still before the column, which is then not what limits; else the column, but now and then
+// the row where no other column wants the bus.
+template <class FindRow, class IsBusWanted>
+void DramScheduler::choose_row(Search& search,
+                               const FindRow& find_row,
+                               const IsBusWanted& is_bus_wanted) const {
+    if (!search.has_column()) return find_row();
+    const DramCommand column = search.command;
+    const bool follows = !search.device.bus_stood(search.write_of(column.index), search.now);
+    if (follows && is_bus_wanted()) return;
+    find_row();
+    if (search.has_column()) return;
+    const bool row_goes = !follows || meetings_ % MeetingsToSlip == MeetingsToSlip - 1;
+    if (row_goes)
+        search.column_yields = true;
+    else
+        search.command = column;
+    search.command.meets = follows;
 }
 
 DramCommand DramScheduler::choose_plainly(const WaitingRequests& waiting,
@@ -151,7 +201,8 @@ DramCommand DramScheduler::choose_plainly(const WaitingRequests& waiting,
     if (waiting.empty()) return {.again_at = NoCycle};
     Search search{waiting, device, now};
     find_column(search);
-    if (search.command.kind == DramCommand::Kind::None) find_row(search);
+    choose_row(
+        search, [&] { find_row(search); }, [&] { return is_bus_wanted(search); });
     return result(search);
 }
 
@@ -162,7 +213,8 @@ DramCommand DramScheduler::choose(const WaitingRequests& waiting,
     if (waiting.empty()) return {.again_at = NoCycle};
     Search search{waiting, device, now};
     find_column_by_bits(search);
-    if (search.command.kind == DramCommand::Kind::None) find_row_by_bits(search);
+    choose_row(
+        search, [&] { find_row_by_bits(search); }, [&] { return is_bus_wanted_by_bits(search); });
     return result(search);
 }
 

@@ -1,8 +1,12 @@
 // DramScheduler: which command goes out in a cycle. First-ready, first-come first-served (S. Rixner
 // et al., Memory Access Scheduling, ISCA 2000): the oldest request whose column may go out; else
-// the oldest whose bank can be made ready. A request that reorder_limit younger ones have passed is
-// passed no more. In order is the same with a limit of zero: data in the order of the requests,
-// rows opened ahead.
+// the oldest whose bank can be made ready. A column before which the bus stood still lets that bank
+// go first: the bus is not what limits then, and a bank that is late for a row is late for all its
+// rows to come. Two banks whose commands meet round after round would delay each other by as much
+// and never part; so of the meetings with a column that follows the data before, one in
+// MeetingsToSlip is the bank's, too. A request that
+// reorder_limit younger ones have passed is passed no more. In order is the same with a limit of
+// zero: data in the order of the requests, rows opened ahead.
 //
 // Two forms of one rule: the plain one looks at each request, and is the specification; the other
 // looks at the bits of WaitingRequests, at a request for each bank and kind, where the queue has
@@ -21,6 +25,7 @@ struct DramCommand {
     std::size_t index = 0;            // of the waiting request
     MemoryCycle again_at = 0;         // None: nothing can go out before
     LostTo cause = LostTo::NoRequest; // None: why not now
+    bool meets = false;               // a column without a gap, and a row: one goes, both could
 };
 
 class DramScheduler {
@@ -32,8 +37,12 @@ public:
 
     DramCommand
     choose(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now) const;
+    // The command that was chosen goes out.
+    void issued(const DramCommand& command) { meetings_ += command.meets; }
 
 private:
+    static constexpr std::uint32_t MeetingsToSlip = 32;
+
     DramCommand
     choose_plainly(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now) const;
     struct Search;
@@ -41,11 +50,17 @@ private:
     void find_row(Search& search) const;
     void find_column_by_bits(Search& search) const;
     void find_row_by_bits(Search& search) const;
+    static bool is_bus_wanted(const Search& search);
+    static bool is_bus_wanted_by_bits(const Search& search);
+    template <class FindRow, class IsBusWanted>
+    void
+    choose_row(Search& search, const FindRow& find_row, const IsBusWanted& is_bus_wanted) const;
     static DramCommand result(Search& search);
     static LostTo why_oldest_waits(const Search& search);
 
     const std::uint32_t limit_;
     const bool by_bits_;
+    std::uint32_t meetings_ = 0;
 };
 
 } // namespace ffgpu::timing
