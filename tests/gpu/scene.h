@@ -34,7 +34,8 @@ class Scene {
 public:
     Scene(int width, int height, FunctionalGpu::Config config = {})
         : gpu([&] {
-            config.memory_bytes = std::uint64_t{32} << 20;
+            if (config.memory_bytes == DeviceMemory::DefaultBytes)
+                config.memory_bytes = std::uint64_t{32} << 20; // enough for what is above
             return config;
         }())
         , width_(width)

@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""mutate.py [--seed N] [--units A,B] [--mutants N] [--all]: how many planted faults the RTL's tests see.
+"""mutate.py [--seed N] [--units A,B] [--mutants N]: how many planted faults the RTL's tests see.
 
 Mutants of each unit and of the modules inside it, drawn by the seed, are built into one program a
 unit (mutants.py) and run one after the other: a test that fails, an assertion or a hang kills one.
 Survivors meet the tests' long form, and are then given to yosys, which may prove that they compute the same; the others are listed, and
 the exit status is 1. Also with the bench's comparison off: then each unit's tests have to fail.
+
+ctest's short form is built beside the tests: --write puts the sources alone into --sources FOLDER, which
+CMake has done, and --programs FOLDER runs what was made of them.
 """
 import argparse
 import os
@@ -22,6 +25,7 @@ Root = Path(__file__).resolve().parents[2]
 Rtl = Root / "rtl"
 Work = Root / "out" / "rtl_mutants"
 Build = Root / "build-rtl-mutants"
+Programs = Build / "tests/rtl"
 
 
 Arithmetic = "float"  # The units of binary32 have one test, around which float_units.sv stands.
@@ -106,18 +110,23 @@ def write_sources(chosen):
     """One folder of RTL a unit with its mutants in it; returns {unit: [(number, file, ...)]}."""
     numbered = {}
     for unit, wanted in chosen.items():
-        folder = Work / unit
-        shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(Rtl, folder)
+        texts = {path.name: path.read_text() for path in Rtl.glob("*.sv")}
         number, numbered[unit] = 1, []
         for module in dict.fromkeys(m[0] for m in wanted):
             picks = {m[1:] for m in wanted if m[0] == module}
-            path = Rtl / f"{module}.sv"
-            text, made = pick(path.read_text(), number, picks)
-            (folder / f"{module}.sv").write_text(text)
+            texts[f"{module}.sv"], made = pick(texts[f"{module}.sv"], number, picks)
             numbered[unit] += [(n, module, *rest) for n, *rest in made]
             number += len(made)
+        write_changed(Work / unit, texts)
     return numbered
+
+
+def write_changed(folder, texts):
+    """{name: text} into files; those that are as they were stay, and what was built of them."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, text in texts.items():
+        if not (folder / name).exists() or (folder / name).read_text() != text:
+            (folder / name).write_text(text)
 
 
 def pick(text, first, picks):
@@ -138,7 +147,7 @@ def build(jobs):
 
 def passes(unit, **environment):
     """Whether a unit's tests pass: not if they fail, abort or hang."""
-    program = Build / "tests" / "rtl" / f"rtl_{unit}_test"
+    program = Programs / f"rtl_{unit}_test"
     try:
         run = subprocess.run([program, "--abort"], env={**os.environ, **environment}, timeout=900,
                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -239,38 +248,48 @@ def alive(pool, unit, numbered, **environment):
 
 
 def main():
+    global Work, Programs
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--units", default=",".join(units()))
     parser.add_argument("--mutants", type=int, default=24, help="of a unit")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--sources", type=Path, default=Work, help="where those with mutants stand")
+    parser.add_argument("--write", action="store_true", help="the sources alone")
+    parser.add_argument("--programs", type=Path, help="that were built of them")
     arguments = parser.parse_args()
 
-    names = arguments.units.split(",")
-    shutil.rmtree(Work, ignore_errors=True)
-    chosen = {unit: draw(unit, arguments.mutants, arguments.seed) for unit in names}
-    numbered = write_sources(chosen)
-    build(arguments.jobs)
+    names, Work = arguments.units.split(","), arguments.sources
+    for other in set(os.listdir(Work) if Work.exists() else []) - set(names):
+        shutil.rmtree(Work / other)
+    numbered = write_sources({unit: draw(unit, arguments.mutants, arguments.seed) for unit in names})
+    if arguments.write:
+        return
+    if arguments.programs:
+        Programs = arguments.programs
+    else:
+        build(arguments.jobs)
+    sys.exit(0 if all([holds(unit, numbered[unit], arguments.jobs) for unit in names]) else 1)
 
-    bad = False
-    for unit in names:
-        if not passes(unit):
-            sys.exit(f"{unit}: fails without a mutant")
-        if passes(unit, FFGPU_RTL_BLIND="1"):
-            print(f"{unit}: passes with the comparison off")
-            bad = True
-        with ThreadPoolExecutor(arguments.jobs) as pool:
-            survivors = alive(pool, unit, numbered[unit])
-            survivors = alive(pool, unit, survivors, FFGPU_RTL_LONG="1")
-        proved = [m for m in survivors if unit in Exhausted or is_equivalent(unit, m[0], m[1])]
-        killed = len(numbered[unit]) - len(survivors)
-        print(f"{unit}: {len(numbered[unit])} mutants, {killed} killed, {len(proved)} proved to be "
-              f"the same, {len(survivors) - len(proved)} survive", flush=True)
-        for number, module, line, kind, before, after in survivors:
-            word = "the same" if any(m[0] == number for m in proved) else "SURVIVES"
-            print(f"  {word}: {module}.sv:{line} {kind}: {before}  ->  {after}", flush=True)
-        bad |= len(proved) < len(survivors)
-    sys.exit(1 if bad else 0)
+
+def holds(unit, numbered, jobs):
+    """Whether a unit's tests see all of its mutants that compute something else; tells of each."""
+    if not passes(unit):
+        sys.exit(f"{unit}: fails without a mutant")
+    is_blind = passes(unit, FFGPU_RTL_BLIND="1")
+    if is_blind:
+        print(f"{unit}: passes with the comparison off")
+    with ThreadPoolExecutor(jobs) as pool:
+        survivors = alive(pool, unit, numbered)
+        survivors = alive(pool, unit, survivors, FFGPU_RTL_LONG="1")
+    proved = [m for m in survivors if unit in Exhausted or is_equivalent(unit, m[0], m[1])]
+    killed = len(numbered) - len(survivors)
+    print(f"{unit}: {len(numbered)} mutants, {killed} killed, {len(proved)} proved to be "
+          f"the same, {len(survivors) - len(proved)} survive", flush=True)
+    for number, module, line, kind, before, after in survivors:
+        word = "the same" if any(m[0] == number for m in proved) else "SURVIVES"
+        print(f"  {word}: {module}.sv:{line} {kind}: {before}  ->  {after}", flush=True)
+    return not is_blind and len(proved) == len(survivors)
 
 
 if __name__ == "__main__":

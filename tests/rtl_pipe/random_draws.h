@@ -104,6 +104,7 @@ private:
         sampler.max_anisotropy = chance(3) ? 4 : 1;
         sampler.depth_mode = any<DepthMode>(3);
         sampler.border_color = bits();
+        sampler.border_depth = sampler.border_color >> 8;
         vary_combiner(registers.combiners[unit], unit);
     }
 

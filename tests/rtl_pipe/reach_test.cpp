@@ -1,0 +1,168 @@
+// The fragment pipe in RTL against the model at the ends of what its numbers hold: targets and
+// images as large as they may be, anywhere in memory, and draws by every bit of their number.
+
+#include "tests/gpu/scene.h"
+#include "tools/rtl/pipe_comparison.h"
+
+#include <algorithm>
+#include <random>
+#include <set>
+#include <utility>
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::tools {
+namespace {
+
+constexpr rtl::PipeOptions Memory{.latency = 4, .quiet_cycles = 1 << 14};
+
+// Two rows of corners or two columns of them, at x and y in -1 .. 1; s, t and r follow x.
+test::Vertex corner(float x, float y) {
+    const float along = 0.5f + x / 2;
+    return {x, y, y / 2, 1, along, 1 - along, 0.5f, along, along, along};
+}
+
+std::vector<test::Vertex> rectangle(float x0, float y0, float x1, float y1) {
+    return {corner(x0, y0), corner(x1, y0), corner(x1, y1), corner(x0, y1)};
+}
+
+void write_noise(test::Scene& scene, DeviceAddress at, std::uint32_t words) {
+    std::mt19937 random(3);
+    std::vector<std::uint32_t> noise(words);
+    std::ranges::generate(noise, random);
+    scene.into->write_memory(at, std::as_bytes(std::span(noise)));
+}
+
+std::size_t colors_of(test::Scene& scene) {
+    const std::vector<std::uint32_t> picture = scene.picture();
+    return std::set(picture.begin(), picture.end()).size();
+}
+
+TEST_CASE("The pipe draws on targets as wide and as high as they may be") {
+    const auto [width, height] =
+        GENERATE(std::pair{int{MaxSurfaceSize}, 4}, std::pair{4, int{MaxSurfaceSize}});
+    PipeComparison comparison(Memory);
+    test::Scene scene(width, height);
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    scene.registers.depth = {.test_enable = true, .write_enable = true};
+    scene.clear(0x80402010);
+    // `along` its long side, and across; colours follow that side.
+    const bool is_wide = width > height;
+    const auto place = [&](float along, float across) {
+        test::Vertex vertex = corner(along, across);
+        if (!is_wide) std::swap(vertex.x, vertex.y);
+        return vertex;
+    };
+    // The whole, then what begins and ends far from where the target does.
+    scene.draw(PrimitiveType::TriangleFan,
+               {place(-1, -1), place(1, -1), place(1, 1), place(-1, 1)});
+    for (const float at : {-0.7f, -0.1f, 0.3f, 0.95f}) {
+        scene.draw(PrimitiveType::Triangles,
+                   {place(at, -1), place(at + 0.04f, 0), place(at + 0.03f, 1)});
+        INFO(comparison.summary());
+        REQUIRE(comparison.equal());
+    }
+    CHECK(comparison.fragments().at("") > 4 * MaxSurfaceSize);
+    CHECK(colors_of(scene) > 250);
+}
+
+struct Image {
+    TextureKind kind;
+    Format format;
+    std::uint32_t width, height, depth;
+};
+
+// A step of 64 texels a pixel along the long axis: each of them has a place of its own.
+TEST_CASE("The pipe finds the texels of images as large as they may be") {
+    constexpr std::uint32_t Most = MaxTextureSize;
+    const Image image = GENERATE(Image{TextureKind::OneD, Format::Rgba8, Most, 1, 1},
+                                 Image{TextureKind::TwoD, Format::Rgba8, Most, 4, 1},
+                                 Image{TextureKind::TwoD, Format::Luminance8, 4, Most, 1},
+                                 Image{TextureKind::Rectangle, Format::Rgb565, Most, 3, 1},
+                                 Image{TextureKind::Rectangle, Format::Rgb565, 3, Most, 1},
+                                 Image{TextureKind::ThreeD, Format::Rgba8, 4, 4, MaxTexture3dSize},
+                                 Image{TextureKind::TwoD, Format::Dxt5, Most, 4, 1},
+                                 Image{TextureKind::TwoD, Format::Dxt1Rgba, 4, Most, 1},
+                                 Image{TextureKind::TwoD, Format::Fxt1Rgba, Most, 4, 1},
+                                 Image{TextureKind::TwoD, Format::Fxt1Rgba, 8, Most, 1});
+    const bool linear = GENERATE(false, true);
+    PipeComparison comparison(Memory);
+    test::Scene scene(64, 8);
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    scene.texture(1, {0}); // its sampler
+    write_noise(scene, test::TextureAt, 0x10000);
+    Registers& registers = scene.registers;
+    registers.images[0].shape = {
+        image.kind, image.format, image.width, image.height, image.depth, 1, 0};
+    registers.samplers[0].magnify_linear = registers.samplers[0].minify_linear = linear;
+    registers.samplers[0].wrap.fill(Wrap::ClampToEdge);
+    // s, t and r: those of rectangles count texels.
+    registers.vertex_format.elements[static_cast<unsigned>(Attribute::TexCoord0)] = {3, 7};
+    auto vertices = rectangle(-1, -1, 1, 1);
+    if (image.kind == TextureKind::Rectangle)
+        for (test::Vertex& vertex : vertices) {
+            vertex.a *= static_cast<float>(image.width);
+            vertex.s *= static_cast<float>(image.height);
+        }
+    scene.clear(0);
+    scene.draw(PrimitiveType::TriangleFan, vertices);
+    INFO(format_info(image.format).name << " " << image.width << " x " << image.height << " x "
+                                        << image.depth << "\n"
+                                        << comparison.summary());
+    CHECK(comparison.equal());
+    CHECK(comparison.fragments() == std::map<std::string, std::uint64_t>{{"", 64 * 8}});
+    CHECK(colors_of(scene) > 40);
+}
+
+// Where an address loses a bit there is nothing.
+TEST_CASE("Targets and images of the pipe lie anywhere in memory") {
+    PipeComparison comparison(Memory);
+    test::Scene scene(16, 16, {.memory_bytes = std::uint64_t{1} << 32});
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    const bool is_high = GENERATE(false, true);
+    scene.texture(1, {0}); // its sampler
+    Registers& registers = scene.registers;
+    registers.images[0].shape = {TextureKind::TwoD, Format::Rgba8, 16, 16, 1, 1, 0};
+    registers.images[0].address = is_high ? 0xffff'8000 : 0x5555'5540;
+    registers.targets.color[0].address = is_high ? 0xaaaa'aaa8 : 0x5abc'def0;
+    registers.targets.depth.address = is_high ? 0xf0f0'0000 : 0x0f0f'fff8;
+    registers.depth = {.test_enable = true, .write_enable = true};
+    write_noise(scene, registers.images[0].address, 16 * 16);
+    scene.clear(0);
+    scene.draw(PrimitiveType::TriangleFan, rectangle(-1, -1, 1, 1));
+    scene.draw(PrimitiveType::TriangleFan, rectangle(-0.5f, -0.5f, 0.7f, 1));
+    INFO(comparison.summary());
+    CHECK(comparison.equal());
+    CHECK(comparison.fragments().at("") > 256);
+}
+
+// What the texture unit holds of an image stays for the draws of one number, and for no other.
+TEST_CASE("Draws are told apart by every bit of their number") {
+    PipeComparison comparison(Memory);
+    test::Scene scene(4, 4);
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    constexpr std::array Colors{0xff2040ffu, 0x80ff1030u};
+    scene.texture(1, {Colors[0]});
+    scene.into->write_memory(test::TextureAt + 64, std::as_bytes(std::span(&Colors[1], 1)));
+    scene.clear(0);
+    const auto draw = [&](std::uint32_t number, unsigned image) {
+        comparison.number_draws_from(number);
+        scene.registers.images[0].address = test::TextureAt + 64 * image;
+        scene.draw(PrimitiveType::TriangleFan, rectangle(-1, -1, 1, 1));
+        INFO("draw " << number << "\n" << comparison.summary());
+        REQUIRE(comparison.equal());
+        CHECK(scene.pixel(1, 2) == Colors[image]);
+    };
+    for (unsigned bit = 0; bit < 32; ++bit) {
+        const std::uint32_t number = 0x9249'2492 ^ bit * 0x0102'0408;
+        draw(number, 0);
+        draw(number ^ 1u << bit, 1);
+    }
+}
+
+} // namespace
+} // namespace ffgpu::tools
