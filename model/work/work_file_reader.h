@@ -68,7 +68,8 @@ private:
     std::shared_ptr<const Registers> state_; // the last read
     FieldValues file_values_;                // of the file's fields of registers
     AccessForecast forecast_;
-    PieceBox box_; // the last read
+    std::vector<TexelAccess> accesses_; // of a quad
+    PieceBox box_;                      // the last read
     ValueColumnReader values_in_;
 };
 

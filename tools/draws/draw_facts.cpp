@@ -53,8 +53,10 @@ std::string textures_of(const work::WholeCommand& command) {
 
 std::uint64_t texel_reads(const work::WholeCommand& command) {
     std::uint64_t reads = 0;
-    for (const TexelAccess& access : command.accesses)
-        reads += std::uint64_t{1} << std::popcount(access.linear);
+    for (std::size_t i = 0; i < command.accesses.quads(); ++i)
+        command.accesses.of(i).for_each([&](const TexelAccess& access) {
+            reads += std::uint64_t{1} << std::popcount(access.linear);
+        });
     return reads;
 }
 
@@ -89,7 +91,7 @@ std::string draw_facts(const work::WholeCommand& command, const DrawNote& note) 
         fates.depth,
         fates.written,
         textures_of(command),
-        command.accesses.size(),
+        command.accesses.count(),
         texel_reads(command));
 }
 
