@@ -15,25 +15,6 @@ QuadSource source(const WorkQuad& quad, std::uint32_t batch, std::uint32_t numbe
     return {std::uint64_t{quad.piece} << 32 | place, batch, number};
 }
 
-// Calls each(run) for the items, as many at a time as alike(item, next item) holds for.
-template <class Item, class Alike, class Each>
-void for_each_run(std::span<Item> items, Alike&& alike, Each&& each) {
-    for (std::size_t begin = 0; begin < items.size();) {
-        std::size_t end = begin + 1;
-        while (end < items.size() && alike(items[end - 1], items[end]))
-            ++end;
-        each(items.subspan(begin, end - begin));
-        begin = end;
-    }
-}
-
-constexpr auto of_one_primitive = [](const WorkQuad& a, const WorkQuad& b) {
-    return a.primitive == b.primitive;
-};
-constexpr auto of_one_row = [](const QuadSource& a, const QuadSource& b) {
-    return a.piece_and_place >> 16 == b.piece_and_place >> 16;
-};
-
 void number_image_pieces(std::span<QuadSource> sources) {
     constexpr std::uint64_t OnePiece = std::uint64_t{1} << 32;
     for (std::size_t i = 1; i < sources.size(); ++i)
@@ -53,22 +34,17 @@ std::span<const QuadSource> CanonicalOrder::of(std::span<const WorkBatch* const>
                                                bool is_image) {
     begin_.clear();
     for (const WorkBatch* const batch : batches)
-        for_each_run(std::span(batch->quads), of_one_primitive, [this](auto run) {
-            const std::size_t next = run.front().primitive + std::size_t{1};
-            if (next >= begin_.size()) begin_.resize(next + 1, 0);
-            begin_[next] += static_cast<std::uint32_t>(run.size());
-        });
+        for (const WorkQuad& quad : batch->quads) {
+            if (quad.primitive + std::size_t{2} > begin_.size())
+                begin_.resize(quad.primitive + std::size_t{2}, 0);
+            ++begin_[quad.primitive + 1];
+        }
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     sources_.resize(begin_.empty() ? 0 : begin_.back());
     for (std::uint32_t batch = 0; batch < batches.size(); ++batch) {
         std::uint32_t number = 0;
-        for_each_run(std::span(batches[batch]->quads), of_one_primitive, [&](auto run) {
-            std::uint32_t& end = begin_[run.front().primitive];
-            QuadSource* to = sources_.data() + end;
-            for (const WorkQuad& quad : run)
-                *to++ = source(quad, batch, number++);
-            end += static_cast<std::uint32_t>(run.size());
-        });
+        for (const WorkQuad& quad : batches[batch]->quads)
+            sources_[begin_[quad.primitive]++] = source(quad, batch, number++);
     }
     std::uint32_t first = 0;
     for (const std::uint32_t end : begin_) {
@@ -107,16 +83,12 @@ void CanonicalOrder::sort_by_rows(std::span<QuadSource> primitive) {
         return (source.piece() - piece) * rows + (source.row() - row);
     };
     begin_of_rows_.assign(places + 1, 0);
-    for_each_run(primitive, of_one_row, [&](auto run) {
-        begin_of_rows_[place(run.front()) + 1] += static_cast<std::uint32_t>(run.size());
-    });
+    for (const QuadSource& source : primitive)
+        ++begin_of_rows_[place(source) + 1];
     std::partial_sum(begin_of_rows_.begin(), begin_of_rows_.end(), begin_of_rows_.begin());
     as_they_came_.assign(primitive.begin(), primitive.end());
-    for_each_run(std::span(as_they_came_), of_one_row, [&](auto run) {
-        std::uint32_t& end = begin_of_rows_[place(run.front())];
-        std::copy(run.begin(), run.end(), primitive.begin() + end);
-        end += static_cast<std::uint32_t>(run.size());
-    });
+    for (const QuadSource& source : as_they_came_)
+        primitive[begin_of_rows_[place(source)]++] = source;
 }
 
 } // namespace ffgpu::work
