@@ -9,7 +9,6 @@
 #include "model/texture/wide_filters.h"
 
 #include <array>
-#include <vector>
 
 namespace ffgpu {
 namespace {
@@ -178,19 +177,17 @@ void sample_scalar(const TextureUnit& unit,
                    TexelObserver* observer) {
     for (unsigned lane = 0; lane < 4 * quads.count && !unit.valid; ++lane)
         store(out, lane, {0, 0, 0, 255});
-    std::vector<TexelAccess> accesses; // of a quad
     for (unsigned q = 0; q < quads.count && unit.valid; ++q) {
         const Quad quad = make_quad(unit, coordinates, 4 * q, quads.covered.quad(q));
         if (observer && quads.live.quad(q) != 0) observer->quad(q, quad.sampling);
         for (unsigned i = 0; i < 4; ++i) {
             const unsigned lane = 4 * q + i;
             const bool told = quads.live.test(lane);
-            const FilterWitness witness{
-                told ? observer : nullptr, told && footprints ? &accesses : nullptr, lane};
+            const FilterWitness witness{told ? observer : nullptr,
+                                        told && footprints ? &footprints->accesses : nullptr,
+                                        lane};
             store(out, lane, filter_fragment(unit, quad.fragments[i], quad.sampling, witness));
         }
-        if (footprints) footprints->accesses.add(accesses);
-        accesses.clear();
     }
 }
 

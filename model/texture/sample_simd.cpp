@@ -87,141 +87,42 @@ struct AccessLog {
     }
 };
 
-// What the accesses of a batch are put together from.
-class AccessRecorder {
-public:
-    AccessRecorder(const TextureUnit& unit,
-                   const FilterInputs& in,
-                   const FragmentMask& live,
-                   AccessLog& log)
-        : in_(in)
-        , sampling_(*in.sampling)
-        , live_(live)
-        , log_(log)
-        , is_cube_(unit.kind == TextureKind::Cube)
-        , axes_(static_cast<std::uint8_t>((1u << unit.dimensions) - 1)) {}
+// The accesses of one lane: probe after probe, of each the finer level first.
+TexelAccess*
+append_lane(const SamplingBatch& sampling, AccessLog& log, unsigned lane, TexelAccess* to) {
+    const bool two_levels = (sampling.choice[lane] >> 16 & 0xff) != 0;
+    const unsigned count = sampling.max_probes > 1 ? sampling.probes[lane / 4] : 1;
+    for (unsigned i = 0; i < count; ++i) {
+        const AccessBatch& accesses = log.probe(i);
+        *to++ = accesses.level[lane];
+        if (two_levels) *to++ = accesses.next_level[lane];
+    }
+    return to;
+}
 
-    // Appends the live lanes' accesses, quad by quad.
-    void append_to(TexelAccesses& out) {
-        const unsigned levels = sampling_.any_weight() ? 2 : 1;
-        out.make_room(in_.quad_count, std::size_t{4} * in_.quad_count * levels);
-        if (all_alike()) return out.add(in_.quad_count, common_of(0, 0xf), places());
-        for (unsigned quad = 0; quad < in_.quad_count;) {
-            const unsigned end = end_of_run(quad);
-            if (end > quad)
-                add_run(quad, end, out);
-            else if (const unsigned lanes = live_.quad(quad); is_regular(quad, lanes))
-                add_regular(quad, lanes, out);
-            else
-                add_whole(quad, lanes, out);
-            quad = std::max(end, quad + 1);
+// Appends the live lanes' accesses in order. The vector is made as long as it can get, filled, and
+// cut.
+void append_accesses(const SamplingBatch& sampling,
+                     AccessLog& log,
+                     const FragmentMask& live,
+                     unsigned quad_count,
+                     std::vector<TexelAccess>& out) {
+    const std::size_t begin = out.size();
+    const unsigned levels = sampling.any_weight() ? 2 : 1;
+    const bool one_each = levels == 1 && sampling.max_probes == 1;
+    out.resize(begin + std::size_t{4} * quad_count * levels * sampling.max_probes);
+    TexelAccess* to = out.data() + begin;
+    for (unsigned quad = 0; quad < quad_count; ++quad) {
+        const unsigned lanes = live.quad(quad);
+        if (one_each && lanes == 0xf) {
+            to = std::copy_n(log.first.level.data() + 4 * quad, 4, to);
+            continue;
         }
+        for (unsigned i = 0; i < 4; ++i)
+            if (lanes >> i & 1) to = append_lane(sampling, log, 4 * quad + i, to);
     }
-
-private:
-    const TexelAccesses::Place* places() const { return log_.first.level.places.data(); }
-
-    // All lanes have one regular access of one kind.
-    bool all_alike() const {
-        return sampling_.max_probes == 1 && !sampling_.any_weight() && sampling_.one_level() &&
-               sampling_.any_linear() != sampling_.any_nearest() && !is_cube_ &&
-               !log_.first.irregular.any() && live_.count() == 4 * in_.quad_count;
-    }
-
-    bool is_regular(unsigned quad, unsigned lanes) const {
-        if (sampling_.max_probes > 1 || (log_.first.irregular.quad(quad) & lanes) != 0)
-            return false;
-        const std::uint32_t* const choice = sampling_.choice.data() + 4 * quad;
-        std::uint32_t different =
-            (choice[0] ^ choice[1]) | (choice[0] ^ choice[2]) | (choice[0] ^ choice[3]);
-        if (two_levels(4 * quad)) different |= (choice[0] + 1 - (choice[0] >> 8)) & 0xff;
-        for (unsigned lane = 4 * quad; is_cube_ && lane < 4 * quad + 4; ++lane)
-            different |= static_cast<std::uint32_t>(in_.face[lane] ^ in_.face[4 * quad]);
-        return different == 0;
-    }
-    bool two_levels(unsigned lane) const { return (sampling_.choice[lane] >> 16 & 0xff) != 0; }
-
-    // From `first` on, of quads that all have the same of four lanes; `first`: of none.
-    unsigned end_of_run(unsigned first) const {
-        if (is_cube_) return first;
-        unsigned end = first;
-        const auto kind = [this](unsigned quad) { return sampling_.choice[4 * quad] & ~0xff0000u; };
-        while (end < in_.quad_count && live_.quad(end) == 0xf && is_regular(end, 0xf) &&
-               kind(end) == kind(first) && two_levels(4 * end) == two_levels(4 * first))
-            ++end;
-        return end;
-    }
-
-    void add_run(unsigned first, unsigned end, TexelAccesses& out) const {
-        const RegularAccesses common = common_of(first, 0xf);
-        if (!common.next_level) return out.add(end - first, common, places() + 4 * first);
-        std::array<TexelAccesses::Place, std::size_t{2} * BatchFragments> in_turn;
-        TexelAccesses::Place* to = in_turn.data();
-        for (unsigned lane = 4 * first; lane < 4 * end; ++lane) {
-            *to++ = log_.first.level.places[lane];
-            *to++ = log_.first.next_level.places[lane];
-        }
-        out.add(end - first, common, in_turn.data());
-    }
-
-    RegularAccesses common_of(unsigned quad, unsigned lanes) const {
-        const std::uint32_t choice = sampling_.choice[4 * quad];
-        return {.lanes = static_cast<std::uint8_t>(lanes),
-                .linear = (choice & SamplingBatch::LinearBit) != 0 ? axes_ : std::uint8_t{0},
-                .level = static_cast<std::uint8_t>(choice),
-                .layer = static_cast<std::uint8_t>(is_cube_ ? in_.face[4 * quad] : 0),
-                .next_level = two_levels(4 * quad)};
-    }
-
-    void add_regular(unsigned quad, unsigned lanes, TexelAccesses& out) const {
-        const RegularAccesses common = common_of(quad, lanes);
-        std::array<TexelAccesses::Place, 8> of_lanes;
-        TexelAccesses::Place* to = of_lanes.data();
-        for (unsigned lane = 4 * quad; lane < 4 * quad + 4; ++lane) {
-            if ((lanes >> lane % 4 & 1) == 0) continue;
-            *to++ = log_.first.level.places[lane];
-            if (common.next_level) *to++ = log_.first.next_level.places[lane];
-        }
-        out.add(common, of_lanes.data());
-    }
-
-    // Lane by lane, probe after probe, of each the finer level first.
-    void add_whole(unsigned quad, unsigned lanes, TexelAccesses& out) {
-        accesses_.clear();
-        const unsigned probes = sampling_.max_probes > 1 ? sampling_.probes[quad] : 1;
-        for (unsigned lane = 4 * quad; lane < 4 * quad + 4; ++lane)
-            for (unsigned i = 0; i < probes && (lanes >> lane % 4 & 1) != 0; ++i) {
-                const AccessBatch& batch = log_.probe(i);
-                const std::uint32_t level = sampling_.choice[lane];
-                accesses_.push_back(access_of(batch, batch.level, lane, level));
-                if (two_levels(lane))
-                    accesses_.push_back(access_of(batch, batch.next_level, lane, level >> 8));
-            }
-        out.add(accesses_);
-    }
-
-    TexelAccess access_of(const AccessBatch& batch,
-                          const AccessBatch::Level& of,
-                          unsigned lane,
-                          std::uint32_t level) const {
-        if (batch.whole[lane / 4]) return of.accesses[lane];
-        RegularAccesses common = common_of(lane / 4, 0xf);
-        common.layer = static_cast<std::uint8_t>(is_cube_ ? in_.face[lane] : 0);
-        const bool linear = (sampling_.choice[lane] & SamplingBatch::LinearBit) != 0;
-        common.linear = linear ? axes_ : std::uint8_t{0};
-        return common.access(static_cast<std::uint16_t>(lane % 4),
-                             static_cast<std::uint8_t>(level),
-                             of.places[lane]);
-    }
-
-    const FilterInputs& in_;
-    const SamplingBatch& sampling_;
-    const FragmentMask& live_;
-    AccessLog& log_;
-    const bool is_cube_;
-    const std::uint8_t axes_;           // TexelAccess::linear of linear filters
-    std::vector<TexelAccess> accesses_; // of a quad
-};
+    out.resize(static_cast<std::size_t>(to - out.data()));
+}
 
 // One filter pass for each probe, and the mean of what they give.
 void filter_probes(const TextureUnit& unit, FilterInputs inputs, ColorPlanes& out, AccessLog* log) {
@@ -302,7 +203,7 @@ void sample(const TextureUnit& unit,
         filter_batch(unit, inputs, out);
         if (footprints) record_batch(unit, inputs, log.first);
     }
-    if (footprints) AccessRecorder(unit, inputs, quads.live, log).append_to(footprints->accesses);
+    if (footprints) append_accesses(sampling, log, quads.live, quads.count, footprints->accesses);
 }
 
 } // namespace ffgpu

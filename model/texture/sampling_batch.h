@@ -7,7 +7,7 @@
 #pragma once
 
 #include "model/packets/fragment_batch.h"
-#include "model/packets/texel_accesses.h"
+#include "model/packets/texel_footprint.h"
 #include "model/texture/texture_unit.h"
 
 #include <array>
@@ -80,16 +80,9 @@ bool can_filter_batches();
 void filter_batch(const TextureUnit& unit, const FilterInputs& inputs, ColorPlanes& out);
 
 // The accesses that filter_batch makes, one for each lane: to the level, and to the next level,
-// which counts where the choice has a weight. Most are regular (texel_accesses.h): the first
-// texel's place is told of all, what is not as usual of whole vectors that hold an irregular lane.
+// which counts where the choice has a weight.
 struct AccessBatch {
-    struct Level {
-        alignas(64) std::array<TexelAccesses::Place, BatchFragments> places;
-        alignas(64) std::array<TexelAccess, BatchFragments> accesses; // of quads that are `whole`
-    };
-    Level level, next_level;
-    std::array<bool, BatchQuads> whole;
-    FragmentMask irregular; // lanes, for either of their levels
+    alignas(64) std::array<TexelAccess, BatchFragments> level, next_level;
 };
 void record_batch(const TextureUnit& unit, const FilterInputs& inputs, AccessBatch& out);
 

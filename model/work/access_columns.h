@@ -51,10 +51,10 @@ inline void put_access(const TexelAccess& access, AccessForecast& forecast, Acce
     forecast.take(access);
 }
 
-// The accesses of `count` quads from `first` on, of each in all units.
+// The accesses of some quads: of each quad and unit those from `begin` to the next.
 struct QuadAccesses {
-    const TexelAccesses& all; // as WholeCommand has them
-    std::size_t first, count;
+    const TexelAccess* accesses;
+    std::span<const std::uint32_t> begin; // the last is the end
     std::span<const std::uint8_t> units;
 };
 

@@ -1,11 +1,10 @@
-// put_accesses() by vectors: the four lanes of a quad at once, where their accesses are regular.
+// put_accesses() by vectors: the four lanes of a quad at once, where each has one access, or two.
 
 #include "model/base/simd_targets.h"
 #include "model/work/access_columns.h"
 
 #include <array>
 #include <cstddef>
-#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/work/access_columns_simd.cpp"
@@ -24,6 +23,13 @@ using D32 = hn::FixedTag<std::uint32_t, 4>;
 using D16 = hn::FixedTag<std::uint16_t, 8>;
 using Words = hn::Vec<D32>;
 
+// A word of the 16 bits at `low` and, above them, those at `high`.
+HWY_INLINE Words low_halves(Words low, Words high) {
+    return hn::Or(hn::And(low, hn::Set(D32(), 0xffff)), hn::ShiftLeft<16>(high));
+}
+HWY_INLINE Words high_halves(Words low, Words high) {
+    return hn::Or(hn::ShiftRight<16>(low), hn::And(high, hn::Set(D32(), 0xffff0000)));
+}
 // Of each half on its own.
 HWY_INLINE Words difference(Words a, Words b) {
     return hn::BitCast(D32(), hn::Sub(hn::BitCast(D16(), a), hn::BitCast(D16(), b)));
@@ -38,135 +44,160 @@ HWY_INLINE Words references(std::uint32_t first, Words words) {
     return hn::InsertLane(hn::Broadcast<0>(words), 0, first);
 }
 
-// Of the first texels of the four lanes: their steps, zigzag.
-HWY_INLINE Words tell_steps(Words places, AccessForecast::Past& past) {
+// Of four accesses, one of each lane.
+struct FourAccesses {
+    Words head, x, y, layers; // the words of each
+};
+struct FourTold {
+    alignas(16) std::array<std::uint32_t, 4> shapes, steps; // x, and y above it: zigzag
+    std::array<std::uint16_t, 4> layers;                    // expected
+    bool all_foreseen, short_steps;                         // Each step is a byte.
+};
+
+// An access is four words on a little endian host.
+static_assert(sizeof(TexelAccess) == 16 && offsetof(TexelAccess, level) == 2 &&
+              offsetof(TexelAccess, linear) == 3 && offsetof(TexelAccess, x0) == 4 &&
+              offsetof(TexelAccess, y0) == 8 && offsetof(TexelAccess, layer0) == 12);
+
+HWY_INLINE Words lanes_of(Words head) {
+    return hn::And(head, hn::Set(D32(), 0xffff));
+}
+
+// What put_access() tells of them one after the other, and what is expected behind them.
+HWY_INLINE void tell(const FourAccesses& four, AccessForecast::Past& past, FourTold& out) {
     const D32 d;
-    const Words from_reference = difference(places, references(past.place, places));
+    const Words one = hn::Set(d, 1), low = hn::Set(d, 0xffff);
+    const Words linear = hn::ShiftRight<24>(four.head);
+    const Words place = low_halves(four.x, four.y);
+    const Words kind =
+        hn::Or(hn::And(four.layers, low), hn::And(four.head, hn::Set(d, 0x00ff0000)));
+    const Words second = low_halves(hn::And(linear, one), hn::And(hn::ShiftRight<1>(linear), one));
+    const Words second_layer =
+        difference(hn::ShiftRight<16>(four.layers), hn::And(four.layers, low));
+    const Words wrong =
+        hn::Or(hn::Or(hn::Xor(kind, references(past.kind, kind)),
+                      hn::Xor(difference(high_halves(four.x, four.y), place), second)),
+               hn::Xor(second_layer, hn::ShiftRight<2>(linear)));
+    const auto foreseen = hn::Eq(wrong, hn::Zero(d));
+    const Words from_reference = difference(place, references(past.place, place));
     const Words steps = zigzag_halves(difference(from_reference, hn::Load(d, past.steps.data())));
+    hn::Store(steps, d, out.steps.data());
+    hn::Store(hn::Or(hn::Or(lanes_of(four.head), hn::ShiftLeft<2>(linear)),
+                     hn::IfThenElseZero(foreseen, hn::Set(d, ShapeForeseen))),
+              d,
+              out.shapes.data());
+    out.all_foreseen = hn::AllTrue(d, foreseen);
+    out.short_steps = hn::AllTrue(d, hn::Eq(hn::And(steps, hn::Set(d, 0xff80ff80)), hn::Zero(d)));
+    const auto layer = static_cast<std::uint16_t>(hn::GetLane(kind));
+    out.layers = {static_cast<std::uint16_t>(past.kind), layer, layer, layer};
     hn::Store(from_reference, d, past.steps.data());
-    past.place = hn::GetLane(places);
-    return steps;
+    past.place = hn::GetLane(place);
+    past.kind = hn::GetLane(kind);
 }
 
-// Whether both steps of each are a byte.
-HWY_INLINE bool are_short(Words steps) {
-    const D32 d;
-    return hn::AllTrue(d, hn::Eq(hn::And(steps, hn::Set(d, 0xff80ff80)), hn::Zero(d)));
-}
-
-// Appends words that are bytes, a byte each.
-HWY_INLINE void put_bytes(std::uint8_t*& to, Words words) {
-    const hn::FixedTag<std::uint8_t, 4> bytes;
-    hn::StoreU(hn::DemoteTo(bytes, hn::BitCast(hn::RebindToSigned<D32>(), words)), bytes, to);
-    to += 4;
-}
-// Those of lane 0 of one, of lane 0 of the other, of lane 1 of one ...
-HWY_INLINE void put_bytes_in_turn(std::uint8_t*& to, Words one, Words other) {
-    const D32 d;
-    put_bytes(to, hn::InterleaveLower(d, one, other));
-    put_bytes(to, hn::InterleaveUpper(d, one, other));
-}
-
-// Lane after lane, of each one step of every array.
-template <std::size_t Each>
-HWY_INLINE void put_long_steps(const std::array<Words, Each>& steps, AccessCursors& to) {
-    alignas(16) std::array<std::array<std::uint32_t, 4>, Each> words;
-    for (std::size_t i = 0; i < Each; ++i)
-        hn::Store(steps[i], D32(), words[i].data());
-    for (unsigned lane = 0; lane < 4; ++lane)
-        for (const std::array<std::uint32_t, 4>& of : words) {
-            to.x = put_number(to.x, of[lane] & 0xffff);
-            to.y = put_number(to.y, of[lane] >> 16);
+// Of `Each` accesses a lane, what is told of lane after lane.
+template <unsigned Each>
+HWY_INLINE void
+put_told(const std::array<FourTold, Each>& told, const TexelAccess* accesses, AccessCursors& to) {
+    bool short_steps = true, all_foreseen = true;
+    for (const FourTold& one : told) {
+        short_steps = short_steps && one.short_steps;
+        all_foreseen = all_foreseen && one.all_foreseen;
+    }
+    for (unsigned i = 0; i < 4 * Each; ++i) {
+        const std::uint32_t step = told[i % Each].steps[i / Each];
+        to.shape[i] = static_cast<std::uint8_t>(told[i % Each].shapes[i / Each]);
+        to.x[i] = static_cast<std::uint8_t>(step);
+        to.y[i] = static_cast<std::uint8_t>(step >> 16);
+    }
+    to.shape += 4 * Each;
+    if (short_steps) {
+        to.x += 4 * Each;
+        to.y += 4 * Each;
+    } else {
+        for (unsigned i = 0; i < 4 * Each; ++i) {
+            const std::uint32_t step = told[i % Each].steps[i / Each];
+            to.x = put_number(to.x, step & 0xffff);
+            to.y = put_number(to.y, step >> 16);
         }
+    }
+    if (all_foreseen) return;
+    for (unsigned i = 0; i < 4 * Each; ++i)
+        if ((told[i % Each].shapes[i / Each] & ShapeForeseen) == 0)
+            to.rare = put_rare(to.rare, accesses[i], told[i % Each].layers[i / Each]);
 }
 
-// Only the level or layer of lane 0 may not be foreseen: those of the others are expected to be the
-// same. Returns the shapes of all lanes.
-HWY_INLINE Words tell_kind(const RegularAccesses& common,
-                           std::uint8_t level,
-                           TexelAccesses::Place place,
-                           AccessForecast::Past& past,
-                           AccessCursors& to) {
-    const D32 d;
-    const std::uint32_t shape = static_cast<std::uint32_t>(common.linear) << 2 | ShapeForeseen;
-    const Words shapes = hn::Add(hn::Iota(d, 0), hn::Set(d, shape));
-    const std::uint32_t kind = AccessForecast::kind(common.layer, level);
-    if (past.kind == kind) return shapes;
-    const auto expected_layer = static_cast<std::uint16_t>(std::exchange(past.kind, kind));
-    to.rare = put_rare(to.rare, common.access(0, level, place), expected_layer);
-    return hn::InsertLane(shapes, 0, shape - ShapeForeseen);
+HWY_INLINE FourAccesses load(const TexelAccess* accesses) {
+    FourAccesses four;
+    hn::LoadInterleaved4(D32(),
+                         reinterpret_cast<const std::uint32_t*>(accesses),
+                         four.head,
+                         four.x,
+                         four.y,
+                         four.layers);
+    return four;
 }
 
-HWY_INLINE void put_level(const RegularAccesses& common,
-                          const TexelAccesses::Place* places,
-                          AccessForecast& forecast,
-                          unsigned unit,
-                          AccessCursors& to) {
-    const D32 d;
-    AccessForecast::Past& past = forecast.past(unit, 0);
-    put_bytes(to.shape, tell_kind(common, common.level, places[0], past, to));
-    const Words steps = tell_steps(hn::LoadU(d, places), past);
-    if (!are_short(steps)) return put_long_steps<1>({steps}, to);
-    put_bytes(to.x, hn::And(steps, hn::Set(d, 0xff)));
-    put_bytes(to.y, hn::ShiftRight<16>(steps));
+HWY_INLINE bool one_of_each_lane(const FourAccesses& four) {
+    return hn::AllTrue(D32(), hn::Eq(lanes_of(four.head), hn::Iota(D32(), 0)));
 }
 
-HWY_INLINE void put_two_levels(const RegularAccesses& common,
-                               const TexelAccesses::Place* places,
-                               AccessForecast& forecast,
-                               unsigned unit,
-                               AccessCursors& to) {
+// One access of each lane, or two. False, and nothing is done: they are not.
+HWY_INLINE bool
+put_four(const TexelAccess* accesses, AccessForecast& forecast, unsigned unit, AccessCursors& to) {
+    const FourAccesses four = load(accesses);
+    if (!one_of_each_lane(four)) return false;
+    std::array<FourTold, 1> told;
+    tell(four, forecast.past(unit, 0), told[0]);
+    put_told<1>(told, accesses, to);
+    return true;
+}
+
+HWY_INLINE bool
+put_eight(const TexelAccess* accesses, AccessForecast& forecast, unsigned unit, AccessCursors& to) {
     const D32 d;
-    AccessForecast::Past &past = forecast.past(unit, 0), &next_past = forecast.past(unit, 1);
-    const auto next_level = static_cast<std::uint8_t>(common.level + 1);
-    const Words shapes = tell_kind(common, common.level, places[0], past, to);
-    const Words next_shapes = tell_kind(common, next_level, places[1], next_past, to);
-    put_bytes_in_turn(to.shape, shapes, next_shapes);
-    const Words low = hn::LoadU(d, places), high = hn::LoadU(d, places + 4);
-    const Words steps = tell_steps(hn::ConcatEven(d, high, low), past);
-    const Words next_steps = tell_steps(hn::ConcatOdd(d, high, low), next_past);
-    if (!are_short(hn::Or(steps, next_steps))) return put_long_steps<2>({steps, next_steps}, to);
-    const Words byte = hn::Set(d, 0xff);
-    put_bytes_in_turn(to.x, hn::And(steps, byte), hn::And(next_steps, byte));
-    put_bytes_in_turn(to.y, hn::ShiftRight<16>(steps), hn::ShiftRight<16>(next_steps));
+    const FourAccesses low = load(accesses), high = load(accesses + 4);
+    const FourAccesses first{hn::ConcatEven(d, high.head, low.head),
+                             hn::ConcatEven(d, high.x, low.x),
+                             hn::ConcatEven(d, high.y, low.y),
+                             hn::ConcatEven(d, high.layers, low.layers)};
+    const FourAccesses second{hn::ConcatOdd(d, high.head, low.head),
+                              hn::ConcatOdd(d, high.x, low.x),
+                              hn::ConcatOdd(d, high.y, low.y),
+                              hn::ConcatOdd(d, high.layers, low.layers)};
+    if (!one_of_each_lane(first) || !one_of_each_lane(second)) return false;
+    std::array<FourTold, 2> told;
+    tell(first, forecast.past(unit, 0), told[0]);
+    tell(second, forecast.past(unit, 1), told[1]);
+    put_told<2>(told, accesses, to);
+    return true;
 }
 
 #endif
 
-HWY_INLINE void put_one_by_one(const TexelAccesses::OfQuad& quad,
-                               unsigned unit,
-                               AccessForecast& forecast,
-                               AccessCursors& to) {
-    forecast.begin_quad(unit);
-    quad.for_each([&](const TexelAccess& access) { put_access(access, forecast, to); });
-}
-
-HWY_INLINE void put_quad(const TexelAccesses::OfQuad& quad,
+HWY_INLINE void put_quad(std::span<const TexelAccess> accesses,
                          unsigned unit,
                          AccessForecast& forecast,
                          AccessCursors& to) {
 #if HWY_TARGET != HWY_SCALAR
-    const RegularAccesses common = quad.common();
-    if (quad.is_regular() && common.lanes == 0xf) {
-        const TexelAccesses::Place* const places = quad.places().data();
-        if (common.next_level)
-            put_two_levels(common, places, forecast, unit, to);
-        else
-            put_level(common, places, forecast, unit, to);
-        return;
-    }
+    if (accesses.size() == 4 && put_four(accesses.data(), forecast, unit, to)) return;
+    if (accesses.size() == 8 && put_eight(accesses.data(), forecast, unit, to)) return;
 #endif
-    put_one_by_one(quad, unit, forecast, to);
+    forecast.begin_quad(unit);
+    for (const TexelAccess& access : accesses)
+        put_access(access, forecast, to);
 }
 
 AccessCursors PutAccesses(const QuadAccesses& quads, AccessForecast& forecast, AccessCursors to) {
-    std::size_t number = quads.first * quads.units.size();
-    for (std::size_t i = 0; i < quads.count; ++i)
-        for (const std::uint8_t unit : quads.units) {
-            const TexelAccesses::OfQuad quad = quads.all.of(number++);
-            to.number = put_number(to.number, quad.size());
-            put_quad(quad, unit, forecast, to);
-        }
+    const TexelAccess* access = quads.accesses + quads.begin.front();
+    std::size_t unit = 0;
+    for (std::size_t i = 0; i + 1 < quads.begin.size(); ++i) {
+        const std::uint32_t count = quads.begin[i + 1] - quads.begin[i];
+        to.number = put_number(to.number, count);
+        put_quad({access, count}, quads.units[unit], forecast, to);
+        access += count;
+        if (++unit == quads.units.size()) unit = 0;
+    }
     return to;
 }
 

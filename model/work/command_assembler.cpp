@@ -1,6 +1,5 @@
 #include "model/work/command_assembler.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -16,12 +15,12 @@ void append_values(const WorkBatch& batch, std::uint32_t quad, WholeCommand& who
     whole.value_begin.push_back(static_cast<std::uint32_t>(whole.values.size()));
 }
 
-std::size_t words_of_accesses(std::span<const WorkBatch* const> batches) {
-    std::size_t words = 0;
+std::size_t count_accesses(std::span<const WorkBatch* const> batches) {
+    std::size_t accesses = 0;
     for (const WorkBatch* const batch : batches)
         for (const TexelFootprints& unit : batch->textures)
-            words += unit.accesses.words();
-    return words;
+            accesses += unit.accesses.size();
+    return accesses;
 }
 
 std::vector<std::uint8_t> units_of(std::span<const WorkBatch* const> batches) {
@@ -48,7 +47,12 @@ void CommandAssembler::draw(const WorkDraw& draw, std::span<const WorkBatch* con
         *quad = batches[source.batch]->quads[source.quad];
         quad++->piece = source.piece();
     }
-    if (!whole->units.empty()) copy_accesses(batches, sources, *whole);
+    whole->access_begin.resize(sources.size() * whole->units.size() + 1);
+    if (!whole->units.empty()) {
+        index_.build(batches, whole->units);
+        whole->accesses.resize(count_accesses(batches));
+        copy_accesses(sources, *whole);
+    }
     if (!sources.empty() && !batches[0]->value_begin.empty()) {
         whole->value_begin.push_back(0);
         for (const QuadSource& source : sources)
@@ -57,23 +61,20 @@ void CommandAssembler::draw(const WorkDraw& draw, std::span<const WorkBatch* con
     out_.command(std::move(whole));
 }
 
-void CommandAssembler::copy_accesses(std::span<const WorkBatch* const> batches,
-                                     std::span<const QuadSource> sources,
-                                     WholeCommand& whole) {
-    static const TexelAccesses none;
+// With lanes counted in the quad.
+void CommandAssembler::copy_accesses(std::span<const QuadSource> sources,
+                                     WholeCommand& whole) const {
     const std::size_t units = whole.units.size();
-    in_batches_.assign(batches.size() * units, &none);
-    for (std::size_t batch = 0; batch < batches.size(); ++batch)
-        for (const TexelFootprints& of : batches[batch]->textures) {
-            const auto unit = std::find(whole.units.begin(), whole.units.end(), of.unit);
-            if (unit == whole.units.end()) continue;
-            const auto number = static_cast<std::size_t>(unit - whole.units.begin());
-            in_batches_[batch * units + number] = &of.accesses;
-        }
-    whole.accesses.make_room(sources.size() * units, words_of_accesses(batches));
+    TexelAccess* to = whole.accesses.data();
+    std::uint32_t* begin = whole.access_begin.data() + 1;
     for (const QuadSource& source : sources)
-        for (std::size_t unit = 0; unit < units; ++unit)
-            whole.accesses.add(in_batches_[source.batch * units + unit]->of(source.quad));
+        for (std::size_t unit = 0; unit < units; ++unit) {
+            for (TexelAccess access : index_.of(source.batch, source.quad, unit)) {
+                access.lane %= 4;
+                *to++ = access;
+            }
+            *begin++ = static_cast<std::uint32_t>(to - whole.accesses.data());
+        }
 }
 
 } // namespace ffgpu::work

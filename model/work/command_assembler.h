@@ -3,13 +3,13 @@
 
 #pragma once
 
+#include "model/work/access_index.h"
 #include "model/work/canonical_order.h"
 #include "model/work/draw_gatherer.h"
 #include "model/work/whole_command.h"
 
 #include <memory>
 #include <span>
-#include <vector>
 
 namespace ffgpu::work {
 
@@ -29,13 +29,11 @@ private:
     }
     void host_transfer(const HostTransfer& transfer) override { out_.host_transfer(transfer); }
 
-    void copy_accesses(std::span<const WorkBatch* const> batches,
-                       std::span<const QuadSource> sources,
-                       WholeCommand& whole);
+    void copy_accesses(std::span<const QuadSource> sources, WholeCommand& whole) const;
 
     CommandSink& out_;
     CanonicalOrder order_;
-    std::vector<const TexelAccesses*> in_batches_; // of each batch all units
+    AccessIndex index_;
     DrawGatherer gatherer_;
 };
 

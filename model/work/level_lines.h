@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "model/packets/texel_accesses.h"
+#include "model/packets/texel_footprint.h"
 #include "model/work/placed_level.h"
 
 #include <bit>
@@ -37,10 +37,6 @@ public:
             return std::bit_cast<std::uint64_t>(*this) == std::bit_cast<std::uint64_t>(other);
         }
     };
-    // Of a place of regular accesses: that of its rectangle's first texel.
-    TexelAccesses::Place rectangle(TexelAccesses::Place place) const {
-        return place & (static_cast<TexelAccesses::Place>(firsts_.y0) << 16 | firsts_.x0);
-    }
     Rectangles rectangles(const TexelAccess& access) const {
         const Rectangles texels{access.x0, access.x1, access.y0, access.y1};
         return std::bit_cast<Rectangles>(std::bit_cast<std::uint64_t>(texels) &

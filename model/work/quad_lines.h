@@ -7,7 +7,7 @@
 
 #pragma once
 
-#include "model/packets/texel_accesses.h"
+#include "model/packets/texel_footprint.h"
 #include "model/work/level_lines.h"
 
 #include <array>
@@ -27,13 +27,6 @@ public:
     void begin_quad() {
         count_ = reads_ = 0, expands_blocks_ = false;
         last_ = {};
-    }
-    // What these of the quad's lanes read of one texture.
-    void add(const TextureLines& texture, const TexelAccesses::OfQuad& quad, unsigned lanes) {
-        if (!add_squares(texture, quad, lanes))
-            quad.for_each([&](const TexelAccess& access) {
-                if ((lanes >> access.lane & 1) != 0) add(texture, access);
-            });
     }
     // What one fragment reads of one level.
     void add(const TextureLines& texture, const TexelAccess& access) {
@@ -66,9 +59,6 @@ private:
                last.rectangles == level.rectangles(access);
     }
     void add_other(const TextureLines& texture, const TexelAccess& access);
-    // Where all of them read 2x2 texels of one level, that lie close; else nothing is done.
-    bool
-    add_squares(const TextureLines& texture, const TexelAccesses::OfQuad& quad, unsigned lanes);
 
     void make_room(std::size_t more) {
         if (count_ + more > lines_.size()) lines_.resize(2 * (count_ + more));

@@ -22,11 +22,11 @@ void TexelLookups::add(std::uint32_t number, std::uint8_t lanes, PreparedQuad& q
         const TextureLines* const texture = textures_[command_.units[i]];
         const std::size_t first_line = lines_.lines().size();
         std::array<unsigned, 4> samples{}; // a lane
-        command_.accesses_of(number, i).for_each([&](const TexelAccess& access) {
-            if ((lanes >> access.lane & 1) == 0) return;
+        for (const TexelAccess& access : command_.accesses_of(number, i)) {
+            if ((lanes >> access.lane & 1) == 0) continue;
             samples[access.lane] += (access.linear & 4) ? 2 : 1;
             if (texture) lines_.add(*texture, access);
-        });
+        }
         const unsigned steps = *std::max_element(samples.begin(), samples.end());
         out_.texture_parts.push_back(
             {.lines = static_cast<std::uint16_t>(lines_.lines().size() - first_line),

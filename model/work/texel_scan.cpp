@@ -50,8 +50,8 @@ void TexelScan::command(std::shared_ptr<const WholeCommand> command) {
         const unsigned lanes = test_.after_early_test(command->quads[number]);
         lines_of_quad_.begin_quad();
         for (std::size_t i = 0; i < command->units.size(); ++i)
-            lines_of_quad_.add(
-                *textures_[command->units[i]], command->accesses_of(number, i), lanes);
+            for (const TexelAccess& access : command->accesses_of(number, i))
+                add(access, lanes, *textures_[command->units[i]]);
         end_quad(command->quads[number]);
     }
     tell();
@@ -118,11 +118,18 @@ void TexelScan::end_frame(std::uint32_t frame) {
 // --- The quads of a draw -------------------------------------------------------------------------
 
 void TexelScan::add(const WorkBatch& batch) {
+    std::array<const TexelAccess*, TextureUnits> next{};
+    for (std::size_t i = 0; i < batch.textures.size(); ++i)
+        next[i] = batch.textures[i].accesses.data();
     for (std::size_t number = 0; number < batch.quads.size(); ++number) {
         const unsigned lanes = test_.after_early_test(batch.quads[number]);
         lines_of_quad_.begin_quad();
-        for (const TexelFootprints& unit : batch.textures)
-            lines_of_quad_.add(*textures_[unit.unit], unit.accesses.of(number), lanes);
+        for (std::size_t i = 0; i < batch.textures.size(); ++i) {
+            const TexelFootprints& unit = batch.textures[i];
+            const TexelAccess* const end = unit.accesses.data() + unit.accesses.size();
+            for (; next[i] != end && next[i]->lane / 4u == number; ++next[i])
+                add(*next[i], lanes, *textures_[unit.unit]);
+        }
         end_quad(batch.quads[number]);
     }
 }

@@ -55,6 +55,9 @@ private:
     bool begin(const WorkDraw& draw);
     void place_others(const WorkDraw& draw);
     void add(const WorkBatch& batch);
+    void add(const TexelAccess& access, unsigned lanes, const TextureLines& texture) {
+        if (lanes >> access.lane % 4u & 1) lines_of_quad_.add(texture, access);
+    }
     void end_quad(const WorkQuad& quad);
     void add_to_runs(std::uint32_t quad);
     void number_image_pieces();

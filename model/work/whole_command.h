@@ -16,17 +16,20 @@ namespace ffgpu::work {
 struct WholeCommand {
     WorkDraw draw;
     std::vector<WorkQuad> quads;
-    // Texture units in which the quads read, in rising order; and the accesses of each quad in each
-    // of them, one behind the other: quads x units.
+    // Texture units in which the quads read, in rising order; and where the accesses of each quad
+    // and unit begin: quads x units places and the end.
     std::vector<std::uint8_t> units;
-    TexelAccesses accesses;
+    std::vector<std::uint32_t> access_begin{0};
+    std::vector<TexelAccess> accesses; // TexelAccess::lane is 0 to 3, within the quad.
     // With WorkDetail::Values, where each quad's values begin, and the end; else empty.
     std::vector<std::uint32_t> value_begin;
     std::vector<std::uint32_t> values; // quad_values.h
 
     // Of quad `quad` in units[unit].
-    TexelAccesses::OfQuad accesses_of(std::size_t quad, std::size_t unit) const {
-        return accesses.of(quad * units.size() + unit);
+    std::span<const TexelAccess> accesses_of(std::size_t quad, std::size_t unit) const {
+        const std::size_t at = quad * units.size() + unit;
+        return std::span(accesses).subspan(access_begin[at],
+                                           access_begin[at + 1] - access_begin[at]);
     }
 
     bool has_values() const { return !value_begin.empty(); }

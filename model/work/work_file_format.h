@@ -119,15 +119,12 @@ public:
         past.steps[slot()] = halves(access.x0 - past.place, access.y0 - (past.place >> 16));
         if (slot() == 0) {
             past.place = halves(access.x0, access.y0);
-            past.kind = kind(access.layer0, access.level);
+            past.kind = halves(access.layer0, access.level);
         }
         if (ordinal_ + 1 < Ordinals) ++ordinal_;
     }
 
     // For who looks at all lanes of a quad at once.
-    static constexpr std::uint32_t kind(std::uint16_t layer, std::uint8_t level) {
-        return halves(layer, level);
-    }
     Past& past(unsigned unit, unsigned ordinal) { return past_[unit][ordinal]; }
 
 private:

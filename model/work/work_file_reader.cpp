@@ -364,11 +364,10 @@ void WorkFileReader::read_accesses(WholeCommand& command) {
     for (const std::uint8_t unit : command.units) {
         forecast_.begin_quad(unit);
         const std::uint64_t count = in_.number(Column::AccessCount, Most32);
-        accesses_.clear();
         for (std::uint64_t i = 0; i < count; ++i)
-            accesses_.push_back(read_access());
-        command.accesses.add(accesses_);
-        if (command.accesses.words() > Most32) throw DamagedItem("a draw reads too many texels");
+            command.accesses.push_back(read_access());
+        if (command.accesses.size() > Most32) throw DamagedItem("a draw reads too many texels");
+        command.access_begin.push_back(static_cast<std::uint32_t>(command.accesses.size()));
     }
 }
 

@@ -68,8 +68,7 @@ private:
     std::shared_ptr<const Registers> state_; // the last read
     FieldValues file_values_;                // of the file's fields of registers
     AccessForecast forecast_;
-    std::vector<TexelAccess> accesses_; // of a quad
-    PieceBox box_;                      // the last read
+    PieceBox box_; // the last read
     ValueColumnReader values_in_;
 };
 

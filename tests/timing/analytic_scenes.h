@@ -123,7 +123,6 @@ inline WorkBin make_bin(const Scene& scene, std::uint8_t samples = 1) {
                           .after_alpha = 0,
                           .after_stencil = 0,
                           .after_depth = 0};
-            std::vector<TexelAccess> accesses;
             for (unsigned lane = 0; lane < 4; ++lane) {
                 SceneSample s;
                 if (!scene.sample(x + lane % 2 + 0.5, y + lane / 2 + 0.5, s)) continue;
@@ -138,15 +137,16 @@ inline WorkBin make_bin(const Scene& scene, std::uint8_t samples = 1) {
                     const auto wrap = [&](std::int64_t k) {
                         return static_cast<std::uint16_t>(k & (size - 1));
                     };
-                    accesses.push_back({.lane = static_cast<std::uint16_t>(lane),
-                                        .level = static_cast<std::uint8_t>(level),
-                                        .linear = 3,
-                                        .x0 = wrap(i),
-                                        .x1 = wrap(i + 1),
-                                        .y0 = wrap(j),
-                                        .y1 = wrap(j + 1),
-                                        .layer0 = 0,
-                                        .layer1 = 0});
+                    footprints.accesses.push_back(
+                        {.lane = static_cast<std::uint16_t>(4 * batch.quads.size() + lane),
+                         .level = static_cast<std::uint8_t>(level),
+                         .linear = 3,
+                         .x0 = wrap(i),
+                         .x1 = wrap(i + 1),
+                         .y0 = wrap(j),
+                         .y1 = wrap(j + 1),
+                         .layer0 = 0,
+                         .layer1 = 0});
                 };
                 const double clamped = std::fmax(s.lambda, 0.0);
                 const auto level =
@@ -159,7 +159,6 @@ inline WorkBin make_bin(const Scene& scene, std::uint8_t samples = 1) {
                 quad.after_depth = quad.covered;
             quad.samples_written = quad.samples_covered;
             batch.quads.push_back(quad);
-            footprints.accesses.add(accesses);
         }
         batch.textures.push_back(std::move(footprints));
         tile.batches.push_back(std::move(batch));

@@ -309,22 +309,21 @@ private:
             return static_cast<std::uint16_t>((at + 1) % TextureSize);
         };
         for (std::size_t unit = 0; unit < command.units.size(); ++unit) {
-            std::vector<TexelAccess> accesses;
             for (std::uint16_t lane = 0; lane < 4; ++lane) {
                 if ((live >> lane & 1) == 0) continue;
                 const auto x = static_cast<std::uint16_t>((u + lane % 2) % TextureSize);
                 const auto y = static_cast<std::uint16_t>((v + lane / 2) % TextureSize);
-                accesses.push_back({.lane = lane,
-                                    .level = 0,
-                                    .linear = 3,
-                                    .x0 = x,
-                                    .x1 = next(x),
-                                    .y0 = y,
-                                    .y1 = next(y),
-                                    .layer0 = 0,
-                                    .layer1 = 0});
+                command.accesses.push_back({.lane = lane,
+                                            .level = 0,
+                                            .linear = 3,
+                                            .x0 = x,
+                                            .x1 = next(x),
+                                            .y0 = y,
+                                            .y1 = next(y),
+                                            .layer0 = 0,
+                                            .layer1 = 0});
             }
-            command.accesses.add(accesses);
+            command.access_begin.push_back(static_cast<std::uint32_t>(command.accesses.size()));
         }
     }
 

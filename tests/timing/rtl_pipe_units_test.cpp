@@ -200,16 +200,9 @@ TEST_CASE("a sequencer takes a cycle for each texture of a quad, beside those of
     for (const unsigned textures : {1u, 2u, 3u}) {
         WorkBin bin = textured_draw(textures);
         for (WorkBatch& batch : bin.tiles[0].batches)
-            for (TexelFootprints& texture : batch.textures) {
-                TexelAccesses nearest;
-                for (std::size_t quad = 0; quad < batch.quads.size(); ++quad) {
-                    std::vector<TexelAccess> accesses = texture.accesses.of(quad).all();
-                    for (TexelAccess& access : accesses)
-                        access.linear = 0;
-                    nearest.add(accesses);
-                }
-                texture.accesses = nearest;
-            }
+            for (TexelFootprints& texture : batch.textures)
+                for (TexelAccess& access : texture.accesses)
+                    access.linear = 0;
         const Figures figures = run(config, bin);
         const std::uint64_t cycles = 5 * std::uint64_t{textures} * FillQuads;
         CHECK(figures.at("total_cycles") > cycles);

@@ -61,15 +61,12 @@ TEST_CASE("An anisotropic texture takes a sample for each probe, trilinear ones 
         for (const unsigned levels : {1u, 2u}) {
             WorkBin bin = textured_draw(1, levels == 1 ? 0 : 0.5);
             for (WorkBatch& batch : bin.tiles[0].batches) {
-                TexelAccesses all;
-                for (std::size_t quad = 0; quad < batch.quads.size(); ++quad) {
-                    const std::vector<TexelAccess> once = batch.textures[0].accesses.of(quad).all();
-                    std::vector<TexelAccess> each;
-                    for (std::size_t i = 0; i < once.size(); i += levels)
-                        for (unsigned probe = 0; probe < probes; ++probe)
-                            for (unsigned level = 0; level < levels; ++level)
-                                each.push_back(once[i + level]);
-                    all.add(each);
+                std::vector<TexelAccess> all;
+                const std::vector<TexelAccess>& once = batch.textures[0].accesses;
+                for (std::size_t i = 0; i < once.size(); i += levels) {
+                    for (unsigned probe = 0; probe < probes; ++probe)
+                        for (unsigned level = 0; level < levels; ++level)
+                            all.push_back(once[i + level]);
                 }
                 batch.textures[0].accesses = all;
             }

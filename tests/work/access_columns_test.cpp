@@ -21,19 +21,17 @@ public:
         const unsigned each = 1 + below(3) % 2; // accesses a lane
         x_ += below(9);
         y_ -= below(3);
-        std::vector<TexelAccess> accesses;
         for (unsigned lane = 0; lane < 4; ++lane) {
             if (below(odds) == 0) continue; // is not covered
             const unsigned more = below(odds) == 0 ? 1 : 0;
             for (unsigned i = 0; i < each + more; ++i)
                 accesses.push_back(access(lane, i, odds));
         }
-        quads.add(accesses);
-        one_by_one.push_back(accesses);
+        begin.push_back(static_cast<std::uint32_t>(accesses.size()));
     }
 
-    TexelAccesses quads;
-    std::vector<std::vector<TexelAccess>> one_by_one; // of each quad
+    std::vector<TexelAccess> accesses;
+    std::vector<std::uint32_t> begin{0};
 
 private:
     unsigned below(unsigned end) { return static_cast<unsigned>(random_() % end); }
@@ -85,18 +83,17 @@ TEST_CASE("The accesses of quads are told at once as they are one by one") {
         RandomReads reads(seed);
         for (unsigned i = 0; i < 400; ++i)
             reads.add_quad(seed % 3 == 0 ? 5 : 60);
-        const std::size_t most = MostOfAccess * reads.quads.words() + MostOfNumber * 400;
+        const std::size_t most = MostOfAccess * reads.accesses.size() + MostOfNumber * 400;
         AccessForecast forecast, forecast_one_by_one;
         const auto at_once = columns(most, [&](AccessCursors to) {
-            to = put_accesses({reads.quads, 0, 50, Units}, forecast, to);
-            return put_accesses({reads.quads, 50, 150, Units}, forecast, to);
+            return put_accesses({reads.accesses.data(), reads.begin, Units}, forecast, to);
         });
         const auto one_by_one = columns(most, [&](AccessCursors to) {
-            for (std::size_t i = 0; i < reads.one_by_one.size(); ++i) {
-                to.number = put_number(to.number, reads.one_by_one[i].size());
+            for (std::size_t i = 0; i + 1 < reads.begin.size(); ++i) {
+                to.number = put_number(to.number, reads.begin[i + 1] - reads.begin[i]);
                 forecast_one_by_one.begin_quad(Units[i % Units.size()]);
-                for (const TexelAccess& access : reads.one_by_one[i])
-                    put_access(access, forecast_one_by_one, to);
+                for (std::uint32_t at = reads.begin[i]; at < reads.begin[i + 1]; ++at)
+                    put_access(reads.accesses[at], forecast_one_by_one, to);
             }
             return to;
         });

@@ -72,8 +72,10 @@ struct Machine {
                                   .after_depth = 1});
         if (textured) {
             command->units = {0};
-            command->accesses.add(std::array{TexelAccess{}});
+            command->accesses = {TexelAccess{}};
         }
+        command->access_begin =
+            textured ? std::vector<std::uint32_t>{0, 1} : std::vector<std::uint32_t>{0};
         order.command(std::move(command));
     }
     void whole(WorkKind kind) {

@@ -222,7 +222,8 @@ struct Machine {
         TexelAccess access{};
         access.x0 = x;
         access.y0 = y;
-        command->accesses.add(std::array{access});
+        command->accesses = {access};
+        command->access_begin = {0, 1};
         order.command(std::move(command));
     }
     void write(std::uint32_t x, std::uint32_t y) {

@@ -71,12 +71,11 @@ TEST_CASE("a quad looks up the lines of its texels, each once, in the order of t
         WholeCommand command;
         command.units = {0};
         Read expected;
-        std::vector<TexelAccess> accesses;
         for (int lane = 0; lane < 1 + run % 4; ++lane) {
-            accesses.push_back(random_access(random, static_cast<std::uint16_t>(lane)));
-            read(level, accesses.back(), config.texel_cache.line_bytes, expected);
+            command.accesses.push_back(random_access(random, static_cast<std::uint16_t>(lane)));
+            read(level, command.accesses.back(), config.texel_cache.line_bytes, expected);
         }
-        command.accesses.add(accesses);
+        command.access_begin.push_back(static_cast<std::uint32_t>(command.accesses.size()));
 
         PreparedScene scene;
         PreparedQuad quad;

@@ -53,10 +53,8 @@ std::string textures_of(const work::WholeCommand& command) {
 
 std::uint64_t texel_reads(const work::WholeCommand& command) {
     std::uint64_t reads = 0;
-    for (std::size_t i = 0; i < command.accesses.quads(); ++i)
-        command.accesses.of(i).for_each([&](const TexelAccess& access) {
-            reads += std::uint64_t{1} << std::popcount(access.linear);
-        });
+    for (const TexelAccess& access : command.accesses)
+        reads += std::uint64_t{1} << std::popcount(access.linear);
     return reads;
 }
 
@@ -91,7 +89,7 @@ std::string draw_facts(const work::WholeCommand& command, const DrawNote& note) 
         fates.depth,
         fates.written,
         textures_of(command),
-        command.accesses.count(),
+        command.accesses.size(),
         texel_reads(command));
 }
 

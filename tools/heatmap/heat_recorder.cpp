@@ -75,18 +75,18 @@ void HeatRecorder::add_quad(Target& target, const WorkQuad& quad) {
 }
 
 void HeatRecorder::add_accesses(Target& target, const WorkBatch& batch, std::uint32_t texture) {
-    const auto add = [&](const WorkQuad& quad, const TexelAccess& access) {
-        if ((quad.after_early_depth >> access.lane & 1) == 0) return; // hidden
-        Pixel* const pixel = target.at(quad, access.lane);
-        if (!pixel) return;
-        pixel->level_sum += access.level;
-        ++pixel->level_count;
-        pixel->texture = texture;
-    };
-    for (const TexelFootprints& unit : batch.textures)
-        for (std::size_t i = 0; i < batch.quads.size(); ++i)
-            unit.accesses.of(i).for_each(
-                [&](const TexelAccess& access) { add(batch.quads[i], access); });
+    for (const TexelFootprints& unit : batch.textures) {
+        for (const TexelAccess& access : unit.accesses) {
+            const WorkQuad& quad = batch.quads[access.lane / 4u];
+            const unsigned lane = access.lane % 4u;
+            if ((quad.after_early_depth >> lane & 1) == 0) continue; // hidden
+            Pixel* const pixel = target.at(quad, lane);
+            if (!pixel) continue;
+            pixel->level_sum += access.level;
+            ++pixel->level_count;
+            pixel->texture = texture;
+        }
+    }
 }
 
 void HeatRecorder::quad_retired(const timing::QuadRetired& quad) {

@@ -111,10 +111,10 @@ std::shared_ptr<const work::WholeCommand> full_screen(const Pass& pass) {
                                       .after_stencil = 15,
                                       .after_depth = 15});
             for (unsigned unit = 0; unit < pass.frame.textures; ++unit) {
-                std::vector<TexelAccess> accesses;
                 for (std::uint16_t lane = 0; lane < 4; ++lane)
-                    accesses.push_back(bilinear(x + lane % 2u, y + lane / 2u, lane));
-                command->accesses.add(accesses);
+                    command->accesses.push_back(bilinear(x + lane % 2u, y + lane / 2u, lane));
+                command->access_begin.push_back(
+                    static_cast<std::uint32_t>(command->accesses.size()));
             }
         }
     return command;
