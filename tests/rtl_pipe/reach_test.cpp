@@ -140,32 +140,6 @@ TEST_CASE("Targets and images of the pipe lie anywhere in memory") {
     CHECK(comparison.fragments().at("") > 256);
 }
 
-// Those that have 1 for it make no divisor, though their draw carries q.
-TEST_CASE("Some primitives of a draw divide by q, and some do not") {
-    PipeComparison comparison(Memory);
-    test::Scene scene(16, 16);
-    comparison.attach(scene.gpu, scene.gpu);
-    scene.into = &comparison;
-    scene.texture(4, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
-    scene.registers.vertex_format.elements[static_cast<unsigned>(Attribute::TexCoord0)] = {4, 6};
-    scene.clear(0xffffffff);
-    const float last_w = GENERATE(1.0f, 1.5f); // without perspective, and with it
-    std::vector<test::Vertex> vertices;
-    for (unsigned i = 0; i < 12; ++i) {
-        const float at = static_cast<float>(i) / 12 - 1, q = i % 3 == 1 ? 1.0f : 0.25f;
-        for (const auto& [x, y, w] : {std::array{at, at, 1.0f},
-                                      std::array{at + 1, at, 1.0f},
-                                      std::array{at, at + 1, last_w}})
-            vertices.push_back(
-                {x * w, y * w, 0, w, 0, 0, x + 1, y + 1, 0, q == 1 ? q : q * (2 + x - y)});
-    }
-    scene.draw(PrimitiveType::Triangles, vertices);
-    INFO(comparison.summary());
-    CHECK(comparison.equal());
-    CHECK(comparison.fragments().at("") > 12 * 16);
-    CHECK(colors_of(scene) > 10);
-}
-
 // What the texture unit holds of an image stays for the draws of one number, and for no other.
 TEST_CASE("Draws are told apart by every bit of their number") {
     PipeComparison comparison(Memory);
