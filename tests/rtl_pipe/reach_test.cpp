@@ -5,6 +5,7 @@
 #include "tools/rtl/pipe_comparison.h"
 
 #include <algorithm>
+#include <bit>
 #include <random>
 #include <set>
 #include <utility>
@@ -72,21 +73,27 @@ struct Image {
     TextureKind kind;
     Format format;
     std::uint32_t width, height, depth;
+    std::uint32_t border = 0;
 };
 
 // A step of 64 texels a pixel along the long axis: each of them has a place of its own.
 TEST_CASE("The pipe finds the texels of images as large as they may be") {
     constexpr std::uint32_t Most = MaxTextureSize;
-    const Image image = GENERATE(Image{TextureKind::OneD, Format::Rgba8, Most, 1, 1},
-                                 Image{TextureKind::TwoD, Format::Rgba8, Most, 4, 1},
-                                 Image{TextureKind::TwoD, Format::Luminance8, 4, Most, 1},
-                                 Image{TextureKind::Rectangle, Format::Rgb565, Most, 3, 1},
-                                 Image{TextureKind::Rectangle, Format::Rgb565, 3, Most, 1},
-                                 Image{TextureKind::ThreeD, Format::Rgba8, 4, 4, MaxTexture3dSize},
-                                 Image{TextureKind::TwoD, Format::Dxt5, Most, 4, 1},
-                                 Image{TextureKind::TwoD, Format::Dxt1Rgba, 4, Most, 1},
-                                 Image{TextureKind::TwoD, Format::Fxt1Rgba, Most, 4, 1},
-                                 Image{TextureKind::TwoD, Format::Fxt1Rgba, 8, Most, 1});
+    const Image image =
+        GENERATE(Image{TextureKind::OneD, Format::Rgba8, Most, 1, 1},
+                 Image{TextureKind::TwoD, Format::Rgba8, Most, 4, 1},
+                 Image{TextureKind::TwoD, Format::Luminance8, 4, Most, 1},
+                 Image{TextureKind::Rectangle, Format::Rgb565, Most, 3, 1},
+                 Image{TextureKind::Rectangle, Format::Rgb565, 3, Most, 1},
+                 Image{TextureKind::ThreeD, Format::Rgba8, 4, 4, MaxTexture3dSize},
+                 Image{TextureKind::TwoD, Format::Dxt5, Most, 4, 1},
+                 Image{TextureKind::TwoD, Format::Dxt1Rgba, 4, Most, 1},
+                 Image{TextureKind::TwoD, Format::Fxt1Rgba, Most, 4, 1},
+                 Image{TextureKind::TwoD, Format::Fxt1Rgba, 8, Most, 1},
+                 Image{TextureKind::OneD, Format::Rgba8, Most, 1, 1, 1},
+                 Image{TextureKind::TwoD, Format::Rgba8, Most, 4, 1, 1},
+                 Image{TextureKind::TwoD, Format::Luminance8, 4, Most, 1, 1},
+                 Image{TextureKind::ThreeD, Format::Rgba8, 4, 4, MaxTexture3dSize, 1});
     const bool linear = GENERATE(false, true);
     PipeComparison comparison(Memory);
     test::Scene scene(64, 8);
@@ -96,12 +103,16 @@ TEST_CASE("The pipe finds the texels of images as large as they may be") {
     write_noise(scene, test::TextureAt, 0x10000);
     Registers& registers = scene.registers;
     registers.images[0].shape = {
-        image.kind, image.format, image.width, image.height, image.depth, 1, 0};
+        image.kind, image.format, image.width, image.height, image.depth, 1, image.border};
     registers.samplers[0].magnify_linear = registers.samplers[0].minify_linear = linear;
-    registers.samplers[0].wrap.fill(Wrap::ClampToEdge);
+    registers.samplers[0].wrap.fill(image.border ? Wrap::ClampToBorder : Wrap::ClampToEdge);
     // s, t and r: those of rectangles count texels.
     registers.vertex_format.elements[static_cast<unsigned>(Attribute::TexCoord0)] = {3, 7};
     auto vertices = rectangle(-1, -1, 1, 1);
+    if (image.border) // and beyond its edges
+        for (test::Vertex& vertex : vertices)
+            for (float* const along : {&vertex.a, &vertex.s, &vertex.t})
+                *along = 1.2f * *along - 0.1f;
     if (image.kind == TextureKind::Rectangle)
         for (test::Vertex& vertex : vertices) {
             vertex.a *= static_cast<float>(image.width);
@@ -115,6 +126,40 @@ TEST_CASE("The pipe finds the texels of images as large as they may be") {
     CHECK(comparison.equal());
     CHECK(comparison.fragments() == std::map<std::string, std::uint64_t>{{"", 64 * 8}});
     CHECK(colors_of(scene) > 40);
+}
+
+// Each level has a colour. Two draws of one: each bank of the texture unit has it.
+TEST_CASE("The pipe finds as many levels as an image may have") {
+    const std::uint32_t most = std::bit_width(std::uint32_t{MaxTextureSize});
+    PipeComparison comparison(Memory);
+    test::Scene scene(64, 8);
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    scene.texture(1, {0}); // its sampler
+    Registers& registers = scene.registers;
+    registers.samplers[0].mip_filter = MipFilter::Nearest;
+    TextureShape& shape = registers.images[0].shape;
+    shape = {TextureKind::TwoD, Format::Rgba8, MaxTextureSize, 4, 1, most, 0};
+    const auto color = [](std::uint32_t level) { return 0xff00'0000 | level * 0x14'0a05; };
+    for (std::uint32_t level = 0; level < most; ++level) {
+        const LevelLayout layout = level_layout(shape, level);
+        const std::vector<std::uint32_t> texels(layout.bytes / 4, color(level));
+        scene.into->write_memory(static_cast<DeviceAddress>(test::TextureAt + layout.offset),
+                                 std::as_bytes(std::span(texels)));
+    }
+    scene.clear(0);
+    for (std::uint32_t level = 0; level < most; ++level)
+        for (unsigned time = 0; time < 2; ++time) {
+            auto vertices = rectangle(-1, -1, 1, 1);
+            for (test::Vertex& vertex : vertices) {
+                vertex.s *= static_cast<float>(64u << level) / MaxTextureSize;
+                vertex.t = 0;
+            }
+            scene.draw(PrimitiveType::TriangleFan, vertices);
+            INFO("level " << level << "\n" << comparison.summary());
+            REQUIRE(comparison.equal());
+            CHECK(scene.pixel(20, 3) == color(level));
+        }
 }
 
 // Where an address loses a bit there is nothing.
