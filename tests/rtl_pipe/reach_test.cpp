@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 namespace ffgpu::tools {
 namespace {
@@ -160,6 +161,53 @@ TEST_CASE("The pipe finds as many levels as an image may have") {
             REQUIRE(comparison.equal());
             CHECK(scene.pixel(20, 3) == color(level));
         }
+}
+
+// Over q the power of two of s and t is held to a range, where the exponents would not hold those
+// of single pixels: attributes as small and as large as geometry hands over, planes that cross 0 in
+// the picture by steps of their last bit.
+TEST_CASE("Coordinates over a q of any magnitude are the model's") {
+    PipeComparison comparison(Memory);
+    test::Scene scene(16, 16);
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    scene.texture(4, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
+    scene.registers.samplers[0].wrap.fill(Wrap::ClampToEdge);
+    const unsigned unit = GENERATE(0u, 6u);
+    Registers& registers = scene.registers;
+    std::swap(registers.images[0], registers.images[unit]);
+    std::swap(registers.samplers[0], registers.samplers[unit]);
+    std::swap(registers.combiners[0], registers.combiners[unit]);
+    const auto texture = static_cast<unsigned>(CombineSource::Texture0) + unit;
+    for (CombineHalf* half : {&registers.combiners[unit].rgb, &registers.combiners[unit].alpha})
+        half->arguments[0].source = static_cast<CombineSource>(texture);
+    // s and t in blue and alpha, q in t.
+    registers.vertex_format.elements[static_cast<unsigned>(Attribute::TexCoord0) + unit] = {4, 6};
+    scene.clear(0xffffffff);
+    struct Plane {
+        float step, level;
+        float at(float x) const { return level + step * (x - 0.0625f); }
+    };
+    constexpr std::array Planes{Plane{0x1p-66f, 0},
+                                Plane{0, 0x1p-59f},
+                                Plane{0x1p-4f, 1},
+                                Plane{0x1p51f, 0},
+                                Plane{0, 0x1.ep59f}};
+    for (const Plane& s : Planes)
+        for (const Plane& t : Planes)
+            for (const Plane& q : Planes) {
+                std::vector<test::Vertex> corners;
+                for (const auto& [x, y, w] : {std::array{-100.0f, -100.0f, 0.53f},
+                                              std::array{300.0f, -100.0f, 0.53f},
+                                              std::array{-100.0f, 300.0f, 0.54f}})
+                    corners.push_back({x * w, y * w, 0, w, 0, 0, s.at(x), t.at(y), 0, q.at(x)});
+                scene.draw(PrimitiveType::Triangles, corners);
+                INFO(
+                    fmt::format("unit {} s {:a}, t {:a}, q {:a}", unit, s.at(1), t.at(1), q.at(1)));
+                INFO(comparison.summary());
+                REQUIRE(comparison.equal());
+            }
+    CHECK(comparison.fragments().at("") == 125 * 256);
 }
 
 // Where an address loses a bit there is nothing.
