@@ -62,8 +62,14 @@ struct StencilDepth {
             const StencilFace& face =
                 target.quad.front_facing ? state.stencil.front : state.stencil.back;
             const std::uint32_t stencil = random.one_in(3) ? face.reference : random.byte();
-            target.pixels[lane] = random_depth(random) << 8 | stencil;
-            if (state.format == Format::Depth16) target.pixels[lane] = random_depth(random);
+            // Some differ in a single bit from what they are compared with.
+            const std::array compared{
+                target.quad.depth[lane], state.depth.bounds_min, state.depth.bounds_max};
+            const std::uint32_t stored = random.one_in(3)
+                                             ? compared[random.below(3)] ^ 1u << random.below(24)
+                                             : random_depth(random);
+            target.pixels[lane] = stored << 8 | stencil;
+            if (state.format == Format::Depth16) target.pixels[lane] = stored;
         }
         return target;
     }
