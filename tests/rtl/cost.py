@@ -1,20 +1,24 @@
 #!/usr/bin/env python3
-"""cost.py [--check] [UNIT...]: what each RTL unit costs on an ECP5, by yosys, into docs/rtl_cost.md.
+"""cost.py [--check] [UNIT...]: what each RTL unit costs on an ECP5, by yosys, into docs/rtl_cost.md; and
+of those that find room on an iCE40 what nextpnr-ice40 achieves (place.py), where it is installed.
 
---check: compares with the page, and fails where a figure is more than 3 % off.
+--check: compares with the page, and fails where a figure is more than 3 % off. 77: no yosys.
 """
 import argparse
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
-Root = Path(__file__).resolve().parents[2]
-Rtl = Root / "rtl"
+import place
+from ports import Packages, Rtl
+
+Root = Rtl.parent
 Page = Root / "docs" / "rtl_cost.md"
 Tolerance = 0.03
 # What is theirs alone is mapped, and the figures of the units inside are added: flattened they take
@@ -46,9 +50,7 @@ def parts(unit):
 def cost(unit, parameters=None, known=None):
     """The five figures of a unit: of a design flattened and mapped, before placement. A composed one's
     parts are taken from those that are `known`."""
-    packages = ["ffgpu_registers_pkg.sv", "ffgpu_pkg.sv", "ffgpu_texture_pkg.sv",
-                "ffgpu_pipe_pkg.sv"]
-    files = " ".join(str(Rtl / f) for f in packages + [f"{unit}.sv"])
+    files = " ".join(str(Rtl / f"{name}.sv") for name in [*Packages, unit])
     sets = "".join(f"-set {name} {value} " for name, value in (parameters or {}).items())
     boxes = parts(unit)
     boxing = "".join(f"blackbox {name}; " for name in boxes.values())
@@ -118,7 +120,20 @@ of 4 bits.
 {rows}"""
 
 
-def page(costs, cache):
+def placed_table(placed):
+    rows = "".join(f"| {unit} | {place.Chip} | {cells} | {frequency} |\n"
+                   for unit, (cells, frequency) in sorted(placed.items()))
+    return f"""## Placed and routed
+
+By nextpnr-ice40 (Debian's 0.4, seed {place.Seed}) on the largest iCE40, of {place.Room} logic cells: a LUT of four inputs, a carry and a flop each, no multipliers. A unit stands between two shift registers,
+since it has more ports than there are pins: every path lies between flops. Their cells are not counted. Other units find no room beside them.
+
+| unit | chip | logic cells | MHz |
+|---|---|---|---|
+{rows}"""
+
+
+def page(costs, cache, placed):
     version = subprocess.run(["yosys", "-V"], capture_output=True, text=True).stdout.split()[1]
     rows = "".join(f"| {unit} | " + " | ".join(str(f) for f in figures) + " |\n"
                    for unit, figures in sorted(costs.items()))
@@ -137,24 +152,29 @@ and fast.
 Quads carry their key (96 bits) and, up to fog, eight units' samples (1024 bits) through every stage: that is most of the flip-flops of the environments. Data that a build never
 looks at goes away with the ports that end it.
 {left}
-{cache_table(cache)}"""
+{cache_table(cache)}
+{placed_table(placed)}"""
 
 
 def read_page():
-    """The figures of each unit on the page, and the cache's memory bits by the bits of its sets."""
+    """The figures of each unit on the page, the cache's memory bits by the bits of its sets, and those
+    of units that are placed."""
     text = Page.read_text() if Page.exists() else ""
     rows = re.findall(r"^\| ([a-z]\w+) \| ([\d |]+) \|$", text, re.M)
     sizes = re.findall(r"^\| (\d+) \| \d+ \| \d+ \| (\d+) \|$", text, re.M)
+    placed = re.findall(rf"^\| (\w+) \| {place.Chip} \| (\d+) \| ([\d.]+) \|$", text, re.M)
     return ({unit: tuple(int(f) for f in figures.split(" | ")) for unit, figures in rows},
-            {int(sets).bit_length() - 1: int(memory) for sets, memory in sizes})
+            {int(sets).bit_length() - 1: int(memory) for sets, memory in sizes},
+            {unit: (int(cells), float(frequency)) for unit, cells, frequency in placed})
 
 
-def drifts_of(names, before, costs):
+def drifts_of(columns, before, now):
+    """Between figures on the page and those of the units that were measured."""
     drifts = [f"{unit}: {column} was {old}, is {new}"
-              for unit in names
-              for column, old, new in zip(Columns, before.get(unit, ()), costs[unit])
+              for unit in now
+              for column, old, new in zip(columns, before.get(unit, ()), now[unit])
               if abs(new - old) > Tolerance * old]
-    drifts += [f"{unit}: not on the page" for unit in names if unit not in before]
+    drifts += [f"{unit}: not on the page" for unit in now if unit not in before]
     return drifts + [f"{unit}: on the page, not in rtl/" for unit in before if unit not in units()]
 
 
@@ -164,17 +184,35 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("units", nargs="*")
     arguments = parser.parse_args()
+    if not shutil.which("yosys"):
+        print("yosys is not installed: nothing is measured")
+        sys.exit(77)
     names = arguments.units or units()
-    before, cache = read_page()
-    costs = measured(names, before, cache, arguments)
+    before, cache, placed_before = read_page()
+    placed = placed_units(names, arguments.jobs)
+    costs = measured(names, before, cache, {**placed_before, **placed}, arguments)
     wrong = [f"texel_cache of {1 << bits} sets: {memory} memory bits, not {cache_memory(bits)}"
              for bits, memory in cache.items() if memory != cache_memory(bits)]
-    drifts = drifts_of(names, before, costs) + wrong
+    drifts = (drifts_of(Columns, before, costs) + wrong +
+              drifts_of(("logic cells", "MHz"), placed_before, placed))
     print(*(drifts if arguments.check else wrong), sep="\n")
     sys.exit(1 if wrong or (arguments.check and drifts) else 0)
 
 
-def measured(names, before, cache, arguments):
+def placed_units(names, jobs):
+    """{unit: (logic cells, MHz)} of those that find room."""
+    if not place.is_there():
+        print("nextpnr-ice40 is not installed: no unit is placed", file=sys.stderr)
+        return {}
+    units = [unit for unit in names if unit in place.Placeable]
+    with ThreadPoolExecutor(jobs) as pool:
+        placed = dict(zip(units, pool.map(place.place, units)))
+    for unit, (cells, frequency) in placed.items():
+        print(unit, place.Chip, cells, frequency, flush=True)
+    return placed
+
+
+def measured(names, before, cache, placed, arguments):
     """The units' costs, and the cache's sizes into `cache`. The page gets each as it comes: yosys
     works for long."""
     costs = {}
@@ -183,7 +221,7 @@ def measured(names, before, cache, arguments):
     def take(unit, figures):
         costs[unit] = figures
         if not arguments.check:
-            Page.write_text(page({**kept, **costs}, cache))
+            Page.write_text(page({**kept, **costs}, cache, placed))
 
     with ThreadPoolExecutor(arguments.jobs) as pool:
         sizes = {pool.submit(cost, "texel_cache", {"SetBits": bits}): bits

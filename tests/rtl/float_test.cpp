@@ -55,6 +55,12 @@ public:
         if (is_ordinary(sum)) compare("sum", sum, dut_.sum_o, double{a} + b);
         if (a >= 0 && a < 1048576 && dut_.integer_o != static_cast<std::uint32_t>(a))
             tell("integer", a, b);
+        if (std::abs(a) < 0x1p22f) {
+            const float nearest = std::nearbyint(a);
+            halves += std::abs(a - nearest) == 0.5f;
+            const auto expected = static_cast<std::uint32_t>(static_cast<std::int32_t>(nearest));
+            if (dut_.nearest_o != (expected & 0xffffff)) tell("nearest integer", a, b);
+        }
     }
     void check_conversion(std::uint32_t integer) {
         dut_.signed_i = integer;
@@ -66,6 +72,7 @@ public:
     }
     std::uint64_t wrong = 0, compared = 0, carries = 0; // of a rounding into the exponent
     std::array<std::uint64_t, 4> products{}, sums{}, conversions{};
+    std::uint64_t halves = 0; // rounded to an integer
 
 private:
     void compare(const char* what, float expected, std::uint32_t got, double exact) {
@@ -100,12 +107,21 @@ TEST_CASE("products, sums and conversions of binary32 equal the host's") {
         if (random.one_in(2)) integer = integer >> dropped << dropped;
         if (random.one_in(2)) integer = 0 - integer;
         checker.check_conversion(integer + random.below(3) - 1);
+        // Halves and their neighbours, rounded to integers.
+        if (random.one_in(16)) {
+            const float whole = static_cast<float>(random.word() >> (10 + random.below(22)));
+            const float half = random.one_in(2) ? whole + 0.5f : -whole - 0.5f;
+            checker.check(half, whole);
+            checker.check(std::nextafter(half, 0.0f), whole);
+            checker.check(std::nextafter(half, 2 * half), whole);
+        }
         // Products beside a power of two: half of those below are rounded up to it.
         if (a != 0 && random.one_in(4)) checker.check(a, 1 / a);
     }
     CHECK(checker.wrong == 0);
     CHECK(checker.compared > count);
     CHECK(checker.carries > 0);
+    CHECK(checker.halves > 0);
     for (unsigned way = 0; way < 4; ++way) {
         CHECK(checker.products[way] > 0);
         CHECK(checker.sums[way] > 0);

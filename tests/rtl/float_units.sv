@@ -6,6 +6,7 @@ module float_units (
   output ffgpu_pkg::float_t product_o,
   output ffgpu_pkg::float_t sum_o,
   output logic [19:0]       integer_o,
+  output logic [23:0]       nearest_o,
   input  logic [31:0]       signed_i,
   output ffgpu_pkg::float_t converted_o
 );
@@ -27,6 +28,10 @@ module float_units (
   ) u_to_unsigned (
     .value_i(a_i),
     .integer_o
+  );
+  float_to_signed u_to_signed (
+    .value_i  (a_i),
+    .integer_o(nearest_o)
   );
   float_from_signed u_from_signed (
     .enable_i (1'b1),

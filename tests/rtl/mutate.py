@@ -20,6 +20,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import mutants
+from ports import ports
 
 Root = Path(__file__).resolve().parents[2]
 Rtl = Root / "rtl"
@@ -203,15 +204,6 @@ def proves(script, timeout):
 def is_combinational(module):
     text = (Rtl / f"{module}.sv").read_text()
     return "clk_i" not in text and "#(\n  parameter" not in text
-
-
-def ports(module):
-    """[(input or output, declaration, name)] of a module, its parameters as they are by default."""
-    text = (Rtl / f"{module}.sv").read_text()
-    header = text[text.index(f"module {module}"):text.index("\n);")]
-    for name, value in re.findall(r"parameter int unsigned (\w+) = (\d+)", header):
-        header = re.sub(rf"\b{name}\b", value, header)
-    return re.findall(r"^  (input|output) +(.*?) +(\w+),?(?: *//.*)?$", header, re.M)
 
 
 def is_equal_in_range(unit, number, module):

@@ -26,7 +26,10 @@ struct Reciprocal {
     static State random_state(Random&) { return {}; }
     static TaggedFloat random_input(Random& random, const State&) {
         const std::uint32_t exponent = 1 + random.below(252);
-        const std::uint32_t fraction = random.one_in(20) ? 0 : random.word() >> 9;
+        const std::uint32_t near = (1u << random.below(24)) + random.below(3) - 1;
+        const std::uint32_t fraction = random.one_in(20)   ? 0
+                                       : random.one_in(20) ? near & 0x7fffff
+                                                           : random.word() >> 9;
         return {false,
                 static_cast<std::uint16_t>(random.below(1024)),
                 std::bit_cast<float>(random.word() << 31 | exponent << 23 | fraction)};

@@ -27,10 +27,12 @@ struct StencilDepth {
 
     static void set_tag(TargetQuad& target, unsigned tag) { target.quad.tag = tag != 0; }
 
-    // Stored values and bounds near each other, so that comparisons meet all sides.
+    // Stored values and bounds near each other, so that comparisons meet all sides; or anything, so
+    // that each bit of them decides.
     static std::uint32_t random_depth(Random& random) {
-        static constexpr std::array<std::uint32_t, 4> Around{0, 0x8000, 0xffff, 0xffffff};
-        return (Around[random.below(4)] + random.below(3) - 1) & 0xffffff;
+        static constexpr std::array<std::uint32_t, 5> Around{0, 0x8000, 0xffff, 0x800000, 0xffffff};
+        if (random.one_in(4)) return random.word() >> 8;
+        return (Around[random.below(5)] + random.below(3) - 1) & 0xffffff;
     }
     static StencilFace random_face(Random& random) {
         return {random.any<Compare>(8),
@@ -60,8 +62,14 @@ struct StencilDepth {
             const StencilFace& face =
                 target.quad.front_facing ? state.stencil.front : state.stencil.back;
             const std::uint32_t stencil = random.one_in(3) ? face.reference : random.byte();
-            target.pixels[lane] = random_depth(random) << 8 | stencil;
-            if (state.format == Format::Depth16) target.pixels[lane] = random_depth(random);
+            // Some differ in a single bit from what they are compared with.
+            const std::array compared{
+                target.quad.depth[lane], state.depth.bounds_min, state.depth.bounds_max};
+            const std::uint32_t stored = random.one_in(3)
+                                             ? compared[random.below(3)] ^ 1u << random.below(24)
+                                             : random_depth(random);
+            target.pixels[lane] = stored << 8 | stencil;
+            if (state.format == Format::Depth16) target.pixels[lane] = stored;
         }
         return target;
     }

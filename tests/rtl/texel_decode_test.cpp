@@ -51,6 +51,7 @@ struct TexelDecode {
             texel.block[0] = texel.block[2] = end << 16 | ((end + random.below(3) - 1) & 0xffff);
         }
         if (random.one_in(2)) texel.reference = depth_of(texel) + random.below(3) - 1;
+        if (random.one_in(4)) texel.reference = depth_of(texel) ^ 1u << random.below(24);
         texel.reference &= 0xffffff;
         return texel;
     }

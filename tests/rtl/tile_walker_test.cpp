@@ -25,10 +25,10 @@ struct TileWalker {
     static void set_tag(TileEdges& walk, unsigned tag) { walk.tag = tag != 0; }
     static State random_state(Random&) { return {}; }
 
-    // A coordinate in or around the tile, or far off; on a pixel's centre often, so that edges meet
-    // centres.
+    // A coordinate in or around the tile, or far off, up to the ends of what there is; on a pixel's
+    // centre often, so that edges meet centres.
     static std::int32_t coordinate(Random& random, int tile) {
-        const int reach = random.one_in(6) ? 2000 : 48;
+        const int reach = !random.one_in(6) ? 48 : random.one_in(3) ? 24576 : 2000;
         const int whole =
             tile - reach / 3 + static_cast<int>(random.below(static_cast<std::uint32_t>(reach)));
         const int clamped = std::clamp(whole, -8191, 8191);

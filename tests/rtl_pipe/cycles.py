@@ -199,6 +199,14 @@ def path_of(trace):
     return Path(trace)
 
 
+def those_there():
+    """Of the eight traces some are recordings that may not stand beside the sources."""
+    there = [trace for trace in Traces if path_of(trace).exists()]
+    if missing := [trace for trace in Traces if trace not in there]:
+        print(f"not here, left out: {', '.join(missing)}")
+    return there
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("build", type=Path)
@@ -211,7 +219,7 @@ def main():
     arguments = parser.parse_intermixed_args()
     ffgpu = arguments.build / "tools/ffgpu"
     holds = True
-    for trace in arguments.traces or Traces:
+    for trace in arguments.traces or those_there():
         rtl = rtl_cycles(ffgpu, path_of(trace), arguments.frames, arguments.latency)
         model = model_cycles(ffgpu, path_of(trace), arguments.frames,
                              [arguments.config, f"memory.latency={arguments.latency}"])

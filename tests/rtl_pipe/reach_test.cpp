@@ -5,21 +5,24 @@
 #include "tools/rtl/pipe_comparison.h"
 
 #include <algorithm>
+#include <bit>
 #include <random>
 #include <set>
 #include <utility>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 namespace ffgpu::tools {
 namespace {
 
 constexpr rtl::PipeOptions Memory{.latency = 4, .quiet_cycles = 1 << 14};
 
-// Two rows of corners or two columns of them, at x and y in -1 .. 1; s, t and r follow x.
+// Two rows of corners or two columns of them, at x and y in -1 .. 1; s, t and r follow x, depth
+// both.
 test::Vertex corner(float x, float y) {
     const float along = 0.5f + x / 2;
-    return {x, y, y / 2, 1, along, 1 - along, 0.5f, along, along, along};
+    return {x, y, (x + y) / 4, 1, along, 1 - along, 0.5f, along, along, along};
 }
 
 std::vector<test::Vertex> rectangle(float x0, float y0, float x1, float y1) {
@@ -71,21 +74,27 @@ struct Image {
     TextureKind kind;
     Format format;
     std::uint32_t width, height, depth;
+    std::uint32_t border = 0;
 };
 
 // A step of 64 texels a pixel along the long axis: each of them has a place of its own.
 TEST_CASE("The pipe finds the texels of images as large as they may be") {
     constexpr std::uint32_t Most = MaxTextureSize;
-    const Image image = GENERATE(Image{TextureKind::OneD, Format::Rgba8, Most, 1, 1},
-                                 Image{TextureKind::TwoD, Format::Rgba8, Most, 4, 1},
-                                 Image{TextureKind::TwoD, Format::Luminance8, 4, Most, 1},
-                                 Image{TextureKind::Rectangle, Format::Rgb565, Most, 3, 1},
-                                 Image{TextureKind::Rectangle, Format::Rgb565, 3, Most, 1},
-                                 Image{TextureKind::ThreeD, Format::Rgba8, 4, 4, MaxTexture3dSize},
-                                 Image{TextureKind::TwoD, Format::Dxt5, Most, 4, 1},
-                                 Image{TextureKind::TwoD, Format::Dxt1Rgba, 4, Most, 1},
-                                 Image{TextureKind::TwoD, Format::Fxt1Rgba, Most, 4, 1},
-                                 Image{TextureKind::TwoD, Format::Fxt1Rgba, 8, Most, 1});
+    const Image image =
+        GENERATE(Image{TextureKind::OneD, Format::Rgba8, Most, 1, 1},
+                 Image{TextureKind::TwoD, Format::Rgba8, Most, 4, 1},
+                 Image{TextureKind::TwoD, Format::Luminance8, 4, Most, 1},
+                 Image{TextureKind::Rectangle, Format::Rgb565, Most, 3, 1},
+                 Image{TextureKind::Rectangle, Format::Rgb565, 3, Most, 1},
+                 Image{TextureKind::ThreeD, Format::Rgba8, 4, 4, MaxTexture3dSize},
+                 Image{TextureKind::TwoD, Format::Dxt5, Most, 4, 1},
+                 Image{TextureKind::TwoD, Format::Dxt1Rgba, 4, Most, 1},
+                 Image{TextureKind::TwoD, Format::Fxt1Rgba, Most, 4, 1},
+                 Image{TextureKind::TwoD, Format::Fxt1Rgba, 8, Most, 1},
+                 Image{TextureKind::OneD, Format::Rgba8, Most, 1, 1, 1},
+                 Image{TextureKind::TwoD, Format::Rgba8, Most, 4, 1, 1},
+                 Image{TextureKind::TwoD, Format::Luminance8, 4, Most, 1, 1},
+                 Image{TextureKind::ThreeD, Format::Rgba8, 4, 4, MaxTexture3dSize, 1});
     const bool linear = GENERATE(false, true);
     PipeComparison comparison(Memory);
     test::Scene scene(64, 8);
@@ -95,12 +104,16 @@ TEST_CASE("The pipe finds the texels of images as large as they may be") {
     write_noise(scene, test::TextureAt, 0x10000);
     Registers& registers = scene.registers;
     registers.images[0].shape = {
-        image.kind, image.format, image.width, image.height, image.depth, 1, 0};
+        image.kind, image.format, image.width, image.height, image.depth, 1, image.border};
     registers.samplers[0].magnify_linear = registers.samplers[0].minify_linear = linear;
-    registers.samplers[0].wrap.fill(Wrap::ClampToEdge);
+    registers.samplers[0].wrap.fill(image.border ? Wrap::ClampToBorder : Wrap::ClampToEdge);
     // s, t and r: those of rectangles count texels.
     registers.vertex_format.elements[static_cast<unsigned>(Attribute::TexCoord0)] = {3, 7};
     auto vertices = rectangle(-1, -1, 1, 1);
+    if (image.border) // and beyond its edges
+        for (test::Vertex& vertex : vertices)
+            for (float* const along : {&vertex.a, &vertex.s, &vertex.t})
+                *along = 1.2f * *along - 0.1f;
     if (image.kind == TextureKind::Rectangle)
         for (test::Vertex& vertex : vertices) {
             vertex.a *= static_cast<float>(image.width);
@@ -114,6 +127,87 @@ TEST_CASE("The pipe finds the texels of images as large as they may be") {
     CHECK(comparison.equal());
     CHECK(comparison.fragments() == std::map<std::string, std::uint64_t>{{"", 64 * 8}});
     CHECK(colors_of(scene) > 40);
+}
+
+// Each level has a colour. Two draws of one: each bank of the texture unit has it.
+TEST_CASE("The pipe finds as many levels as an image may have") {
+    const std::uint32_t most = std::bit_width(std::uint32_t{MaxTextureSize});
+    PipeComparison comparison(Memory);
+    test::Scene scene(64, 8);
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    scene.texture(1, {0}); // its sampler
+    Registers& registers = scene.registers;
+    registers.samplers[0].mip_filter = MipFilter::Nearest;
+    TextureShape& shape = registers.images[0].shape;
+    shape = {TextureKind::TwoD, Format::Rgba8, MaxTextureSize, 4, 1, most, 0};
+    const auto color = [](std::uint32_t level) { return 0xff00'0000 | level * 0x14'0a05; };
+    for (std::uint32_t level = 0; level < most; ++level) {
+        const LevelLayout layout = level_layout(shape, level);
+        const std::vector<std::uint32_t> texels(layout.bytes / 4, color(level));
+        scene.into->write_memory(static_cast<DeviceAddress>(test::TextureAt + layout.offset),
+                                 std::as_bytes(std::span(texels)));
+    }
+    scene.clear(0);
+    for (std::uint32_t level = 0; level < most; ++level)
+        for (unsigned time = 0; time < 2; ++time) {
+            auto vertices = rectangle(-1, -1, 1, 1);
+            for (test::Vertex& vertex : vertices) {
+                vertex.s *= static_cast<float>(64u << level) / MaxTextureSize;
+                vertex.t = 0;
+            }
+            scene.draw(PrimitiveType::TriangleFan, vertices);
+            INFO("level " << level << "\n" << comparison.summary());
+            REQUIRE(comparison.equal());
+            CHECK(scene.pixel(20, 3) == color(level));
+        }
+}
+
+// Over q the power of two of s and t is held to a range, where the exponents would not hold those
+// of single pixels: attributes as small and as large as geometry hands over, planes that cross 0 in
+// the picture by steps of their last bit.
+TEST_CASE("Coordinates over a q of any magnitude are the model's") {
+    PipeComparison comparison(Memory);
+    test::Scene scene(16, 16);
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    scene.texture(4, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
+    scene.registers.samplers[0].wrap.fill(Wrap::ClampToEdge);
+    const unsigned unit = GENERATE(0u, 6u);
+    Registers& registers = scene.registers;
+    std::swap(registers.images[0], registers.images[unit]);
+    std::swap(registers.samplers[0], registers.samplers[unit]);
+    std::swap(registers.combiners[0], registers.combiners[unit]);
+    const auto texture = static_cast<unsigned>(CombineSource::Texture0) + unit;
+    for (CombineHalf* half : {&registers.combiners[unit].rgb, &registers.combiners[unit].alpha})
+        half->arguments[0].source = static_cast<CombineSource>(texture);
+    // s and t in blue and alpha, q in t.
+    registers.vertex_format.elements[static_cast<unsigned>(Attribute::TexCoord0) + unit] = {4, 6};
+    scene.clear(0xffffffff);
+    struct Plane {
+        float step, level;
+        float at(float x) const { return level + step * (x - 0.0625f); }
+    };
+    constexpr std::array Planes{Plane{0x1p-66f, 0},
+                                Plane{0, 0x1p-59f},
+                                Plane{0x1p-4f, 1},
+                                Plane{0x1p51f, 0},
+                                Plane{0, 0x1.ep59f}};
+    for (const Plane& s : Planes)
+        for (const Plane& t : Planes)
+            for (const Plane& q : Planes) {
+                std::vector<test::Vertex> corners;
+                for (const auto& [x, y, w] : {std::array{-100.0f, -100.0f, 0.53f},
+                                              std::array{300.0f, -100.0f, 0.53f},
+                                              std::array{-100.0f, 300.0f, 0.54f}})
+                    corners.push_back({x * w, y * w, 0, w, 0, 0, s.at(x), t.at(y), 0, q.at(x)});
+                scene.draw(PrimitiveType::Triangles, corners);
+                INFO(
+                    fmt::format("unit {} s {:a}, t {:a}, q {:a}", unit, s.at(1), t.at(1), q.at(1)));
+                INFO(comparison.summary());
+                REQUIRE(comparison.equal());
+            }
+    CHECK(comparison.fragments().at("") == 125 * 256);
 }
 
 // Where an address loses a bit there is nothing.

@@ -16,10 +16,16 @@ fs::path this_program() {
 }
 
 // Seen from the folder above the program's: of tools/ffgpu, bin/ffgpu and tests/tools_test alike.
-fs::path find_library_folder() {
+fs::path library_path(const std::string& name) {
     const fs::path above = this_program().parent_path().parent_path();
-    for (const char* place : {FFGPU_INSTALLED_LIBRARIES, FFGPU_BUILT_LIBRARIES})
-        if (fs::exists(above / place / "libGL.so.1")) return above / place;
+    const fs::path installed = above / FFGPU_INSTALLED_LIBRARIES / name;
+    return fs::exists(installed) ? installed : above / FFGPU_BUILT_LIBRARIES / name;
+}
+
+fs::path find_library_folder() {
+    const fs::path library = library_path("libGL.so.1");
+    if (fs::exists(library)) return library.parent_path();
+    const fs::path above = this_program().parent_path().parent_path();
     throw InputError("run: libGL.so.1 of ffgpu is neither in " +
                      (above / FFGPU_INSTALLED_LIBRARIES).string() + " nor in " +
                      (above / FFGPU_BUILT_LIBRARIES).string());

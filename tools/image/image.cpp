@@ -14,7 +14,7 @@ namespace {
 
 // OpenImageIO with all that it brings, loaded where a picture is no PNG.
 ReadPicture load_picture_reader(const std::string& path) {
-    const std::string library = (find_library_folder() / "ffgpu_pictures.so").string();
+    const std::string library = library_path("ffgpu_pictures.so").string();
     void* const handle = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* const symbol = handle ? ::dlsym(handle, ReadPictureName) : nullptr;
     if (!symbol)

@@ -10,7 +10,7 @@
 namespace ffgpu::tools {
 
 void* rtl_function(const char* library, const char* name) {
-    const std::string path = (find_library_folder() / library).string();
+    const std::string path = library_path(library).string();
     void* const handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* const symbol = handle ? ::dlsym(handle, name) : nullptr;
     if (!symbol)
