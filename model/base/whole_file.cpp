@@ -52,6 +52,7 @@ WholeFile::WholeFile(std::string path)
     const bool is_special = fs::exists(status) && !fs::is_regular_file(status);
     if (!is_special) temporary_ = unfinished_name(target_);
     const std::string& name = is_special ? target_ : temporary_;
+    if (!is_special) unfinished_.emplace(temporary_);
     file_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, Rights);
     if (file_ < 0) fail(errno);
 }

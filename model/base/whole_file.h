@@ -6,7 +6,10 @@
 
 #pragma once
 
+#include "model/base/unfinished_file.h"
+
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,6 +44,7 @@ private:
     std::string path_;      // as it was given
     std::string target_;    // where links lead
     std::string temporary_; // empty: it is written in place
+    std::optional<UnfinishedFile> unfinished_;
     int file_ = -1;
     int failure_ = 0; // of the first write that failed
     pid_t process_;

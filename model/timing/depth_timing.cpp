@@ -3,6 +3,7 @@
 #include "model/work/surface_lines.h"
 
 #include <bit>
+#include <utility>
 
 namespace ffgpu::timing {
 namespace {
@@ -32,7 +33,8 @@ DepthTiming::DepthTiming(sc_core::sc_module_name name,
                          const Clock& clock,
                          const TimingConfig& config,
                          const Ports& ports,
-                         InFlight& in_flight)
+                         InFlight& in_flight,
+                         std::function<void(const QuadToken&, Cycle)> on_late_end)
     : Unit(name, clock)
     , config_(config)
     , ports_(ports)
@@ -41,7 +43,8 @@ DepthTiming::DepthTiming(sc_core::sc_module_name name,
                      config.depth.test == work::DepthTest::EarlyWhereExact)
     , early_(config.depth_cache.fragment_fifo * config.raster.quads_per_cycle)
     , late_(config.depth_cache.fragment_fifo * config.raster.quads_per_cycle)
-    , interlock_(config.depth_cache.fragment_fifo) {}
+    , interlock_(config.depth_cache.fragment_fifo)
+    , on_late_end_(std::move(on_late_end)) {}
 
 bool DepthTiming::tests_here(Path path, const PreparedDraw& draw) const {
     if (!draw.uses_depth()) return false;
@@ -239,6 +242,7 @@ bool DepthTiming::send(Path path, Activity& reason) {
     const QuadToken token = parked.pop();
     if (is_past_cache(path)) store_pixels(token);
     if (dies) {
+        if (path == Path::Late) on_late_end_(token, now());
         token.scene->end_dead_quad(token.index, now());
         in_flight_.leave();
     } else {

@@ -18,6 +18,8 @@
 #include "model/timing/target_interlock.h"
 #include "model/timing/unit.h"
 
+#include <functional>
+
 namespace ffgpu::timing {
 
 class DepthTiming final : public Unit {
@@ -33,11 +35,13 @@ public:
         HierarchicalDepth* coarse; // null: none is kept
     };
 
+    // `on_late_end` sees each quad of which the late tests leave no fragment, and the cycle.
     DepthTiming(sc_core::sc_module_name name,
                 const Clock& clock,
                 const TimingConfig& config,
                 const Ports& ports,
-                InFlight& in_flight);
+                InFlight& in_flight,
+                std::function<void(const QuadToken&, Cycle)> on_late_end);
 
     std::string state() const override;
 
@@ -86,6 +90,7 @@ private:
     PendingWrites pending_;     // by place
     TargetInterlock interlock_; // without a cache
     QuadObserver* observer_ = nullptr;
+    std::function<void(const QuadToken&, Cycle)> on_late_end_;
 };
 
 } // namespace ffgpu::timing

@@ -23,12 +23,13 @@
 
 namespace ffgpu::timing {
 
-// A quad's end, for maps of the screen.
+// The end of a quad that the texture unit has let through, for maps of the screen: it retired, or
+// the tests behind that unit left none of its fragments.
 struct QuadRetired {
     std::uint16_t x = 0, y = 0; // window pixel of lane 0
     std::uint8_t written = 0;   // four bits
     std::uint32_t texture_misses = 0;
-    std::uint64_t cycles = 0; // since the quad before it retired
+    std::uint64_t cycles = 0; // since the quad before it retired; 0 where it did not
     std::uint64_t end = 0;    // the last of them, since the machine's start
 };
 

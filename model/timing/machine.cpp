@@ -147,7 +147,8 @@ Machine::Machine(const SimulationContext& kernel,
              .cache = depth_port.cache,
              .blocks = blocks.depth.get(),
              .coarse = blocks.coarse.get()},
-            in_flight)
+            in_flight,
+            [this](const QuadToken& token, Cycle now) { tell_end(token, 0, now); })
     , texture("texture",
               clock,
               config,
@@ -343,6 +344,10 @@ void Machine::retire(const QuadToken& token, Cycle now) {
     const Cycle cycles = now - std::max(last_retired, frame_begin);
     last_retired = now;
     if (observer) observer->retired(name_of(token), now);
+    tell_end(token, cycles, now);
+}
+
+void Machine::tell_end(const QuadToken& token, Cycle cycles, Cycle now) {
     if (!on_retire) return;
     const PreparedQuad& quad = token.quad();
     on_retire({.x = quad.x,

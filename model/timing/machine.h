@@ -151,6 +151,8 @@ private:
     void settle();
     void finish_frame(std::uint32_t number);
     void retire(const QuadToken& token, Cycle now);
+    // Of a quad that has passed the texture unit, also one that no fragment is left of.
+    void tell_end(const QuadToken& token, Cycle cycles, Cycle now);
 };
 
 } // namespace ffgpu::timing

@@ -5,10 +5,10 @@
 #pragma once
 
 #include "model/work/frame_figures.h"
-#include "model/work/value_columns.h"
 #include "model/work/whole_command.h"
 #include "model/work/work_fields.h"
 #include "model/work/work_file_blocks.h"
+#include "model/work/work_file_quads.h"
 
 #include <functional>
 #include <memory>
@@ -20,6 +20,9 @@ namespace ffgpu::work {
 
 class WorkFileReader {
 public:
+    // False also where the file cannot be read: its reader says why.
+    static bool is_work_file(const std::string& path);
+
     // Throws InputError, as play(), with one line that names the file and the byte.
     explicit WorkFileReader(const std::string& path);
 
@@ -52,12 +55,6 @@ private:
     void read_geometry(GeometryWork& geometry);
     void read_primitives(GeometryWork& geometry);
     PieceBox read_piece();
-    void read_quad(WholeCommand& command);
-    void read_masks(WorkQuad& quad);
-    void read_samples(WorkQuad& quad);
-    void read_accesses(WholeCommand& command);
-    void read_values(WholeCommand& command);
-    TexelAccess read_access();
     FrameFigures read_figures();
     std::shared_ptr<const SurfaceContent> read_content();
     template <class Command>
@@ -70,9 +67,8 @@ private:
     Places register_places_, image_places_, clear_places_, copy_places_, surface_places_;
     std::shared_ptr<const Registers> state_; // the last read
     FieldValues file_values_;                // of the file's fields of registers
-    AccessForecast forecast_;
-    PieceBox box_; // the last read
-    ValueColumnReader values_in_;
+    PieceBox box_;                           // the last read
+    WorkFileQuads quads_{in_};
 };
 
 } // namespace ffgpu::work

@@ -27,7 +27,9 @@ if [ ! -e "$Root/complete" ]; then
     command -v mmdebstrap >/dev/null || { say "aarch64: skipped, mmdebstrap is not installed"; exit 77; }
     say "Unpacking the libraries of arm64 into $Root"
     rm -rf "$Root"
-    mmdebstrap --quiet --architectures=arm64 --variant=extract --include="$Packages" bookworm "$Root" 2>/dev/null
+    mkdir -p "$Out"
+    mmdebstrap --quiet --architectures=arm64 --variant=extract --include="$Packages" bookworm "$Root" \
+        2>"$Root.log" || { tail -5 "$Root.log" >&2; exit 1; }
     touch "$Root/complete"
 fi
 

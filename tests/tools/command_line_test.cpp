@@ -207,6 +207,18 @@ TEST_CASE("--set takes assignments, and leaves the input its place") {
     CHECK(run({"config", "--set", "texel_cache.ways=2", "texel_cache.sets=8"}) == 0);
 }
 
+TEST_CASE("A value out of range is told of under the option that was given") {
+    const TemporaryFolder folder;
+    const TemporaryFile file(trace::in_snappy(clears(1)));
+    const auto line = [&](const std::vector<std::string>& option) {
+        std::vector<std::string> words{"replay", file.path(), "-o", folder / "x"};
+        words.insert(words.end(), option.begin(), option.end());
+        return printed(stderr, [&] { CHECK(run(words) == 2); });
+    };
+    CHECK_THAT(line({"--threads", "100000"}), StartsWith("ffgpu: --threads: "));
+    CHECK_THAT(line({"--set", "gpu.threads=100000"}), StartsWith("ffgpu: --set: "));
+}
+
 TEST_CASE("What goes with --set is what has its form, up to two dashes") {
     using Words = std::vector<std::string>;
     CHECK(spread_settings({"run", "--set", "a.b=1", "c.d = 2", "in", "e.f=3"}) ==

@@ -180,6 +180,50 @@ TEST_CASE("draws.csv counts the texels that a draw reads, and its misses with th
     CHECK(lines_in(folder / "plain/draws.csv").back().at("cycles").empty());
 }
 
+// Columns of the square are hidden by one that was drawn before at its depth. All fragments have
+// coordinates (0, 0): of the 2x2 texels there three are of the border colour.
+TEST_CASE("texels of hidden fragments and of the border colour are not read") {
+    SceneTrace scene;
+    scene.call("glClear", GlEnum{0x4100});
+    scene.call("glEnable", GlEnum{0x0b71});             // depth test, less
+    scene.call("glRectf", -0.5f, -0.5f, 0.0625f, 0.5f); // 9 columns of 16
+    scene.call("glEnable", GlEnum{0x0de1});
+    scene.call("glTexParameteri", GlEnum{0x0de1}, GlEnum{0x2801}, GlEnum{0x2601}); // linear
+    scene.call("glTexParameteri", GlEnum{0x0de1}, GlEnum{0x2802}, GlEnum{0x2900}); // s: clamp
+    scene.call("glTexParameteri", GlEnum{0x0de1}, GlEnum{0x2803}, GlEnum{0x2900}); // t
+    scene.call("glTexImage2D",
+               GlEnum{0x0de1},
+               0,
+               GlEnum{0x1909},
+               4,
+               4,
+               0,
+               GlEnum{0x1909},
+               GlEnum{0x1401},
+               std::string(16, 'x'));
+    scene.call("glRectf", -0.5f, -0.5f, 0.5f, 0.5f);
+    scene.swap();
+    const TemporaryFolder folder;
+    const TemporaryFile file(scene.file());
+    // Where values are kept hidden fragments are known with their texels.
+    REQUIRE(run({"replay",
+                 file.path(),
+                 "-o",
+                 folder / "out",
+                 "--per-draw",
+                 "--timing",
+                 "--set",
+                 "depth_blocks.compression=true"}) == 0);
+    std::vector<Line> lines = lines_in(folder / "out/draws.csv");
+    std::erase_if(lines, [](const Line& line) { return line.at("kind") != "draw"; });
+    REQUIRE(lines.size() == 2);
+    CHECK(lines[1].at("fragments_killed_early") == "144");
+    CHECK(lines[1].at("texel_accesses") == "112");
+    CHECK(lines[1].at("texel_reads") == "112");
+    const auto figures = nlohmann::json::parse(content(folder / "out/stats.json"))["totals"];
+    CHECK(figures["timing"]["texture_texel_reads"] == 112);
+}
+
 std::size_t count_of_pictures(const std::string& folder) {
     std::size_t count = 0;
     for (const auto& entry : fs::directory_iterator(folder))

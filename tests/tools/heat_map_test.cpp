@@ -223,6 +223,42 @@ TEST_CASE("Maps of blocks tell the bytes of each: none where a clear wrote the s
                   "bottlenecks.enable=false"}) == 2);
 }
 
+TEST_CASE("A quad that the alpha test ends has its misses in the map") {
+    SceneTrace scene;
+    scene.call("glEnable", GlEnum{0x0de1});
+    scene.call("glTexParameteri", GlEnum{0x0de1}, GlEnum{0x2801}, GlEnum{0x2600}); // nearest
+    scene.call("glTexImage2D",
+               GlEnum{0x0de1},
+               0,
+               GlEnum{0x1909},
+               4,
+               4,
+               0,
+               GlEnum{0x1909},
+               GlEnum{0x1401},
+               std::string(16, 'x'));
+    scene.call("glEnable", GlEnum{0x0bc0});
+    scene.call("glAlphaFunc", GlEnum{0x0204}, 0.5f); // greater
+    scene.call("glColor4f", 1.0f, 1.0f, 1.0f, 0.0f);
+    scene.call("glRectf", -0.5f, -0.5f, 0.5f, 0.5f);
+    scene.swap();
+    const TemporaryFolder folder;
+    const TemporaryFile file(scene.file());
+    REQUIRE(run({"replay",
+                 file.path(),
+                 "-o",
+                 folder / "out",
+                 "--timing",
+                 "--heatmap",
+                 "texture_misses,alpha_killed",
+                 "--heatmap-npy"}) == 0);
+    CHECK(sum_of(folder / "out/heat_alpha_killed_0000.npy") == 256);
+    // One line holds the texture; its miss is at the four pixels of one quad.
+    CHECK(sum_of(folder / "out/heat_texture_misses_0000.npy") == 4);
+    const auto figures = nlohmann::json::parse(content(folder / "out/stats.json"))["totals"];
+    CHECK(figures["timing"]["texel_cache_misses"] == 1);
+}
+
 TEST_CASE("The numbers of a heat map add up to the statistics of its frame") {
     const TemporaryFolder folder;
     const TemporaryFile file(trace::in_snappy(clears(1, true)));
@@ -250,6 +286,9 @@ TEST_CASE("The numbers of a heat map add up to the statistics of its frame") {
     REQUIRE(lanes.size() == 32);
     CHECK(*std::ranges::max_element(lanes) <= 4);
     CHECK(run({"replay", file.path(), "-o", folder / "x", "--heatmap-tile", "0"}) == 2);
+    CHECK(run({"replay", file.path(), "-o", folder / "x", "--heatmap-npy"}) == 2);
+    CHECK(run({"replay", file.path(), "-o", folder / "x", "--heatmap-npy", "--view", "level"}) ==
+          0);
 }
 
 } // namespace

@@ -65,6 +65,16 @@ TEST_CASE("info tells the same of a capture and a work file as of the frames the
         CHECK_THAT(text, Contains("frames: 2, 1 to 2\n       2 of 8x4 pixels\n"));
         CHECK_THAT(text, Contains("draws: 2 of 8 vertices, 0 images, 2 clears, 0 copies"));
     }
+    for (const std::vector<std::string>& verb :
+         {std::vector<std::string>{"replay", "-o", folder / "x"},
+          {"explain", "--frame", "1", "--pixel", "0,0"},
+          {"diff"}}) {
+        std::vector<std::string> words = verb;
+        words.push_back(work);
+        CHECK_THAT(printed(stderr, [&] { CHECK(run(words) == 2); }),
+                   StartsWith("ffgpu: " + work + ": is a work file, ") &&
+                       Contains("ffgpu time, cache, export, sweep and info read it"));
+    }
     CHECK(run({"info", folder / "missing"}) == 2);
     CHECK(run({"dump", trace.path()}) == 2);
 }

@@ -165,6 +165,15 @@ TEST_CASE("A capture or work file without a frame is not kept") {
         }
 }
 
+TEST_CASE("A capture that cannot be begun has that reason alone") {
+    const TemporaryFolder folder;
+    const TemporaryFile trace(trace::in_snappy(clears(1)));
+    const std::string told = printed(stderr, [&] {
+        CHECK(run({"replay", trace.path(), "--capture", folder / "none/c.ffc"}) == 2);
+    });
+    CHECK_THAT(told, Contains("none/c.ffc: cannot be written") && !Contains("there is no frame"));
+}
+
 TEST_CASE("A capture and a work file of one name are refused, and nothing is written") {
     const TemporaryFolder folder;
     const TemporaryFile trace(trace::in_snappy(clears(2)));

@@ -6,6 +6,7 @@
 #include "tools/image/image.h"
 #include "tools/image/image_writer.h"
 #include "tools/image/png_file.h"
+#include "tools/replay/interruption.h"
 
 #include <array>
 #include <csignal>
@@ -171,6 +172,50 @@ TEST_CASE("a forked child leaves its parent's file alone") {
     ::waitpid(child, nullptr, 0);
     file->commit();
     CHECK(fs::file_size(path) == 6);
+}
+
+TEST_CASE("who ends the process at once takes its unfinished files away, and no one else's") {
+    const Folder folder;
+    const std::string kept = (folder.path / "kept").string();
+    WholeFile of_parent(kept);
+    of_parent.write("parent");
+    const pid_t child = ::fork();
+    if (child == 0) {
+        // More than are remembered at a time, each over before the next.
+        for (int i = 0; i < 100; ++i)
+            WholeFile((folder.path / "brief").string()).write("over");
+        WholeFile first((folder.path / "first").string()),
+            second((folder.path / "second").string());
+        first.write("a");
+        first.commit();
+        second.write("b");
+        UnfinishedFile::remove_all();
+        std::_Exit(EXIT_SUCCESS);
+    }
+    ::waitpid(child, nullptr, 0);
+    CHECK(folder.files() == 2); // "first", and the parent's
+    CHECK(fs::exists(folder.path / "first"));
+    of_parent.commit();
+    CHECK(fs::file_size(kept) == 6);
+}
+
+TEST_CASE("a second Ctrl-C ends at once, and leaves no half of a file") {
+    const Folder folder;
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const Interruption interruption;
+        WholeFile file((folder.path / "text").string());
+        file.write("half");
+        std::raise(SIGINT);
+        ::usleep(600'000); // Sooner it is the same one.
+        std::raise(SIGINT);
+        std::_Exit(EXIT_SUCCESS);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    CHECK(WIFSIGNALED(status));
+    CHECK(WTERMSIG(status) == SIGINT);
+    CHECK(folder.files() == 0);
 }
 
 TEST_CASE("behind a picture that cannot be written none is") {

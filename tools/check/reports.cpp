@@ -40,7 +40,8 @@ std::string junit_case(const CheckedFrame& frame) {
                                          escaped_line(frame.name));
     if (frame.verdict == Verdict::Passed) return head + "/>\n";
     const char* const kind = frame.verdict == Verdict::Failed ? "failure" : "error";
-    return fmt::format("{}>\n      <{} message=\"{}\"/>\n    </testcase>\n",
+    // Jenkins shows the attribute, GitLab the element's text alone.
+    return fmt::format("{0}>\n      <{1} message=\"{2}\">{2}</{1}>\n    </testcase>\n",
                        head,
                        kind,
                        escaped_line(frame.message));
@@ -49,14 +50,21 @@ std::string junit_case(const CheckedFrame& frame) {
 constexpr const char* PageHead = R"(<!DOCTYPE html>
 <html lang="en">
 <meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{0}</title>
 <style>
 body {{ font: 14px sans-serif; margin: 1em; background: #fff; color: #111 }}
 table {{ border-collapse: collapse }}
 td, th {{ padding: 2px 10px; text-align: left; border-bottom: 1px solid #ccc }}
+h1, h2, p, td {{ overflow-wrap: anywhere }}
 .Failed, .Error {{ color: #b00 }}
 figure {{ display: inline-block; margin: 0 1em 1em 0 }}
 img {{ max-width: 30vw; image-rendering: pixelated; border: 1px solid #ccc }}
+@media (max-width: 40em) {{
+  figure {{ display: block; margin-right: 0 }}
+  img {{ max-width: 100%; box-sizing: border-box }}
+  td, th {{ padding: 2px 4px }}
+}}
 </style>
 <h1>{0}</h1>
 <p>{1} passed, {2} failed, {3} errors.</p>

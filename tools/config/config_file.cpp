@@ -18,7 +18,8 @@ namespace {
 
 std::string place(const std::string& source, const toml::node& node) {
     const toml::source_position at = node.source().begin;
-    return at.line == 0 ? source : fmt::format("{}:{}", source, at.line);
+    const bool is_option = source.starts_with("--"); // which has no lines
+    return at.line == 0 || is_option ? source : fmt::format("{}:{}", source, at.line);
 }
 
 std::string choices(const ParameterInfo& info) {
@@ -184,12 +185,14 @@ void apply_text(const std::string& text, const std::string& source, Configuratio
     apply(parse_toml(text, source), source, configuration);
 }
 
-void apply_setting(const std::string& setting, Configuration& configuration) {
+void apply_setting(const std::string& setting,
+                   Configuration& configuration,
+                   const std::string& option) {
     const std::size_t equals = setting.find('=');
     const bool has_both = setting.find_first_not_of(' ') < equals && equals < setting.size() &&
                           setting.find_first_not_of(' ', equals + 1) < setting.size();
-    if (!has_both) throw InputError(fmt::format("--set {}: expected NAME=VALUE", setting));
-    apply_text(quote_choice(setting), "--set", configuration);
+    if (!has_both) throw InputError(fmt::format("{} {}: expected NAME=VALUE", option, setting));
+    apply_text(quote_choice(setting), option, configuration);
 }
 
 std::map<std::string, std::string> parameter_values(const Configuration& configuration) {

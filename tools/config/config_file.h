@@ -12,8 +12,11 @@ namespace ffgpu::tools {
 // not exist (with the nearest one that does), a wrong type, or a value out of range.
 void read_config_file(const std::string& path, Configuration& configuration);
 
-// The same for one assignment, "texel_cache.ways = 8"; a choice needs no quotes there.
-void apply_setting(const std::string& setting, Configuration& configuration);
+// The same for one assignment, "texel_cache.ways = 8"; a choice needs no quotes there. `option` is
+// the one that asked for it, which an error names.
+void apply_setting(const std::string& setting,
+                   Configuration& configuration,
+                   const std::string& option = "--set");
 
 // All parameters with unit, range and meaning in comments. What read_config_file() reads.
 std::string to_toml(const Configuration& configuration);

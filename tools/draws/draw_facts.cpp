@@ -51,11 +51,32 @@ std::string textures_of(const work::WholeCommand& command) {
     return text;
 }
 
-std::uint64_t texel_reads(const work::WholeCommand& command) {
-    std::uint64_t reads = 0;
-    for (const TexelAccess& access : command.accesses)
-        reads += std::uint64_t{1} << std::popcount(access.linear);
-    return reads;
+// Those of one access: the border colour's are none.
+std::uint64_t texels_of(const TexelAccess& access) {
+    constexpr std::uint16_t Border = TexelAccess::BorderTexel;
+    const auto inside = [](std::uint16_t first, std::uint16_t second, bool both) {
+        return (first != Border ? 1u : 0u) + (both && second != Border ? 1u : 0u);
+    };
+    return std::uint64_t{inside(access.x0, access.x1, (access.linear & 1) != 0)} *
+           inside(access.y0, access.y1, (access.linear & 2) != 0) *
+           inside(access.layer0, access.layer1, (access.linear & 4) != 0);
+}
+
+struct TexelCounts {
+    std::uint64_t accesses = 0, reads = 0;
+};
+
+// A fragment that the early depth test ended reads nothing.
+TexelCounts texels_of(const work::WholeCommand& command) {
+    TexelCounts counts;
+    for (std::size_t quad = 0; quad < command.quads.size(); ++quad)
+        for (std::size_t unit = 0; unit < command.units.size(); ++unit)
+            for (const TexelAccess& access : command.accesses_of(quad, unit)) {
+                if ((command.quads[quad].after_early_depth >> access.lane & 1) == 0) continue;
+                ++counts.accesses;
+                counts.reads += texels_of(access);
+            }
+    return counts;
 }
 
 } // namespace
@@ -72,6 +93,7 @@ std::string draw_facts(const work::WholeCommand& command, const DrawNote& note) 
         command.draw.kind == WorkKind::Draw || command.draw.kind == WorkKind::Image;
     const bool has_call = has_note && !note.call.name.empty();
     const Fates fates = fates_of(command.quads);
+    const TexelCounts texels = texels_of(command);
     const auto primitive = static_cast<std::size_t>(note.draw.primitive);
     return fmt::format(
         "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
@@ -89,8 +111,8 @@ std::string draw_facts(const work::WholeCommand& command, const DrawNote& note) 
         fates.depth,
         fates.written,
         textures_of(command),
-        command.accesses.size(),
-        texel_reads(command));
+        texels.accesses,
+        texels.reads);
 }
 
 } // namespace ffgpu::tools

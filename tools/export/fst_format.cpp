@@ -1,6 +1,7 @@
 // FST, GTKWave's compressed waveforms, by GTKWave's own writer, as Verilator brings it.
 
 #include "model/base/input_error.h"
+#include "model/base/unfinished_file.h"
 #include "model/base/whole_file.h"
 #include "tools/export/timeline_format.h"
 
@@ -25,6 +26,8 @@ public:
     explicit Fst(std::string path)
         : path_(std::move(path))
         , temporary_(unfinished_name(path_))
+        , unfinished_(temporary_)
+        , unfinished_units_(temporary_ + ".hier")
         , writer_(fstWriterCreate(temporary_.c_str(), 1)) {
         if (!writer_) throw InputError(path_ + ": cannot be written");
     }
@@ -100,6 +103,7 @@ private:
     }
 
     std::string path_, temporary_;
+    UnfinishedFile unfinished_, unfinished_units_; // The writer keeps the units in a file beside.
     void* writer_;
     std::vector<fstHandle> variables_;
     std::uint64_t time_ = 0;

@@ -3,6 +3,7 @@
 #include "driver/trace/player/player.h"
 #include "model/base/input_error.h"
 #include "model/capture/capture_reader.h"
+#include "model/work/work_file_reader.h"
 #include "tools/frames/failure_keeper.h"
 
 #include <utility>
@@ -93,6 +94,9 @@ void check_samples(unsigned samples, const gl::ControlPanel& panel) {
 
 std::unique_ptr<FrameSource>
 open_frame_source(const std::string& path, Device& device, const FrameSourceOptions& options) {
+    if (work::WorkFileReader::is_work_file(path))
+        throw InputError(path + ": is a work file, which has no pictures and no commands to draw "
+                                "them: ffgpu time, cache, export, sweep and info read it");
     const bool is_capture = capture::CaptureReader::is_capture(path);
     if (is_capture && options.samples > 1)
         throw InputError(path + ": is a capture, whose windows are as they were: --samples is for "

@@ -6,7 +6,6 @@
 #include "tools/frames/frame_source.h"
 #include "tools/info/census_device.h"
 #include "tools/info/trace_calls.h"
-#include "tools/work/work_player.h"
 
 #include <map>
 #include <set>
@@ -103,7 +102,7 @@ std::string describe_trace(const std::string& path) {
 } // namespace
 
 std::string describe_file(const std::string& path) {
-    if (is_work_file(path)) return describe_work(path);
+    if (work::WorkFileReader::is_work_file(path)) return describe_work(path);
     if (capture::CaptureReader::is_capture(path)) return describe_capture(path);
     return describe_trace(path);
 }

@@ -143,6 +143,7 @@ void Recording::start(std::uint64_t first_frame) {
     statistics_.begin();
     if (!options_.capture.empty())
         capture_.begin(options_.capture, static_cast<std::uint32_t>(first_frame));
+    has_begun_ = true;
     gpu_.finish();
     counted_.take(gpu_.statistics());
     listen();
@@ -239,8 +240,10 @@ void Recording::finish() {
 
 void Recording::tell_what_is_missing() const {
     if (const std::string older = folder_.older_pictures(); !older.empty()) options_.warn(older);
+    // Where a file could not be begun that is the reason, and told already.
+    const bool lacks_frames = !has_frame_ && has_begun_ == measuring_;
     for (const std::string& file : {options_.capture, options_.save_work})
-        if (!has_frame_ && !file.empty()) options_.warn(file + ": not written: there is no frame");
+        if (lacks_frames && !file.empty()) options_.warn(file + ": not written: there is no frame");
     if (!watch_) return;
     if (const std::string line = watch_->missing_draws(); !line.empty()) options_.warn(line);
     if (options_.steps > most_draws_)

@@ -109,7 +109,7 @@ private:
     const CallLog* calls_ = nullptr;
     std::uint64_t frame_ = 0;                      // under way
     unsigned draws_in_frame_ = 0, most_draws_ = 0; // counted where there are steps
-    bool measuring_ = false, has_frame_ = false;
+    bool measuring_ = false, has_begun_ = false, has_frame_ = false;
 };
 
 } // namespace ffgpu::tools

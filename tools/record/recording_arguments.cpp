@@ -84,6 +84,10 @@ void resolve_draws(const RecordingArguments& arguments, RecordingOptions& option
     WantedViews wanted = parse_views(arguments.views);
     options.views = wanted.views;
     options.heat.maps.merge(wanted.heat_maps);
+    const bool colors = !arguments.heat_scale.empty() || arguments.heat_tile != 1 ||
+                        arguments.heat_blend || arguments.heat_raw;
+    if (colors && options.heat.maps.empty())
+        throw InputError("--heatmap-scale, -tile, -blend and -npy go with --heatmap MAP");
     if (!arguments.draws.empty()) options.draws = parse_frame_range(arguments.draws, "--draws");
     options.steps = arguments.steps;
     options.draw_table = arguments.draw_table;
@@ -188,7 +192,9 @@ void resolve(const RecordingArguments& arguments, RecordingOptions& options) {
     for (const std::string& setting : arguments.settings)
         apply_setting(setting, options.configuration);
     if (arguments.threads)
-        apply_setting("gpu.threads=" + std::to_string(*arguments.threads), options.configuration);
+        apply_setting("gpu.threads=" + std::to_string(*arguments.threads),
+                      options.configuration,
+                      "--threads");
     if (!arguments.frames.empty()) options.frames = parse_frame_range(arguments.frames);
     resolve_heat_maps(arguments, options.heat);
     resolve_draws(arguments, options);

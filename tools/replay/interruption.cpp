@@ -1,5 +1,6 @@
 #include "tools/replay/interruption.h"
 
+#include "model/base/unfinished_file.h"
 #include "tools/replay/one_signal.h"
 
 #include <array>
@@ -13,10 +14,11 @@ constexpr std::array Signals{SIGINT, SIGTERM, SIGHUP};
 volatile std::sig_atomic_t came = 0;
 OneSignal arrival;
 
-// A second one ends at once.
+// A second one ends at once, and leaves no half of a file.
 void interrupt(int signal) {
     if (!arrival.is_new()) return;
     if (came != 0) {
+        UnfinishedFile::remove_all();
         std::signal(signal, SIG_DFL);
         std::raise(signal);
     }

@@ -7,7 +7,6 @@
 #include "tools/files/library_folder.h"
 #include "tools/report/statistics_file.h"
 #include "tools/sweep/text_hash.h"
-#include "tools/work/work_player.h"
 
 #include <array>
 #include <fstream>
@@ -85,7 +84,7 @@ std::vector<SweepTrace> sweep_traces(const std::vector<std::string>& paths,
         trace.name = fs::path(path).stem().string();
         trace.id = trace.name + '-' + content_hash(path, frames_text);
         trace.path = fs::absolute(path);
-        trace.is_work = is_work_file(path);
+        trace.is_work = work::WorkFileReader::is_work_file(path);
         if (trace.is_work) work::WorkFileReader check(path); // its version
         if (trace.is_work && !frames_text.empty())
             throw InputError(path + ": --frames is of traces; a work file is timed whole");

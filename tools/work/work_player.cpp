@@ -4,14 +4,12 @@
 #include "model/gpu/functional_gpu.h"
 #include "model/work/command_assembler.h"
 #include "model/work/sink_thread.h"
-#include "model/work/work_file_format.h"
 #include "model/work/work_file_reader.h"
 #include "tools/frames/frame_source.h"
 #include "tools/frames/progress.h"
 #include "tools/replay/interruption.h"
 
 #include <algorithm>
-#include <fstream>
 #include <thread>
 
 #include <fmt/format.h>
@@ -115,22 +113,14 @@ std::string forces_nothing(const std::string& path) {
                   "nothing any more";
 }
 
-bool is_work_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file.seekg(0)) return false; // A pipe keeps its bytes, and its reader says what it is.
-    std::string magic(work::WorkFileMagic.size(), '\0');
-    return file.read(magic.data(), static_cast<std::streamsize>(magic.size())) &&
-           magic == work::WorkFileMagic;
-}
-
 void play_work(const WorkPlayOptions& options, work::CommandSink& sink, const OnFrame& frame) {
-    if (is_work_file(options.input)) return play_file(options, sink, frame);
+    if (work::WorkFileReader::is_work_file(options.input)) return play_file(options, sink, frame);
     work::CommandAssembler assembler(sink);
     Drawing(options, assembler, frame).run();
 }
 
 void play_work(const WorkPlayOptions& options, DrawReader& reader, const OnFrame& frame) {
-    if (is_work_file(options.input)) return play_file(options, reader, frame);
+    if (work::WorkFileReader::is_work_file(options.input)) return play_file(options, reader, frame);
     work::DrawGatherer gatherer(reader);
     Drawing(options, gatherer, frame).run();
 }

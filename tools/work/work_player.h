@@ -14,8 +14,6 @@
 
 namespace ffgpu::tools {
 
-bool is_work_file(const std::string& path);
-
 // A warning: settings of the driver come too late for a work file.
 std::string forces_nothing(const std::string& path);
 
