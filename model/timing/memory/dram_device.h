@@ -54,6 +54,13 @@ public:
     }
     // The bus could have taken a column of that kind before.
     bool bus_stood(bool write, MemoryCycle now) const { return bus_ready_[write] < now; }
+    // An activate finds its row's bank closed by `closed_at`, and goes out behind `others`: no
+    // sooner than these allow.
+    bool activate_waits_for(std::uint32_t others, MemoryCycle closed_at) const {
+        const std::uint32_t spacing = std::max(config_.activate_to_activate_cycles, 1u);
+        return closed_at <= next_activate_ + MemoryCycle{others} * spacing;
+    }
+    MemoryCycle precharge_cycles() const { return config_.precharge_cycles; }
     // The first cycle from `at` on in which none of the last request's columns goes out: one
     // command a cycle.
     MemoryCycle free_slot(MemoryCycle at) const;

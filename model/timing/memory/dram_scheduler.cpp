@@ -24,7 +24,8 @@ struct DramScheduler::Search {
     // ready at one time.
     std::array<std::uint64_t, 2> looked_at{};
     DramCommand command{.again_at = NoCycle};
-    bool column_yields = false; // its data could flow, but a bank's row went first
+    bool column_yields = false;  // its data could flow, but a bank's row went first
+    std::uint32_t activates = 0; // of banks with older requests, which the next bank's comes behind
 
     bool has_column() const { return command.kind == DramCommand::Kind::Column; }
     bool write_of(std::size_t index) const { return waiting[index].request.write; }
@@ -43,6 +44,13 @@ struct DramScheduler::Search {
     // The same of a row.
     bool consider_row(DramCommand::Kind kind, std::size_t index, MemoryCycle ready_at) {
         return consider(kind, index, std::max(ready_at, row_slot));
+    }
+    // A bank whose row is in the way. Where a column could go out, too, and the bank would be
+    // closed in time a cycle later, the column does.
+    bool consider_precharge(std::size_t index, MemoryCycle ready_at) {
+        const MemoryCycle closed_at = now + 1 + device.precharge_cycles();
+        if (has_column() && device.activate_waits_for(activates, closed_at)) return false;
+        return consider_row(DramCommand::Kind::Precharge, index, ready_at);
     }
     // The same of a column, which may go out of turn only where that `may_pass`.
     bool consider_column(std::size_t index, bool may_pass, MemoryCycle ready_at) {
@@ -97,8 +105,11 @@ void DramScheduler::find_row(Search& search) const {
             if (search.consider_row(DramCommand::Kind::Activate, i, ready.at)) return;
         } else if ((search.hits & bank) == 0 || search.waiting[i].passed >= limit_) {
             const Ready ready = search.device.precharge_ready(request.bank);
-            if (search.consider_row(DramCommand::Kind::Precharge, i, ready.at)) return;
+            if (search.consider_precharge(i, ready.at)) return;
+        } else {
+            continue;
         }
+        ++search.activates;
     }
 }
 
@@ -143,8 +154,11 @@ void DramScheduler::find_row_by_bits(Search& search) const {
             if (search.consider_row(DramCommand::Kind::Activate, i, ready_at)) return;
         } else if (hits == 0 || waiting[i].passed >= limit_) {
             const MemoryCycle ready_at = search.device.precharge_ready(bank).at;
-            if (search.consider_row(DramCommand::Kind::Precharge, i, ready_at)) return;
+            if (search.consider_precharge(i, ready_at)) return;
+        } else {
+            continue;
         }
+        ++search.activates;
     }
 }
 

@@ -2,11 +2,12 @@
 // et al., Memory Access Scheduling, ISCA 2000): the oldest request whose column may go out; else
 // the oldest whose bank can be made ready. A column before which the bus stood still lets that bank
 // go first: the bus is not what limits then, and a bank that is late for a row is late for all its
-// rows to come. Two banks whose commands meet round after round would delay each other by as much
-// and never part; so of the meetings with a column that follows the data before, one in
-// MeetingsToSlip is the bank's, too. A request that
-// reorder_limit younger ones have passed is passed no more. In order is the same with a limit of
-// zero: data in the order of the requests, rows opened ahead.
+// rows to come. It is not late where its activate waits for those of older requests anyway: then
+// the column goes before its precharge. Two banks whose commands meet round after round would delay
+// each other by as much and never part; so of the meetings with a column that follows the data
+// before, one in MeetingsToSlip is the bank's, too. A request that reorder_limit younger ones have
+// passed is passed no more. In order is the same with a limit of zero: data in the order of the
+// requests, rows opened ahead.
 //
 // Two forms of one rule: the plain one looks at each request, and is the specification; the other
 // looks at the bits of WaitingRequests, at a request for each bank and kind, where the queue has
