@@ -126,7 +126,7 @@ def placed_table(placed):
     return f"""## Placed and routed
 
 By nextpnr-ice40 (Debian's 0.4, seed {place.Seed}) on the largest iCE40, of {place.Room} logic cells: a LUT of four inputs, a carry and a flop each, no multipliers. A unit stands between two shift registers,
-since it has more ports than there are pins: every path lies between flops. Their cells are not counted. Other units find no room beside them.
+since it has more ports than there are pins: every path lies between flops. Their cells are not counted. These are the units that it places within minutes.
 
 | unit | chip | logic cells | MHz |
 |---|---|---|---|

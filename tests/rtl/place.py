@@ -16,9 +16,10 @@ Chip = "hx8k"  # the largest iCE40
 Package = "ct256"
 Room = 7680  # logic cells, of a LUT of four inputs and a flop
 Seed = 1
-# Those that find room on it beside their shift registers.
-Placeable = ("alpha_test", "apply_coverage", "draw_tracker", "fifo", "quad_interlock",
-             "skid_buffer", "target_write", "texel_gather", "tile_sequence")
+# Those that are placed on it within minutes, beside their shift registers.
+Placeable = ("alpha_test", "apply_coverage", "color_sum", "draw_tracker", "fifo",
+             "quad_interlock", "skid_buffer", "target_write", "texel_gather",
+             "tile_sequence")
 
 
 def is_there():
