@@ -2,6 +2,8 @@
 
 #include "model/timing/parked_quads.h"
 
+#include <algorithm>
+
 namespace ffgpu::timing {
 
 TexelL2::TexelL2(sc_core::sc_module_name name,
@@ -15,24 +17,29 @@ TexelL2::TexelL2(sc_core::sc_module_name name,
     , memory_in_flight_(memory_in_flight)
     , queues_(ports.first_level.size()) {}
 
-// The link carries the oldest request's data once they are there.
+// The link carries the oldest request's data once they are there, and those of the next ones beside
+// them where it is that wide.
 bool TexelL2::answer(std::size_t client, Activity& reason) {
     Queue& queue = queues_[client];
-    if (queue.waiting.empty()) return false;
-    const Waiting& oldest = queue.waiting.front();
-    if (queue.transfer_cycles_left == 0) {
-        if (!ports_.memory.cache.is_complete(oldest.ticket)) {
-            blame(reason, Activity::StalledMemory);
-            return false;
+    bool worked = false;
+    for (std::uint32_t room = config_.bytes_per_cycle; !queue.waiting.empty(); worked = true) {
+        const Waiting& oldest = queue.waiting.front();
+        if (worked && oldest.bytes > room) break;
+        if (queue.transfer_cycles_left == 0) {
+            if (!ports_.memory.cache.is_complete(oldest.ticket)) {
+                blame(reason, Activity::StalledMemory);
+                break;
+            }
+            const std::uint32_t width = config_.bytes_per_cycle;
+            queue.transfer_cycles_left = (oldest.bytes + width - 1) / width;
         }
-        const std::uint32_t width = config_.bytes_per_cycle;
-        queue.transfer_cycles_left = (oldest.bytes + width - 1) / width;
+        room -= std::min(room, oldest.bytes);
+        if (--queue.transfer_cycles_left > 0) return true;
+        ports_.first_level[client]->responses.push(oldest.request);
+        memory_in_flight_.leave();
+        queue.waiting.pop_front();
     }
-    if (--queue.transfer_cycles_left > 0) return true;
-    ports_.first_level[client]->responses.push(oldest.request);
-    memory_in_flight_.leave();
-    queue.waiting.pop_front();
-    return true;
+    return worked;
 }
 
 bool TexelL2::look_up(std::size_t client, Activity& reason) {

@@ -113,6 +113,29 @@ TEST_CASE("A port is each cache's own: one look-up a cycle of every pipe, or of 
     CHECK(static_cast<double>(cycles(true).first) <= 1.05 * static_cast<double>(lookups) / 4 + 100);
 }
 
+TEST_CASE("A second level's link carries as many lines a cycle as its bytes hold") {
+    // A cache of one line: nearly every look-up is a miss, which the second level answers.
+    const auto cycles = [](std::uint32_t bytes_per_cycle) {
+        TimingConfig config = wide_machine(4);
+        config.texel_cache.sets = config.texel_cache.ways = 1;
+        config.texel_cache.miss_queue = config.texel_cache.lookups_per_cycle = 16;
+        config.texel_cache.request_queue = config.texel_cache.outstanding_lines = 4096;
+        config.texel_l2.enable = true;
+        config.texel_l2.sets = 1024;
+        config.texel_l2.lookups_per_cycle = 64;
+        config.texel_l2.queue = 4096;
+        config.texel_l2.bytes_per_cycle = bytes_per_cycle;
+        const Figures figures = run(config, textured_draw(1));
+        return std::pair(figures.at("total_cycles"), figures.at("texel_cache_misses"));
+    };
+    for (const std::uint32_t lines : {1u, 2u, 4u}) {
+        const auto [taken, misses] = cycles(64 * lines);
+        INFO(lines << " lines a cycle");
+        CHECK(taken >= misses / lines);
+        CHECK(static_cast<double>(taken) <= 1.05 * static_cast<double>(misses) / lines + 300);
+    }
+}
+
 TEST_CASE("Optimal replacement in the machine never misses more than another policy") {
     WorkBin bin = make_bin(floor_scene(256));
     for (const bool per_pipe : {false, true}) {
