@@ -18,7 +18,7 @@ Room = 7680  # logic cells, of a LUT of four inputs and a flop
 Seed = 1
 # Those that are placed on it within minutes, beside their shift registers.
 Placeable = ("alpha_test", "apply_coverage", "color_sum", "draw_tracker", "fifo",
-             "quad_interlock", "skid_buffer", "target_write", "texel_gather",
+             "quad_interlock", "reciprocal", "skid_buffer", "target_write", "texel_gather",
              "tile_sequence")
 
 
