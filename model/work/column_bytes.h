@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -86,6 +87,14 @@ private:
     std::array<Bytes, ColumnCount> columns_;
 };
 
+// The largest count that a file may tell.
+constexpr std::uint64_t Most32 = std::numeric_limits<std::uint32_t>::max();
+
+// `from + by` modulo 2^16: what a damaged file tells is checked where it is used.
+constexpr std::uint16_t moved(std::uint16_t from, std::int64_t by) {
+    return static_cast<std::uint16_t>(from + by);
+}
+
 // A block's numbers make no sense.
 class DamagedItem : public std::runtime_error {
 public:
@@ -121,9 +130,7 @@ public:
         if (value > most) throw DamagedItem("a number is beyond its range");
         return value;
     }
-    std::uint32_t word(Column column) {
-        return static_cast<std::uint32_t>(number(column, 0xffffffff));
-    }
+    std::uint32_t word(Column column) { return static_cast<std::uint32_t>(number(column, Most32)); }
     std::int64_t difference(Column column) { return unzigzag(number(column)); }
     std::string text(Column column, std::size_t longest) {
         std::string value(number(column, longest), '\0');

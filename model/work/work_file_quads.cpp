@@ -4,16 +4,8 @@
 #include "model/work/quad_fate.h"
 #include "model/work/work_check.h"
 
-#include <limits>
-
 namespace ffgpu::work {
 namespace {
-
-constexpr std::uint64_t Most32 = std::numeric_limits<std::uint32_t>::max();
-
-std::uint16_t moved(std::uint16_t from, std::int64_t by) {
-    return static_cast<std::uint16_t>(from + by);
-}
 
 // `from + by`, in units of two pixels.
 std::uint16_t quad_place(std::int64_t from, std::int64_t by) {

@@ -13,11 +13,6 @@ namespace ffgpu::work {
 namespace {
 
 constexpr std::size_t LongestName = 256, MostNames = 1 << 16;
-constexpr std::uint64_t Most32 = std::numeric_limits<std::uint32_t>::max();
-
-std::uint16_t moved(std::uint16_t from, std::int64_t by) {
-    return static_cast<std::uint16_t>(from + by);
-}
 
 } // namespace
 

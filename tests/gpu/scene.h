@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,11 @@ public:
     // Colour of a pixel, red in the lowest byte.
     std::vector<std::uint32_t> picture() { return read(ColorAt); }
     std::vector<std::uint32_t> depth_buffer() { return read(DepthAt); }
+    // How many different ones there are.
+    std::size_t colors() {
+        const std::vector<std::uint32_t> all = picture();
+        return std::set(all.begin(), all.end()).size();
+    }
     std::uint32_t pixel(int x, int y) {
         return picture()[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                          static_cast<std::size_t>(x)];

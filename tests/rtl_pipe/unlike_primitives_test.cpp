@@ -4,8 +4,6 @@
 #include "tests/gpu/scene.h"
 #include "tools/rtl/pipe_comparison.h"
 
-#include <set>
-
 #include <catch2/catch.hpp>
 
 namespace ffgpu::tools {
@@ -14,11 +12,6 @@ namespace {
 // As slow as the targets are, all queues before them are full.
 constexpr rtl::PipeOptions Memory{
     .latency = 90, .stall_percent = 30, .seed = 5, .quiet_cycles = 1 << 14};
-
-std::size_t colors_of(test::Scene& scene) {
-    const std::vector<std::uint32_t> picture = scene.picture();
-    return std::set(picture.begin(), picture.end()).size();
-}
 
 // Those that have 1 for it make no divisor, though their draw carries q.
 TEST_CASE("Some primitives of a draw divide by q, and some do not") {
@@ -43,7 +36,7 @@ TEST_CASE("Some primitives of a draw divide by q, and some do not") {
     INFO(comparison.summary());
     CHECK(comparison.equal());
     CHECK(comparison.fragments().at("") > 12 * 16);
-    CHECK(colors_of(scene) > 10);
+    CHECK(scene.colors() > 10);
 }
 
 // A quad without values and one with some wait in one queue, the values in another.
@@ -80,7 +73,7 @@ TEST_CASE("Some primitives of a draw have one colour, and some have many") {
     INFO(comparison.summary());
     CHECK(comparison.equal());
     CHECK(comparison.fragments().at("") > 12 * 400);
-    CHECK(colors_of(scene) > 250);
+    CHECK(scene.colors() > 250);
 }
 
 } // namespace

@@ -150,19 +150,8 @@ TEST_CASE("A draw's bytes by client stand in draws.csv and stats.json, and add u
 
 TEST_CASE("draws.csv counts the texels that a draw reads, and its misses with the timing model") {
     SceneTrace scene;
-    scene.call("glEnable", GlEnum{0x0de1});
-    scene.call("glTexParameteri", GlEnum{0x0de1}, GlEnum{0x2801}, GlEnum{0x2600}); // nearest
-    scene.call("glTexParameteri", GlEnum{0x0de1}, GlEnum{0x2800}, GlEnum{0x2600});
-    scene.call("glTexImage2D",
-               GlEnum{0x0de1},
-               0,
-               GlEnum{0x1909},
-               4,
-               4,
-               0,
-               GlEnum{0x1909},
-               GlEnum{0x1401},
-               std::string(16, 'x'));
+    scene.texture(Luminance, 4, std::string(16, 'x'), Nearest);
+    scene.call("glTexParameteri", GlEnum{0x0de1}, GlEnum{0x2800}, Nearest); // magnified
     scene.call("glRectf", -0.5f, -0.5f, 0.5f, 0.5f);
     scene.swap();
     const TemporaryFolder folder;
@@ -187,20 +176,9 @@ TEST_CASE("texels of hidden fragments and of the border colour are not read") {
     scene.call("glClear", GlEnum{0x4100});
     scene.call("glEnable", GlEnum{0x0b71});             // depth test, less
     scene.call("glRectf", -0.5f, -0.5f, 0.0625f, 0.5f); // 9 columns of 16
-    scene.call("glEnable", GlEnum{0x0de1});
-    scene.call("glTexParameteri", GlEnum{0x0de1}, GlEnum{0x2801}, GlEnum{0x2601}); // linear
+    scene.texture(Luminance, 4, std::string(16, 'x'), Linear);
     scene.call("glTexParameteri", GlEnum{0x0de1}, GlEnum{0x2802}, GlEnum{0x2900}); // s: clamp
     scene.call("glTexParameteri", GlEnum{0x0de1}, GlEnum{0x2803}, GlEnum{0x2900}); // t
-    scene.call("glTexImage2D",
-               GlEnum{0x0de1},
-               0,
-               GlEnum{0x1909},
-               4,
-               4,
-               0,
-               GlEnum{0x1909},
-               GlEnum{0x1401},
-               std::string(16, 'x'));
     scene.call("glRectf", -0.5f, -0.5f, 0.5f, 0.5f);
     scene.swap();
     const TemporaryFolder folder;

@@ -17,6 +17,8 @@ struct GlEnum {
     std::int64_t value;
 };
 
+constexpr GlEnum Nearest{0x2600}, Linear{0x2601}, Rgb{0x1907}, Luminance{0x1909};
+
 class SceneTrace {
 public:
     static constexpr int Size = 32;
@@ -40,6 +42,14 @@ public:
     std::uint64_t call(std::string_view function, Arguments... arguments) {
         (add(arguments), ...);
         return write(function);
+    }
+    // A square image of unsigned bytes for the 2D texture, which is enabled; of one level, so that
+    // it needs a filter without others.
+    void texture(GlEnum format, int size, const std::string& texels, GlEnum minify) {
+        constexpr GlEnum Texture2d{0x0de1}, MinFilter{0x2801}, UnsignedByte{0x1401};
+        call("glEnable", Texture2d);
+        call("glTexParameteri", Texture2d, MinFilter, minify);
+        call("glTexImage2D", Texture2d, 0, format, size, size, 0, format, UnsignedByte, texels);
     }
     std::uint64_t swap() { return call("glXSwapBuffers", 0, Window); }
 

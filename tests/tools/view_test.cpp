@@ -20,7 +20,7 @@ using Color = std::array<int, 3>;
 
 constexpr Color Black{0, 0, 0}, White{255, 255, 255}, Red{255, 0, 0};
 constexpr GlEnum DepthTest{0x0b71}, StencilTest{0x0b90}, FogOn{0x0b60}, LightingOn{0x0b50},
-    Texture2d{0x0de1}, Always{0x0207}, Keep{0x1e00}, Replace{0x1e01};
+    Always{0x0207}, Keep{0x1e00}, Replace{0x1e01};
 
 using SetUp = std::function<void(SceneTrace&)>;
 
@@ -66,18 +66,7 @@ private:
 
 // A texel of no red on unit 0, sampled at (1/4, 3/4).
 void blue_texture(SceneTrace& scene) {
-    scene.call("glEnable", Texture2d);
-    scene.call("glTexParameteri", Texture2d, GlEnum{0x2801}, GlEnum{0x2600}); // nearest
-    scene.call("glTexImage2D",
-               Texture2d,
-               0,
-               GlEnum{0x1907},
-               1,
-               1,
-               0,
-               GlEnum{0x1907},
-               GlEnum{0x1401},
-               std::string("\x00\x00\xff\x00", 4));
+    scene.texture(Rgb, 1, std::string("\x00\x00\xff\x00", 4), Nearest);
     scene.call("glTexCoord2f", 0.25f, 0.75f);
 }
 
