@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "model/base/cache_lines.h"
 #include "model/fragment/fragment_pipe.h"
 #include "model/packets/draw_state.h"
 #include "model/raster/setup.h"
@@ -19,8 +20,9 @@
 
 namespace ffgpu {
 
-// From the rasterizer's batches on.
-struct PixelContext {
+// From the rasterizer's batches on. Threads that draw read it while another counts who refers to
+// it.
+struct alignas(CacheLinePair) PixelContext {
     InterpolantLayout layout;
     std::uint8_t units = 0; // DrawState::units
     bool needs_depth = false;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "model/base/cache_lines.h"
 #include "model/timing/bottlenecks.h"
 #include "model/timing/frame_waits.h"
 #include "model/timing/memory_statistics.h"
@@ -42,8 +43,8 @@ private:
 
     const Clock& clock_;
     const PipeParts parts_;
-    PipeWatch watch_;
-    Bottlenecks bottlenecks_;
+    PipeWatch watch_; // written by the machine's thread, the rest on the other's
+    alignas(CacheLinePair) Bottlenecks bottlenecks_;
     // One is written, one read, and as many as the thread lets wait are between the two.
     static constexpr std::size_t Waiting = 2;
     std::array<PipeLog, Waiting + 2> logs_;

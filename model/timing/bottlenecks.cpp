@@ -329,9 +329,10 @@ void Bottlenecks::move_on(Moment& moment, Resource resource) {
     const Dependence& last = found_.last_one();
     WaitPaths::Path path = paths_.extend(last.moment->path, last.first.resource, now_ - 1);
     path = paths_.extend(path, resource, now_);
-    saved_after(found_, moment.saved);
+    // First these, since the moment is copied whole as soon as all of it is known.
     moment.at = now_;
     moment.path = paths_.share(path);
+    saved_after(found_, moment.saved);
 }
 
 } // namespace ffgpu::timing

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "model/base/cache_lines.h"
 #include "model/timing/account.h"
 #include "model/timing/clock.h"
 #include "model/timing/command_ledger.h"
@@ -76,7 +77,8 @@ private:
     std::size_t count_ = 0;
 };
 
-struct PipeLog {
+// One is written while another is read.
+struct alignas(CacheLinePair) PipeLog {
     Written<CycleSeen> cycles;
     Written<AnswerSeen> answers;
     Written<StageSeen> stages;
