@@ -9,8 +9,7 @@ namespace ffgpu::gl {
 void VertexAssembler::set(Attribute attribute, unsigned components, const Vec4& v) {
     if (format_.elements[attribute_index(attribute)].components != components)
         return set_other(attribute, components, v);
-    std::copy_n(
-        v.data(), components, vertex_.data() + format_.elements[attribute_index(attribute)].offset);
+    pending(attribute) = v;
 }
 
 void VertexAssembler::vertex(unsigned components, const Vec4& p) {
@@ -28,13 +27,12 @@ void VertexAssembler::vertex(unsigned components, const Vec4& p) {
 // drawn here, and numbers are compared.
 void VertexAssembler::set_other(Attribute attribute, unsigned components, const Vec4& value) {
     const FloatEnvironment environment;
-    const VertexElement& element = format_.elements[attribute_index(attribute)];
-    if (element.components < components) {
+    if (format_.elements[attribute_index(attribute)].components < components) {
         if (!inside_ && count() == 0) return outside_attribute(attribute, components, value);
         if (!widen_format(attribute, components))
             return outside_attribute(attribute, components, value);
     }
-    std::copy_n(value.data(), element.components, vertex_.data() + element.offset);
+    pending(attribute) = value;
 }
 
 void VertexAssembler::other_vertex(unsigned components, const Vec4& position) {
@@ -47,7 +45,7 @@ void VertexAssembler::other_vertex(unsigned components, const Vec4& position) {
     }
     const unsigned words = format_.elements[0].components;
     std::copy_n(position.data(), words, cursor_);
-    finish_vertex(words);
+    finish_vertex();
 }
 
 bool VertexAssembler::widen_format(Attribute attribute, unsigned components) {
@@ -74,17 +72,23 @@ void VertexAssembler::convert_vertices(const VertexFormat& to,
     const VertexElement entered = to.elements[attribute_index(entering)];
     const std::uint32_t vertices = count();
     std::array<float, 4 * Attributes> one{};
-    const auto convert = [&](const float* source, float* destination) {
-        convert_vertex(format_, to, source, one.data());
-        if (is_new) std::copy_n(before.data(), entered.components, one.data() + entered.offset);
-        std::copy_n(one.data(), to.stride, destination);
-    };
     // From the last one down: a vertex moves to where only later ones have been.
-    for (std::uint32_t i = vertices; i-- > 0;)
-        convert(vertex_at(i), words_.data() + std::size_t{i} * to.stride);
-    convert(vertex_.data(), vertex_.data());
-    format_ = to;
+    for (std::uint32_t i = vertices; i-- > 0;) {
+        convert_vertex(format_, to, vertex_at(i), one.data());
+        if (is_new) std::copy_n(before.data(), entered.components, one.data() + entered.offset);
+        std::copy_n(one.data(), to.stride, words_.data() + std::size_t{i} * to.stride);
+    }
+    if (is_new) pending(entering) = before;
+    set_format(to);
     keep_vertices(vertices);
+}
+
+void VertexAssembler::set_format(const VertexFormat& format) {
+    format_ = format;
+    placed_count_ = 0;
+    for (std::size_t a = attribute_index(Attribute::Position) + 1; a < Attributes; ++a)
+        if (format.elements[a].components != 0)
+            placed_[placed_count_++] = {static_cast<std::uint8_t>(a), format.elements[a].offset};
 }
 
 void VertexAssembler::enlarge(std::size_t capacity) {
@@ -94,7 +98,7 @@ void VertexAssembler::enlarge(std::size_t capacity) {
 }
 
 void VertexAssembler::reset_run() {
-    format_ = EmptyVertexFormat;
+    set_format(EmptyVertexFormat);
     cursor_ = words_.data();
     room_ = 0;
 }
@@ -107,7 +111,7 @@ void VertexAssembler::update_room() {
 Vec4 VertexAssembler::pending_value(Attribute attribute) const {
     const VertexElement element = format_.elements[attribute_index(attribute)];
     Vec4 value = MissingComponents;
-    std::copy_n(vertex_.data() + element.offset, element.components, value.data());
+    std::copy_n(pending_[attribute_index(attribute)].data(), element.components, value.data());
     return value;
 }
 

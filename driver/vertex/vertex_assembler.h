@@ -1,9 +1,9 @@
 // VertexAssembler: makes vertices of glVertex, glColor, glNormal ... calls.
 //
-// The vertex under construction is kept in the format of the run: only the attributes that the
-// application sets while the run lasts are in it. glColor writes four words into that vertex;
-// glVertex copies it behind the others. An attribute that comes up later widens the format, and the
-// vertices before get the value that was current for them.
+// Only the attributes that the application sets while the run lasts are in the run's format.
+// glColor writes the four words that wait for the next vertex; glVertex copies those of all of
+// them behind the others. An attribute that comes up later widens the format, and the vertices
+// before get the value that was current for them.
 //
 // Immediate mode and the display-list compiler derive: they say what happens outside of
 // glBegin/glEnd and when the buffer is full.
@@ -12,6 +12,7 @@
 
 #include "driver/gl_types.h"
 #include "driver/vertex/vertex_run.h"
+#include "model/base/one_store.h"
 #include "model/device/registers/geometry.h"
 
 #include <cstring>
@@ -36,10 +37,9 @@ public:
     // Sets the first N components of an attribute, the others to 0, 0, 1.
     template <unsigned N>
     void set(Attribute attribute, float x, float y = 0, float z = 0, float w = 1) {
-        const VertexElement element = format_.elements[attribute_index(attribute)];
-        if (element.components != N) [[unlikely]]
+        if (format_.elements[attribute_index(attribute)].components != N) [[unlikely]]
             return set_other(attribute, N, {x, y, z, w});
-        put<N>(vertex_.data() + element.offset, x, y, z, w);
+        store_at_once(pending(attribute).data(), x, y, z, w);
     }
 
     template <unsigned N>
@@ -47,7 +47,7 @@ public:
         if (room_ == 0 || format_.elements[0].components != N) [[unlikely]]
             return other_vertex(N, {x, y, z, w});
         put<N>(cursor_, x, y, z, w);
-        finish_vertex(N);
+        finish_vertex();
     }
 
     // The same with a number of components that is not known before.
@@ -84,7 +84,7 @@ protected:
     void close() { inside_ = false, room_ = 0; }
     void update_room();
 
-    // The value of an attribute in the vertex under construction.
+    // The value of an attribute of the format in the vertex under construction.
     Vec4 pending_value(Attribute attribute) const;
     // Brings `attribute` into the format with at least `components`; false if enters() refused.
     bool widen_format(Attribute attribute, unsigned components);
@@ -93,8 +93,13 @@ protected:
     bool inside_ = false;
 
 private:
-    // finish_vertex() copies four words at a time, beyond the vertex's end if need be.
+    // finish_vertex() copies four words of each attribute, beyond the vertex's end if need be.
     static constexpr std::size_t Slack = 4;
+
+    // An attribute behind the position, in the run's format.
+    struct Placed {
+        std::uint8_t attribute = 0, offset = 0;
+    };
 
     template <unsigned N>
     static void put(float* to, float x, float y, float z, float w) {
@@ -104,22 +109,27 @@ private:
         if constexpr (N > 3) to[3] = w;
     }
 
-    // Copies the attributes behind the position, which is written.
-    void finish_vertex(unsigned position_words) {
-        const unsigned stride = format_.stride;
-        for (unsigned i = position_words; i < stride; i += 4)
-            std::memcpy(cursor_ + i, vertex_.data() + i, 4 * sizeof(float));
-        cursor_ += stride;
+    // Copies the attributes behind the position, which is written: whole, as they were written a
+    // moment before (one_store.h). What is too much of one goes with the next.
+    void finish_vertex() {
+        for (unsigned i = 0; i < placed_count_; ++i)
+            std::memcpy(
+                cursor_ + placed_[i].offset, pending_[placed_[i].attribute].data(), sizeof(Vec4));
+        cursor_ += format_.stride;
         --room_;
     }
 
+    Vec4& pending(Attribute attribute) { return pending_[attribute_index(attribute)]; }
+    void set_format(const VertexFormat& format);
     void set_other(Attribute attribute, unsigned components, const Vec4& value);
     void other_vertex(unsigned components, const Vec4& position);
     void convert_vertices(const VertexFormat& to, Attribute entering, const Vec4& before);
 
     std::uint32_t room_ = 0; // vertices that fit; 0 outside of glBegin/glEnd
     float* cursor_ = nullptr;
-    std::array<float, 4 * Attributes + Slack> vertex_{}; // under construction, in format_
+    alignas(16) std::array<Vec4, Attributes> pending_{}; // of the vertex under construction
+    std::array<Placed, Attributes> placed_{};            // by their offsets
+    unsigned placed_count_ = 0;
     std::vector<float> words_;
 };
 

@@ -15,11 +15,10 @@ FragmentMask alpha_test_lanes(const FragmentControl& control, const FragmentBatc
     // Values below 2^15 compare the same as signed ones.
     const hn::RebindToSigned<D16> d;
     const auto reference = hn::Set(d, static_cast<std::int16_t>(control.alpha_reference));
-    const FragmentMask passed = collect_mask<Lanes16>(batch.lanes(), [&](unsigned i) HWY_ATTR {
+    return collect_mask<Lanes16>(batch.live, batch.lanes(), [&](unsigned i) HWY_ATTR {
         const auto alpha = hn::BitCast(d, hn::Load(D16(), batch.color.a.data() + i));
         return bits_from_mask(d, compare_lanes(d, control.alpha_compare, alpha, reference));
     });
-    return both(passed, batch.live);
 }
 
 } // namespace

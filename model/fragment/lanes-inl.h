@@ -12,6 +12,7 @@
 #include "model/fragment/unorm8.h"
 #include "model/packets/fragment_batch.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -59,19 +60,19 @@ HWY_INLINE std::uint64_t mask_bits(const FragmentMask& mask, unsigned lane, unsi
     return mask.words[lane / 64] >> (lane % 64) & ((std::uint64_t{1} << lanes) - 1);
 }
 
-// Calls bits(lane) for each vector of Lanes lanes, and gathers the bits that it returns into a
-// word before it is stored: a mask that grows in memory would chain the iterations.
+// Calls bits(lane) for each vector of Lanes lanes, and gathers the bits that it returns, of lanes
+// that are among those. A mask that grew in memory would chain the iterations.
 template <unsigned Lanes, class Bits>
-HWY_INLINE FragmentMask collect_mask(unsigned lanes, Bits&& bits) {
-    FragmentMask mask;
-    for (unsigned first = 0; first < lanes; first += 64) {
-        const unsigned end = lanes - first < 64 ? lanes - first : 64;
-        std::uint64_t word = 0;
-        for (unsigned i = 0; i < end; i += Lanes)
-            word |= bits(first + i) << i;
-        mask.words[first / 64] = word;
-    }
-    return mask;
+HWY_INLINE FragmentMask collect_mask(const FragmentMask& among, unsigned lanes, Bits&& bits) {
+    const auto word = [&](unsigned number) HWY_ATTR {
+        const unsigned first = 64 * number, end = std::min(lanes, first + 64);
+        std::uint64_t collected = 0;
+        for (unsigned i = first; i < end; i += Lanes)
+            collected |= bits(i) << (i - first);
+        return collected & among.words[number];
+    };
+    static_assert(BatchFragments == 4 * 64);
+    return FragmentMask::of(word(0), word(1), word(2), word(3));
 }
 
 HWY_INLINE FragmentMask both(FragmentMask a, const FragmentMask& b) {

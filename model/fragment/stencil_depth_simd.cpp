@@ -26,10 +26,11 @@ HWY_INLINE V32 set32(std::uint32_t value) {
 
 // --- Depth alone --------------------------------------------------------------------------------
 
+// The live fragments that pass.
 template <Compare Function>
 FragmentMask test_depth(const FragmentBatch& batch, LaneWords& pixels) {
     const D32 d;
-    return collect_mask<Lanes32>(batch.lanes(), [&](unsigned i) HWY_ATTR {
+    return collect_mask<Lanes32>(batch.live, batch.lanes(), [&](unsigned i) HWY_ATTR {
         std::uint32_t* pixel = pixels.data() + i;
         const V32 stored = hn::Load(d, pixel);
         const V32 depth = hn::Load(d, batch.depth.data() + i);
@@ -182,7 +183,7 @@ StencilDepthFates test_stencil_depth_lanes(const StencilDepthState& state,
     StencilDepthFates fates;
     if (!state.stencil && !state.depth.bounds_enable) {
         fates.after_stencil = batch.live;
-        fates.after_depth = both(test_depth_only(state.depth.compare, batch, pixels), batch.live);
+        fates.after_depth = test_depth_only(state.depth.compare, batch, pixels);
         return fates;
     }
     const FragmentMask front = front_lanes(batch), back = difference(batch.live, front);

@@ -134,7 +134,7 @@ void PrimitiveAssembler::polygon(const ElementChunk& chunk) {
     stage_.polygon(corners_, slots[0]);
 }
 
-void PrimitiveAssembler::triangle(std::array<std::uint32_t, 3> slots,
+void PrimitiveAssembler::triangle(const std::array<std::uint32_t, 3>& slots,
                                   std::size_t last,
                                   bool uses_edge_flags) {
     next_key(last);

@@ -56,7 +56,8 @@ private:
     void quad_strip(Slots slots);
     void polygon(const ElementChunk& chunk);
 
-    void triangle(std::array<std::uint32_t, 3> slots, std::size_t last, bool uses_edge_flags);
+    void
+    triangle(const std::array<std::uint32_t, 3>& slots, std::size_t last, bool uses_edge_flags);
     void quad(std::array<std::uint32_t, 4> slots, std::size_t last, bool uses_edge_flags);
 
     const VertexPool& pool_;

@@ -59,7 +59,7 @@ void PrimitiveStage::line(std::uint32_t a, std::uint32_t b) {
     record([&] { assembled_line(a, b); });
 }
 
-void PrimitiveStage::triangle(std::array<std::uint32_t, 3> slots, std::uint32_t provoking) {
+void PrimitiveStage::triangle(const std::array<std::uint32_t, 3>& slots, std::uint32_t provoking) {
     record([&] { assembled_triangle(slots, provoking); });
 }
 
@@ -113,7 +113,7 @@ void PrimitiveStage::clipped_line(std::uint32_t a, std::uint32_t b, const Codes&
         emit_line(*outline_[i], *outline_[i + 1], {.key = key_});
 }
 
-void PrimitiveStage::assembled_triangle(std::array<std::uint32_t, 3> slots,
+void PrimitiveStage::assembled_triangle(const std::array<std::uint32_t, 3>& slots,
                                         std::uint32_t provoking) {
     ++counts_.in;
     Codes codes;
@@ -159,7 +159,7 @@ void PrimitiveStage::emit_triangle(std::array<const WindowVertex*, 3> vertices, 
                 .vertices = vertices});
 }
 
-void PrimitiveStage::clipped_triangle(std::array<std::uint32_t, 3> slots,
+void PrimitiveStage::clipped_triangle(const std::array<std::uint32_t, 3>& slots,
                                       std::uint32_t provoking,
                                       const Codes& codes) {
     clipper_.clear();

@@ -59,7 +59,7 @@ public:
     void point(std::uint32_t slot);
     // Provoking vertex: b.
     void line(std::uint32_t a, std::uint32_t b);
-    void triangle(std::array<std::uint32_t, 3> slots, std::uint32_t provoking);
+    void triangle(const std::array<std::uint32_t, 3>& slots, std::uint32_t provoking);
     void polygon(std::span<const PolygonCorner> corners, std::uint32_t provoking);
 
 private:
@@ -83,11 +83,11 @@ private:
     void record(Body&& body);
     void assembled_point(std::uint32_t slot);
     void assembled_line(std::uint32_t a, std::uint32_t b);
-    void assembled_triangle(std::array<std::uint32_t, 3> slots, std::uint32_t provoking);
+    void assembled_triangle(const std::array<std::uint32_t, 3>& slots, std::uint32_t provoking);
     void assembled_polygon(std::span<const PolygonCorner> corners, std::uint32_t provoking);
     bool culled(bool front_facing);
     void clipped_line(std::uint32_t a, std::uint32_t b, const Codes& codes);
-    void clipped_triangle(std::array<std::uint32_t, 3> slots,
+    void clipped_triangle(const std::array<std::uint32_t, 3>& slots,
                           std::uint32_t provoking,
                           const Codes& codes);
     void emit_triangle(std::array<const WindowVertex*, 3> vertices, bool front_facing);

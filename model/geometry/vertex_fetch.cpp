@@ -23,10 +23,9 @@ void fetch_attribute(const std::byte* first,
                      std::span<const std::uint32_t> numbers,
                      Planes4& planes) {
     for (std::size_t lane = 0; lane < numbers.size(); ++lane) {
-        std::array<float, Components> value;
-        std::memcpy(value.data(), first + numbers[lane] * stride, sizeof value);
+        const std::byte* const value = first + numbers[lane] * stride;
         for (unsigned i = 0; i < Components; ++i)
-            planes[i].lanes[lane] = value[i];
+            std::memcpy(&planes[i].lanes[lane], value + i * sizeof(float), sizeof(float));
     }
 }
 

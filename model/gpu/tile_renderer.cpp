@@ -29,12 +29,16 @@ bool same(const FragmentMask& a, const FragmentMask& b) {
     return different == 0;
 }
 
-// The lanes of `mask`, most often all of the batch's.
+// The lanes of `mask`, most often all of the batch's. No mask of all is made: what was just stored
+// by words and is loaded by vectors waits until the stores before it are done.
 std::uint64_t count_lanes(const FragmentMask& mask, unsigned lanes) {
-    FragmentMask all;
-    for (std::size_t i = 0; i < all.words.size() && lanes > 64 * i; ++i)
-        all.words[i] = ~std::uint64_t{0} >> (lanes < 64 * i + 64 ? 64 * i + 64 - lanes : 0);
-    return same(mask, all) ? lanes : mask.count();
+    std::uint64_t missing = 0;
+    for (std::size_t i = 0; i < mask.words.size() && lanes > 64 * i; ++i) {
+        const unsigned beyond =
+            lanes < 64 * i + 64 ? static_cast<unsigned>(64 * i + 64 - lanes) : 0;
+        missing |= ~mask.words[i] << beyond;
+    }
+    return missing == 0 ? lanes : mask.count();
 }
 
 // The samples of quad q: bit 4 i + s for sample s of lane i.
@@ -251,18 +255,17 @@ void TileRenderer::sample_unit(unsigned unit, const FragmentMask& covered) {
 
 void TileRenderer::finish_batch(const FragmentMask& covered) {
     const FragmentMask early = batch_.live;
-    FragmentFates fates;
     if (early.any()) {
         if (pixels_->layout.color >= 0) shade(pixels_->pipe, batch_, pipe_tap());
-        write(pixels_->pipe, batch_, fates, pipe_tap());
+        write(pixels_->pipe, batch_, fates_, pipe_tap());
+    } else {
+        fates_ = {};
     }
-    count(covered, early, fates);
-    if (recording_) record(covered, early, fates);
+    count(covered, early);
+    if (recording_) record(covered, early);
 }
 
-void TileRenderer::count(const FragmentMask& covered,
-                         const FragmentMask& early,
-                         const FragmentFates& fates) {
+void TileRenderer::count(const FragmentMask& covered, const FragmentMask& early) {
     // Most batches lose nobody: comparing masks is quicker than counting bits.
     const auto next =
         [](std::uint64_t count, const FragmentMask& before, const FragmentMask& after) {
@@ -270,10 +273,10 @@ void TileRenderer::count(const FragmentMask& covered,
         };
     const std::uint64_t all = count_lanes(covered, batch_.lanes());
     const std::uint64_t after_early = next(all, covered, early);
-    const std::uint64_t coverage = next(after_early, early, fates.after_coverage);
-    const std::uint64_t alpha = next(coverage, fates.after_coverage, fates.after_alpha);
-    const std::uint64_t stencil = next(alpha, fates.after_alpha, fates.after_stencil);
-    const std::uint64_t depth = next(stencil, fates.after_stencil, fates.after_depth);
+    const std::uint64_t coverage = next(after_early, early, fates_.after_coverage);
+    const std::uint64_t alpha = next(coverage, fates_.after_coverage, fates_.after_alpha);
+    const std::uint64_t stencil = next(alpha, fates_.after_alpha, fates_.after_stencil);
+    const std::uint64_t depth = next(stencil, fates_.after_stencil, fates_.after_depth);
     counts_.covered += all;
     counts_.killed_early_depth += all - after_early;
     counts_.killed_coverage += after_early - coverage;
@@ -297,9 +300,7 @@ void TileRenderer::count_samples() {
     if (pixels_->count_samples) counts_.counted_samples += written;
 }
 
-void TileRenderer::record(const FragmentMask& covered,
-                          const FragmentMask& early,
-                          const FragmentFates& fates) {
+void TileRenderer::record(const FragmentMask& covered, const FragmentMask& early) {
     WorkBatch& work = recording_->batches.emplace_back();
     work.draw = command_;
     work.quads.resize(batch_.quad_count);
@@ -312,10 +313,10 @@ void TileRenderer::record(const FragmentMask& covered,
                          .y = batch_.y[q],
                          .covered = bits(covered, q),
                          .after_early_depth = bits(early, q),
-                         .after_coverage = bits(fates.after_coverage, q),
-                         .after_alpha = bits(fates.after_alpha, q),
-                         .after_stencil = bits(fates.after_stencil, q),
-                         .after_depth = bits(fates.after_depth, q)};
+                         .after_coverage = bits(fates_.after_coverage, q),
+                         .after_alpha = bits(fates_.after_alpha, q),
+                         .after_stencil = bits(fates_.after_stencil, q),
+                         .after_depth = bits(fates_.after_depth, q)};
         if (!multisampled()) continue;
         work.quads[q].samples_covered = sample_bits(covered_samples_, q);
         work.quads[q].samples_written = sample_bits(batch_.samples, q);
@@ -323,8 +324,11 @@ void TileRenderer::record(const FragmentMask& covered,
     record_pieces(work);
     work.textures = std::exchange(footprints_, {});
     if (!values_) return;
-    SampleMasks tested = fates.tested;
-    if (!multisampled()) tested[0] = fates.after_alpha;
+    SampleMasks tested;
+    if (multisampled())
+        tested = fates_.tested;
+    else
+        tested[0] = fates_.after_alpha;
     record_values({.registers = binned_->context->regs(),
                    .fragments = batch_,
                    .tested = tested,

@@ -53,13 +53,9 @@ private:
     void finish_batch(const FragmentMask& covered);
     void interpolate_depths();
     void begin_samples();
-    void count(const FragmentMask& covered,
-               const FragmentMask& after_early_depth,
-               const FragmentFates& fates);
+    void count(const FragmentMask& covered, const FragmentMask& after_early_depth);
     void count_samples();
-    void record(const FragmentMask& covered,
-                const FragmentMask& after_early_depth,
-                const FragmentFates& fates);
+    void record(const FragmentMask& covered, const FragmentMask& after_early_depth);
     void record_pieces(WorkBatch& work) const;
     bool records_values() const { return recording_ && values_; }
     const ProbeTap* pipe_tap() const { return tap_ ? &tap_->pipe() : nullptr; }
@@ -78,6 +74,7 @@ private:
     const PixelContext* pixels_ = nullptr;
 
     FragmentBatch batch_{};
+    FragmentFates fates_;         // of the batch
     SampleMasks covered_samples_; // of the batch, where targets are multisampled
     SampleDepths sample_depths_;
     QuadCollector collector_{batch_, stages_.pack_quads};

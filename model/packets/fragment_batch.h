@@ -16,6 +16,7 @@
 
 #pragma once
 
+#include "model/base/one_store.h"
 #include "model/device/layout/limits.h"
 
 #include <array>
@@ -31,6 +32,12 @@ constexpr unsigned BatchFragments = 4 * BatchQuads;
 // One bit a fragment, bit i % 64 of word i / 64 for lane i.
 struct FragmentMask {
     alignas(32) std::array<std::uint64_t, BatchFragments / 64> words{};
+
+    static FragmentMask of(std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t d) {
+        FragmentMask mask;
+        store_at_once(mask.words.data(), a, b, c, d);
+        return mask;
+    }
 
     bool any() const { return (words[0] | words[1] | words[2] | words[3]) != 0; }
     bool test(unsigned lane) const { return (words[lane / 64] >> (lane % 64)) & 1; }

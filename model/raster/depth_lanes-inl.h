@@ -50,27 +50,34 @@ HWY_INLINE VL load_places(const std::uint16_t* places, std::size_t quad, int ref
     return hn::PromoteTo(Longs(), hn::Sub(at, hn::Set(wider, reference)));
 }
 
-// What the lanes of a run's depth plane share, at the point that lies `position` (1/256 pixel)
-// beside each centre.
+// Of two quads' lanes those of the right column, and of the upper row.
+alignas(64) constexpr std::array<std::int64_t, 8> RightLanes{0, -1, 0, -1, 0, -1, 0, -1};
+alignas(64) constexpr std::array<std::int64_t, 8> UpperLanes{0, 0, -1, -1, 0, 0, -1, -1};
+
+// What the lanes of a run's depth plane share.
 struct DepthLanes {
     static constexpr std::size_t N = hn::MaxLanes(Longs());
     using Words = hn::Repartition<std::uint32_t, Longs>;
 
-    alignas(64) std::array<std::int64_t, 8> offsets; // of the lanes of two quads
-    VL lowest, highest;
+    VL dx, dy, lowest, highest;
 
     HWY_INLINE explicit DepthLanes(const SetupRecord& record)
-        : lowest(hn::Set(Longs(), std::int64_t{record.depth_min}))
-        , highest(hn::Set(Longs(), std::int64_t{record.depth_max})) {
-        const auto [origin, dx, dy] = record.depth;
-        offsets = {0, dx, dy, dx + dy, 0, dx, dy, dx + dy};
+        : dx(hn::Set(Longs(), record.depth.dx))
+        , dy(hn::Set(Longs(), record.depth.dy))
+        , lowest(hn::Set(Longs(), std::int64_t{record.depth_min}))
+        , highest(hn::Set(Longs(), std::int64_t{record.depth_max})) {}
+    // From a quad's corner to lanes part N and on.
+    HWY_INLINE VL offsets(std::size_t part) const {
+        const Longs d;
+        const std::size_t lane = part * N % 4;
+        return hn::Add(hn::And(dx, hn::LoadU(d, RightLanes.data() + lane)),
+                       hn::And(dy, hn::LoadU(d, UpperLanes.data() + lane)));
     }
     // The values of lanes part N and on, each in the lower half of its 64 bits.
     HWY_INLINE hn::Vec<Words> values(VL corners, std::size_t part) const {
         const Longs d;
         const auto quads = hn::SetTableIndices(d, LongQuadOfLane.data() + part * N);
-        const auto sum = hn::Add(hn::TableLookupLanes(corners, quads),
-                                 hn::LoadU(d, offsets.data() + part * N % 4));
+        const auto sum = hn::Add(hn::TableLookupLanes(corners, quads), offsets(part));
         const auto depth = hn::ShiftRight<DepthPlane::FractionBits>(sum);
         return hn::BitCast(Words(), hn::Min(hn::Max(depth, lowest), highest));
     }

@@ -45,7 +45,11 @@ void QuadLines::add_square(const LevelLines& level, const TexelAccess& access) {
     const LevelLines::Rectangles rectangles = level.rectangles(access);
     if (rectangles.are_one()) {
         add_line(level.line(rows[0] + columns[0]));
-        if (merges_) last_[access.level & 1] = {&level, access.layer0, rectangles};
+        if (!merges_) return;
+        LastRead& last = last_[access.level & 1];
+        last.level = &level;
+        last.layer = access.layer0;
+        last.rectangles = rectangles;
         return;
     }
     std::uint64_t last = count_ > 0 ? lines_[count_ - 1] : ~std::uint64_t{0};

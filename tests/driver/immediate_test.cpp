@@ -124,6 +124,32 @@ TEST_CASE_METHOD(DrawFixture, "fewer components than before set the rest to 0, 0
     CHECK(position(all[0], 1) == Value{7, 8, 0, 1});
 }
 
+TEST_CASE_METHOD(DrawFixture, "attributes of one to four components lie beside each other") {
+    entry::Begin(GL_TRIANGLES);
+    for (int i = 0; i < 3; ++i) {
+        const auto n = static_cast<float>(10 * i);
+        entry::MultiTexCoord1f(GL_TEXTURE2, n + 1);
+        if (i != 1) entry::MultiTexCoord2f(GL_TEXTURE1, n + 2, n + 3);
+        entry::Normal3f(n + 4, n + 5, n + 6);
+        entry::FogCoordf(n + 7);
+        entry::MultiTexCoord4f(GL_TEXTURE0, n + 8, n + 9, n + 10, n + 11);
+        entry::Vertex2f(n, -n);
+    }
+    entry::End();
+    const auto all = draws();
+    REQUIRE(all.size() == 1);
+    CHECK(device.registers.vertex_format.stride == 2 + 3 + 1 + 4 + 2 + 1);
+    for (unsigned i = 0; i < 3; ++i) {
+        const auto n = static_cast<float>(10 * i), kept = i == 1 ? 0 : n;
+        CHECK(position(all[0], i) == Value{n, -n, 0, 1});
+        CHECK(attribute(all[0], i, Attribute::Normal) == Value{n + 4, n + 5, n + 6, 1});
+        CHECK(attribute(all[0], i, Attribute::FogCoordinate) == Value{n + 7, 0, 0, 1});
+        CHECK(attribute(all[0], i, Attribute::TexCoord0) == Value{n + 8, n + 9, n + 10, n + 11});
+        CHECK(attribute(all[0], i, tex_coord(1)) == Value{kept + 2, kept + 3, 0, 1});
+        CHECK(attribute(all[0], i, tex_coord(2)) == Value{n + 1, 0, 0, 1});
+    }
+}
+
 TEST_CASE_METHOD(DrawFixture, "attributes set in a primitive are current after it") {
     entry::Begin(GL_POINTS);
     entry::Color3f(0.5f, 0, 1);

@@ -40,8 +40,13 @@ void LookupChunk::play(ChunkReader& reader, LookupPlaces& places) const {
     }
 }
 
-void LookupChunker::add(const LookupChunk::Step& step) {
-    chunk_->steps_.push_back(step);
+LookupChunk::Step& LookupChunker::add(LookupChunk::Kind kind) {
+    LookupChunk::Step& step = chunk_->steps_.emplace_back();
+    step.kind = kind;
+    return step;
+}
+
+void LookupChunker::make_room() {
     if (chunk_->weight() >= Weight) finish();
 }
 
@@ -65,10 +70,10 @@ bool LookupChunker::add_again(std::span<const work::LineLookup> lines, std::uint
         ++steps.back().quads;
         steps.back().number += reads;
     } else {
-        add({.number = reads,
-             .end = static_cast<std::uint32_t>(chunk_->lookups_.size()),
-             .kind = Kind::Again,
-             .since = work::Reuse::Tile});
+        LookupChunk::Step& step = add(Kind::Again);
+        step.number = reads;
+        step.end = static_cast<std::uint32_t>(chunk_->lookups_.size());
+        step.since = work::Reuse::Tile;
     }
     return true;
 }
@@ -83,31 +88,35 @@ void LookupChunker::lookups(work::LookupClient client,
     if (client == work::LookupClient::Texel && since == work::Reuse::Tile &&
         add_again(lines, reads))
         return;
+    make_room();
     auto& all = chunk_->lookups_;
     all.insert(all.end(), lines.begin(), lines.end());
     last_lines_ = lines.size();
-    add({.number = reads,
-         .end = static_cast<std::uint32_t>(all.size()),
-         .kind = LookupChunk::Kind::Lookups,
-         .client = client,
-         .since = since});
+    LookupChunk::Step& step = add(LookupChunk::Kind::Lookups);
+    step.number = reads;
+    step.end = static_cast<std::uint32_t>(all.size());
+    step.client = client;
+    step.since = since;
 }
 
 void LookupChunker::flush(work::LookupClient client) {
-    add({.kind = LookupChunk::Kind::Flush, .client = client});
+    make_room();
+    add(LookupChunk::Kind::Flush).client = client;
 }
 
 void LookupChunker::overwritten(work::LookupClient client,
                                 std::span<const work::OverwrittenLine> lines) {
+    make_room();
     auto& all = chunk_->overwritten_;
     all.insert(all.end(), lines.begin(), lines.end());
-    add({.end = static_cast<std::uint32_t>(all.size()),
-         .kind = LookupChunk::Kind::Overwritten,
-         .client = client});
+    LookupChunk::Step& step = add(LookupChunk::Kind::Overwritten);
+    step.end = static_cast<std::uint32_t>(all.size());
+    step.client = client;
 }
 
 void LookupChunker::end_frame(std::uint32_t frame) {
-    add({.number = frame, .kind = LookupChunk::Kind::EndFrame});
+    make_room();
+    add(LookupChunk::Kind::EndFrame).number = frame;
 }
 
 } // namespace ffgpu::tools

@@ -76,7 +76,10 @@ public:
 private:
     static constexpr std::size_t Weight = std::size_t{1} << 14;
 
-    void add(const LookupChunk::Step& step);
+    // A step, to be filled in its place.
+    LookupChunk::Step& add(LookupChunk::Kind kind);
+    // Before more is added: hands over what is heavy enough.
+    void make_room();
     // Returns whether they are those of the step before, which is told then.
     bool add_again(std::span<const work::LineLookup> lines, std::uint32_t reads);
 
