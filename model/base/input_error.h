@@ -12,4 +12,11 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+// OutputError: a file cannot be written. Nobody goes on behind it, as one may behind an input that
+// is wrong.
+class OutputError : public InputError {
+public:
+    using InputError::InputError;
+};
+
 } // namespace ffgpu

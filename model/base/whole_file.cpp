@@ -84,7 +84,7 @@ void WholeFile::commit() {
 }
 
 void WholeFile::fail(int reason) const {
-    throw InputError(path_ + ": cannot be written: " + std::strerror(reason));
+    throw OutputError(path_ + ": cannot be written: " + std::strerror(reason));
 }
 
 } // namespace ffgpu

@@ -13,7 +13,6 @@
 #include <fstream>
 
 #include <catch2/catch.hpp>
-
 namespace ffgpu::tools {
 namespace {
 
@@ -189,6 +188,22 @@ TEST_CASE("Frames that a suite asks for and its trace does not have are told of"
     const std::string said = printed(stderr, [&] { status = shop.check(); });
     CHECK(status == 0);
     CHECK_THAT(said, Contains("ends before frame 4, 9 was asked for"));
+}
+
+TEST_CASE("A picture that cannot be written ends a suite with status 2") {
+    const Workshop shop;
+    shop.suite(One);
+    REQUIRE(shop.check({"--update"}) == 0);
+    const char* const name = GENERATE("frame_0001.png", "frame_0002_difference.png");
+    const std::string changed = shop.folder / "wanted/frame_0002.png";
+    Image image = read_image(changed);
+    image.rgb[0] ^= 1;
+    write_png(changed, image);
+    const std::string taken = shop.folder / "out/clears/" + name;
+    fs::remove(taken);
+    fs::create_directories(taken + "/by a folder");
+    const std::string line = printed(stderr, [&] { CHECK(shop.check() == 2); });
+    CHECK_THAT(line, Contains(taken + ": cannot be written"));
 }
 
 TEST_CASE("A suite that is interrupted reports what it drew, and what it did not") {

@@ -78,8 +78,10 @@ public:
 
     std::vector<CheckedFrame> run() {
         make_folder(folder_.string());
-        for (const std::string& older : pictures_in(folder_)) // They would pass for new ones.
-            fs::remove(folder_ / (older + ".png"));
+        for (const std::string& older : pictures_in(folder_)) { // They would pass for new ones.
+            std::error_code stays; // Told of where it is written over.
+            fs::remove(folder_ / (older + ".png"), stays);
+        }
         if (const auto wrong = draw()) return {told(*wrong)};
         std::set<std::string> names = pictures_in(folder_);
         const bool is_whole = Interruption::signal() == 0;
@@ -122,6 +124,8 @@ private:
         if (Interruption::signal() != 0) return not_drawn("interrupted: not drawn");
         try {
             replay(replay_options);
+        } catch (const OutputError&) {
+            throw;
         } catch (const InputError& error) {
             return not_drawn(error.what());
         }
@@ -139,6 +143,8 @@ private:
         try {
             if (options_.update) keep(drawn, reference);
             compare(drawn, reference, frame);
+        } catch (const OutputError&) {
+            throw;
         } catch (const InputError& error) {
             frame.verdict = Verdict::Error;
             frame.message = error.what();

@@ -83,7 +83,7 @@ TexelCounts texels_of(const work::WholeCommand& command) {
 
 std::string_view draw_fact_names() {
     return "call,function,primitive,vertices,primitives,quads,fragments_covered,"
-           "fragments_killed_early,fragments_killed_coverage,fragments_killed_alpha,"
+           "fragments_killed_early_depth,fragments_killed_coverage,fragments_killed_alpha,"
            "fragments_killed_stencil,fragments_killed_depth,fragments_written,textures,"
            "texel_accesses,texel_reads";
 }
