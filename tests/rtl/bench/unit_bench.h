@@ -123,7 +123,10 @@ public:
             dut_->eval();
             if (probes_dependences && random.one_in(4)) probe();
             waves_.settled();
-            idle = exchange() || !dut_->out_ready_i ? 0 : idle + 1;
+            if (exchange())
+                idle = 0;
+            else if (dut_->out_ready_i) // A receiver that waits now and then begins no new count.
+                ++idle;
             if (idle > MostIdleCycles) return fail_stuck();
             if (unasked_ > MostUnasked) return; // A unit that gives for ever takes nothing more.
             clock();
