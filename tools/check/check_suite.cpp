@@ -79,7 +79,7 @@ public:
     std::vector<CheckedFrame> run() {
         make_folder(folder_.string());
         for (const std::string& older : pictures_in(folder_)) { // They would pass for new ones.
-            std::error_code stays; // Told of where it is written over.
+            std::error_code stays;                              // Told of where it is written over.
             fs::remove(folder_ / (older + ".png"), stays);
         }
         if (const auto wrong = draw()) return {told(*wrong)};
