@@ -1,7 +1,9 @@
 #include "driver/window_system/run_mark.h"
 
 #include <array>
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 
 #include <fcntl.h>
 #include <pthread.h>
@@ -35,6 +37,17 @@ void forget_claim() {
 int open_mark() {
     const char* const path = std::getenv(Variable);
     return path ? ::open(path, O_RDWR | O_CLOEXEC) : -1;
+}
+
+// Somebody has the lock, and not only until it runs: a child that was just forked has it, too,
+// until then, and its parent may have ended.
+bool stays_locked(int file) {
+    constexpr std::chrono::milliseconds Pause(10), Longest(1000);
+    for (auto waited = Pause; ::flock(file, LOCK_SH | LOCK_NB) != 0; waited += Pause) {
+        if (waited > Longest) return true;
+        std::this_thread::sleep_for(Pause);
+    }
+    return false;
 }
 
 // Where the file is gone nobody wants to know.
@@ -90,10 +103,10 @@ bool RunMark::is_over() {
 RunMark::State RunMark::read(const std::string& path) {
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return {};
+    const bool goes_on = stays_locked(file);
     const auto yes = said(file);
-    const State state{.draws = yes[DrawsAt],
-                      .complete = yes[CompleteAt] || !yes[BegunAt],
-                      .goes_on = ::flock(file, LOCK_SH | LOCK_NB) != 0};
+    const State state{
+        .draws = yes[DrawsAt], .complete = yes[CompleteAt] || !yes[BegunAt], .goes_on = goes_on};
     ::close(file);
     return state;
 }
