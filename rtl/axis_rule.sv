@@ -59,7 +59,7 @@ module axis_rule #(
         ffgpu_registers_pkg::WrapClamp: begin
           rule_o.border = is_linear;
           rule_o.low = 24'd0;
-          rule_o.above = is_linear ? 24'd0 : -24'd1;
+          rule_o.above = 24'd0;
         end
         ffgpu_registers_pkg::WrapClampToEdge: rule_o.fold = ffgpu_texture_pkg::FoldClamp;
         ffgpu_registers_pkg::WrapClampToBorder: begin
@@ -70,7 +70,7 @@ module axis_rule #(
         ffgpu_registers_pkg::WrapMirrorClamp: begin
           rule_o.fold = ffgpu_texture_pkg::FoldMirrorClamp;
           rule_o.border = is_linear;
-          rule_o.above = is_linear ? 24'd0 : -24'd1;
+          rule_o.above = 24'd0;
         end
         ffgpu_registers_pkg::WrapMirrorClampToEdge: rule_o.fold = ffgpu_texture_pkg::FoldMirrorClamp;
         ffgpu_registers_pkg::WrapMirrorClampToBorder: begin

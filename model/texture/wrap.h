@@ -27,7 +27,8 @@ struct WrapRule {
 };
 
 // GL_CLAMP's coordinate stays in [0, 1]: a linear filter then reaches the border, a nearest one
-// never (GL 1.5, 3.8.7 and the remark below equation 3.19 on s = 1).
+// never (GL 1.5, 3.8.7 and the remark below equation 3.19 on s = 1): without a border, index `size`
+// is the last texel.
 constexpr WrapRule wrap_rule(Wrap wrap, bool linear) {
     constexpr std::int32_t Half = 128;
     switch (wrap) {
@@ -36,13 +37,13 @@ constexpr WrapRule wrap_rule(Wrap wrap, bool linear) {
     case Wrap::MirroredRepeat:
         return {Fold::Mirror, false, false, Half, -Half};
     case Wrap::Clamp:
-        return {Fold::Clamp, false, linear, 0, linear ? 0 : -1};
+        return {Fold::Clamp, false, linear, 0, 0};
     case Wrap::ClampToEdge:
         return {Fold::Clamp, false, false, Half, -Half};
     case Wrap::ClampToBorder:
         return {Fold::Clamp, false, true, -Half, Half};
     case Wrap::MirrorClamp:
-        return {Fold::MirrorClamp, false, linear, Half, linear ? 0 : -1};
+        return {Fold::MirrorClamp, false, linear, Half, 0};
     case Wrap::MirrorClampToEdge:
         return {Fold::MirrorClamp, false, false, Half, -Half};
     case Wrap::MirrorClampToBorder:

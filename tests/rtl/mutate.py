@@ -20,7 +20,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import mutants
-from ports import ports
+from equivalence import Mutant
 
 Root = Path(__file__).resolve().parents[2]
 Rtl = Root / "rtl"
@@ -30,20 +30,6 @@ Programs = Build / "tests/rtl"
 
 
 Arithmetic = "float"  # The units of binary32 have one test, around which float_units.sv stands.
-
-Packages = ["ffgpu_registers_pkg", "ffgpu_pkg", "ffgpu_texture_pkg"]
-Everything = "1'b1"
-Different = " && ".join(f"ages_i[{2 * i} +: 2] != ages_i[{2 * j} +: 2]"
-                        for i in range(4) for j in range(i))
-# What comes up at the inputs of combinational modules, where it is not everything. Of cache_ages it is
-# what came out before, which the proof shows to be so.
-Ranges = {"cache_ages": Different,
-          "depth_plane_lane": "depth_min_i <= depth_max_i",
-          "filter_mean": "count_i >= 5'd1 && count_i <= 5'd16 && {5'd0, sum_i} <= 17'd255 * count_i"}
-
-# What has one name in both is compared: what is in between may differ where no flop takes it.
-HideAllButRegisters = ("select -set kept t:$*dff* %co1 w:* %i i:* %u o:* %u; "
-                       "select -set hidden w:* @kept %d; rename -hide @hidden; ")
 
 Exhausted = {"reciprocal"}  # Units whose long form tries every input.
 
@@ -159,78 +145,9 @@ def passes(unit, **environment):
 
 def is_equivalent(unit, number, module):
     """Whether yosys proves that the mutant and the original compute the same."""
-    if module.endswith("_pkg"):
-        return False
-    if (module in Ranges or is_combinational(module)) and is_equal_in_range(unit, number, module):
-        return True
-    folder = Work / "proof" / f"{unit}_{number}"
-    folder.mkdir(parents=True, exist_ok=True)
     mutated = (Work / unit / f"{module}.sv").read_text()
-    (folder / f"{module}.sv").write_text(re.sub(
-        re.escape(f"({mutants.Chosen} == ") + r"(\d+)\)",
-        lambda m: f"(1'b{int(int(m[1]) == number)})", mutated))
-    packages = " ".join(str(Rtl / f"{name}.sv") for name in Packages)
-
-    def design(top, name, place, hidden):
-        files = " ".join(str((folder if place and m == module else Rtl) / f"{m}.sv")
-                         for m in inside(top))
-        return (f"read_verilog -sv {packages} {files}; hierarchy -top {top}; proc; flatten; opt; "
-                f"memory -nomap; opt; {hidden}"
-                f"rename -top {name}; design -stash {name}; ")
-
-    def script(top, hidden):
-        return (design(top, "gold", False, hidden) + design(top, "gate", True, hidden) +
-                "design -copy-from gold -as gold gold; design -copy-from gate -as gate gate; "
-                "equiv_make gold gate equiv; hierarchy -top equiv; opt -full; equiv_struct; equiv_simple -undef; "
-                "equiv_induct; equiv_status -assert")
-
-    # A module with parameters is not the same for all of them: then the unit as a whole alone.
-    has_parameters = "#(\n  parameter" in (Rtl / f"{module}.sv").read_text()
-    if not has_parameters and proves(script(module, ""), 120):
-        return True
-    if not (Rtl / f"{unit}.sv").exists():
-        return False
-    return proves(script(unit, ""), 120) or proves(script(unit, HideAllButRegisters), 900)
-
-
-def proves(script, timeout):
-    try:
-        return subprocess.run(["yosys", "-q", "-p", script], timeout=timeout,
-                              capture_output=True).returncode == 0
-    except (subprocess.TimeoutExpired, FileNotFoundError):
-        return False
-
-
-def is_combinational(module):
-    text = (Rtl / f"{module}.sv").read_text()
-    return "clk_i" not in text and "#(\n  parameter" not in text
-
-
-def is_equal_in_range(unit, number, module):
-    """The same by SAT, over the inputs that come up."""
-    mutated = re.sub(re.escape(f"({mutants.Chosen} == ") + r"(\d+)\)",
-                     lambda m: f"(1'b{int(int(m[1]) == number)})",
-                     (Work / unit / f"{module}.sv").read_text())
-    inputs = [(kind, name) for way, kind, name in ports(module) if way == "input"]
-    outputs = [(kind, name) for way, kind, name in ports(module) if way == "output"]
-    nets = [f"{kind} {side}_{name};" for side in ("gold", "gate") for kind, name in outputs]
-    cells = [f"{name} u_{side} ({', '.join(f'.{i}({i})' for _, i in inputs)}, "
-             f"{', '.join(f'.{o}({side}_{o})' for _, o in outputs)});"
-             for side, name in (("gold", module), ("gate", "mutated"))]
-    equal = " && ".join(f"gold_{name} == gate_{name}" for _, name in outputs)
-    if module == "cache_ages":
-        equal += " && " + Different.replace("ages_i", "gold_ages_o")
-    folder = Work / "proof" / f"{unit}_{number}"
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "both.sv").write_text(
-        re.sub(rf"\bmodule {module}\b", "module mutated", mutated) +
-        f"module both ({', '.join(f'input {kind} {name}' for kind, name in inputs)}); "
-        f"{' '.join(nets)} {' '.join(cells)}\n"
-        f"always_comb begin assume ({Ranges.get(module, Everything)}); assert ({equal}); end endmodule\n")
-    files = " ".join(str(Rtl / f"{name}.sv") for name in Packages + inside(module))
-    script = (f"read_verilog -sv -formal {files} {folder}/both.sv; hierarchy -top both; proc; "
-              "flatten; memory; opt; sat -verify -prove-asserts -set-assumes")
-    return proves(script, 300)
+    return Mutant(unit, number, module, mutated, Work / "proof" / f"{unit}_{number}",
+                  inside).is_equivalent()
 
 
 def alive(pool, unit, numbered, **environment):
