@@ -82,7 +82,7 @@ tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,
         wake();
         return tlm::TLM_ACCEPTED;
     }
-    statistics_.on_done(request, now());
+    if (counts_) statistics_.on_done(request, now());
     if (ledger_) ledger_->moved(request, now());
     if (waits_) waits_->done(request, now());
     if (observer_) observer_->done(request, now());

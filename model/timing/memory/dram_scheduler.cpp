@@ -11,6 +11,11 @@ std::uint64_t bit(std::uint32_t bank) {
     return std::uint64_t{1} << bank;
 }
 
+// `at`, or never; without a branch.
+MemoryCycle only_if(bool condition, MemoryCycle at) {
+    return at | (MemoryCycle{condition} - 1);
+}
+
 } // namespace
 
 struct DramScheduler::Search {
@@ -113,6 +118,38 @@ void DramScheduler::find_row(Search& search) const {
     }
 }
 
+// False, and nothing found, where a column could go out, or the oldest request may not be passed.
+// Else no request was passed too often, so that a bank works for its oldest one if nobody waits for
+// the row that it has open.
+bool DramScheduler::find_without_column(Search& search) const {
+    const WaitingRequests& waiting = search.waiting;
+    if (waiting.front().passed >= limit_) return false;
+    const WaitingRequests::Bits reads = waiting.hits() & waiting.of_kind(false);
+    const WaitingRequests::Bits writes = waiting.hits() & waiting.of_kind(true);
+    MemoryCycle column_at = NoCycle, row_at = NoCycle;
+    WaitingRequests::Bits rows = 0; // requests for rows, all those of banks that can be made ready
+    for (std::uint32_t bank = 0; bank < banks_; ++bank) {
+        const WaitingRequests::Bits of_bank = waiting.of_bank(bank);
+        const MemoryCycle read_at = search.device.column_ready_at(bank, false);
+        const MemoryCycle write_at = search.device.column_ready_at(bank, true);
+        const bool wants_row = (of_bank & (reads | writes)) == 0;
+        const MemoryCycle ready_at =
+            only_if(wants_row, std::max(search.device.row_ready_at(bank), search.row_slot));
+        column_at = std::min(column_at, only_if((of_bank & reads) != 0, read_at));
+        column_at = std::min(column_at, only_if((of_bank & writes) != 0, write_at));
+        row_at = std::min(row_at, only_if(of_bank != 0, ready_at));
+        rows |= of_bank & (WaitingRequests::Bits{ready_at > search.now} - 1);
+    }
+    if (column_at <= search.now) return false;
+    search.command.again_at = std::min(column_at, row_at);
+    if (rows == 0) return true;
+    const auto index = static_cast<std::size_t>(std::countr_zero(rows));
+    const bool closed = search.device.open_row(waiting[index].request.bank) == DramDevice::NoRow;
+    search.command = {.kind = closed ? DramCommand::Kind::Activate : DramCommand::Kind::Precharge,
+                      .index = index};
+    return true;
+}
+
 // The oldest column of each bank and kind, from the oldest to the youngest.
 void DramScheduler::find_column_by_bits(Search& search) const {
     const WaitingRequests& waiting = search.waiting;
@@ -179,9 +216,29 @@ LostTo DramScheduler::why_oldest_waits(const Search& search) {
     return ready.at < search.now ? LostTo::Row : ready.cause;
 }
 
+LostTo DramScheduler::why_nothing(const WaitingRequests& waiting,
+                                  const DramDevice& device,
+                                  MemoryCycle now) {
+    return why_oldest_waits({waiting, device, now});
+}
+
+// A request for the open row of a bank that was to be closed for an older one keeps it open.
+std::optional<MemoryCycle> DramScheduler::soonest_of(const DramRequest& request,
+                                                     const WaitingRequests& waiting,
+                                                     const DramDevice& device,
+                                                     MemoryCycle now) const {
+    if (!by_banks_ || waiting.empty() || waiting.front().passed >= limit_) return std::nullopt;
+    const WaitingRequests::Bits of_bank = waiting.of_bank(request.bank);
+    if (device.open_row(request.bank) != request.row)
+        return of_bank != 0 ? NoCycle
+                            : std::max(device.row_ready_at(request.bank), device.free_slot(now));
+    if (of_bank != 0 && (of_bank & waiting.hits()) == 0) return std::nullopt;
+    return device.column_ready_at(request.bank, request.write);
+}
+
 // What goes out, or else why no data do.
-DramCommand DramScheduler::result(Search& search) {
-    if (search.has_column()) return search.command;
+DramCommand DramScheduler::result(Search& search) const {
+    if (search.has_column() || !tells_causes_) return search.command;
     search.command.cause = search.column_yields ? LostTo::Commands : why_oldest_waits(search);
     if (search.order_forbids && search.command.cause != LostTo::Turnaround)
         search.command.cause = LostTo::Order;
@@ -226,6 +283,7 @@ DramCommand DramScheduler::choose(const WaitingRequests& waiting,
     if (!by_bits_) return choose_plainly(waiting, device, now);
     if (waiting.empty()) return {.again_at = NoCycle};
     Search search{waiting, device, now};
+    if (by_banks_ && find_without_column(search)) return result(search);
     find_column_by_bits(search);
     choose_row(
         search, [&] { find_row_by_bits(search); }, [&] { return is_bus_wanted_by_bits(search); });
