@@ -60,11 +60,10 @@ std::optional<timing::QuadName> MemoryTrace::asker(const timing::MemoryRequest& 
 
 void MemoryTrace::sent(const timing::MemoryRequest& request, std::uint64_t cycle) {
     const bool of_screen = request.client == timing::Client::ScanOut;
-    const TracedRequest traced{request, cycle, !of_screen, asker(request)};
     if (of_screen || !waiting_.empty())
-        waiting_.push_back(traced);
+        waiting_.push_back({request, cycle, !of_screen, asker(request)});
     else
-        hand_over(traced);
+        hand_over({request, cycle, true, asker(request)});
 }
 
 void MemoryTrace::done(const timing::MemoryRequest& request, std::uint64_t) {

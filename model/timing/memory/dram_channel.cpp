@@ -44,10 +44,9 @@ void DramChannel::wait_also_for(const DramRequest& request, MemoryCycle now) {
 void DramChannel::work(MemoryCycle now) {
     rests_ = false;
     if (now >= refresh_due_) return work_on_refresh(now);
-    const DramCommand command =
-        planned_at_ == now ? planned_ : scheduler_.choose(waiting_, device_, now);
-    if (command.kind == DramCommand::Kind::None) return rest(command, now);
-    issue(command, now);
+    if (planned_at_ != now) scheduler_.choose(waiting_, device_, now, planned_);
+    if (planned_.kind == DramCommand::Kind::None) return rest(planned_, now);
+    issue(planned_, now);
     look_ahead(now + 1);
 }
 
@@ -64,7 +63,7 @@ void DramChannel::rest(const DramCommand& none, MemoryCycle now) {
 void DramChannel::look_ahead(MemoryCycle next) {
     next_work_ = next;
     if (next >= refresh_due_ || config_.page_policy == PagePolicy::Timeout) return;
-    planned_ = scheduler_.choose(waiting_, device_, next);
+    scheduler_.choose(waiting_, device_, next, planned_);
     planned_at_ = next;
     if (planned_.kind == DramCommand::Kind::None) rest(planned_, next);
 }

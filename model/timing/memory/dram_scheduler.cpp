@@ -22,13 +22,13 @@ struct DramScheduler::Search {
     const WaitingRequests& waiting;
     const DramDevice& device;
     MemoryCycle now;
+    DramCommand& command;
     MemoryCycle row_slot = device.free_slot(now); // for an activate or a precharge
     std::uint64_t hits = 0;                       // banks whose open row somebody waits for
     bool order_forbids = false;                   // a younger one's data could flow
     // Banks of which a column was looked at: [to write]. All columns of a kind in an open row are
     // ready at one time.
     std::array<std::uint64_t, 2> looked_at{};
-    DramCommand command{.again_at = NoCycle};
     bool column_yields = false;  // its data could flow, but a bank's row went first
     std::uint32_t activates = 0; // of banks with older requests, which the next bank's comes behind
 
@@ -219,7 +219,8 @@ LostTo DramScheduler::why_oldest_waits(const Search& search) {
 LostTo DramScheduler::why_nothing(const WaitingRequests& waiting,
                                   const DramDevice& device,
                                   MemoryCycle now) {
-    return why_oldest_waits({waiting, device, now});
+    DramCommand none;
+    return why_oldest_waits({waiting, device, now, none});
 }
 
 // A request for the open row of a bank that was to be closed for an older one keeps it open.
@@ -236,13 +237,12 @@ std::optional<MemoryCycle> DramScheduler::soonest_of(const DramRequest& request,
     return device.column_ready_at(request.bank, request.write);
 }
 
-// What goes out, or else why no data do.
-DramCommand DramScheduler::result(Search& search) const {
-    if (search.has_column() || !tells_causes_) return search.command;
+// Where data do not flow: why.
+void DramScheduler::name_cause(Search& search) const {
+    if (search.has_column() || !tells_causes_) return;
     search.command.cause = search.column_yields ? LostTo::Commands : why_oldest_waits(search);
     if (search.order_forbids && search.command.cause != LostTo::Turnaround)
         search.command.cause = LostTo::Order;
-    return search.command;
 }
 
 // Behind the search for a column. Where one could go out and a row, too, the row goes if the bus
@@ -253,8 +253,8 @@ void DramScheduler::choose_row(Search& search,
                                const FindRow& find_row,
                                const IsBusWanted& is_bus_wanted) const {
     if (!search.has_column()) return find_row();
-    const DramCommand column = search.command;
-    const bool follows = !search.device.bus_stood(search.write_of(column.index), search.now);
+    const std::size_t column = search.command.index;
+    const bool follows = !search.device.bus_stood(search.write_of(column), search.now);
     if (follows && is_bus_wanted()) return;
     find_row();
     if (search.has_column()) return;
@@ -262,32 +262,33 @@ void DramScheduler::choose_row(Search& search,
     if (row_goes)
         search.column_yields = true;
     else
-        search.command = column;
+        search.command = {.kind = DramCommand::Kind::Column, .index = column};
     search.command.meets = follows;
 }
 
-DramCommand DramScheduler::choose_plainly(const WaitingRequests& waiting,
-                                          const DramDevice& device,
-                                          MemoryCycle now) const {
-    if (waiting.empty()) return {.again_at = NoCycle};
-    Search search{waiting, device, now};
+void DramScheduler::choose_plainly(Search& search) const {
     find_column(search);
     choose_row(
         search, [&] { find_row(search); }, [&] { return is_bus_wanted(search); });
-    return result(search);
 }
 
-DramCommand DramScheduler::choose(const WaitingRequests& waiting,
-                                  const DramDevice& device,
-                                  MemoryCycle now) const {
-    if (!by_bits_) return choose_plainly(waiting, device, now);
-    if (waiting.empty()) return {.again_at = NoCycle};
-    Search search{waiting, device, now};
-    if (by_banks_ && find_without_column(search)) return result(search);
-    find_column_by_bits(search);
-    choose_row(
-        search, [&] { find_row_by_bits(search); }, [&] { return is_bus_wanted_by_bits(search); });
-    return result(search);
+void DramScheduler::choose(const WaitingRequests& waiting,
+                           const DramDevice& device,
+                           MemoryCycle now,
+                           DramCommand& command) const {
+    command = {.again_at = NoCycle};
+    if (waiting.empty()) return;
+    Search search{waiting, device, now, command};
+    if (!by_bits_) {
+        choose_plainly(search);
+    } else if (!by_banks_ || !find_without_column(search)) {
+        find_column_by_bits(search);
+        choose_row(
+            search,
+            [&] { find_row_by_bits(search); },
+            [&] { return is_bus_wanted_by_bits(search); });
+    }
+    name_cause(search);
 }
 
 } // namespace ffgpu::timing

@@ -41,8 +41,12 @@ public:
         , by_banks_(by_bits_ && config.banks <= FewBanks)
         , banks_(config.banks) {}
 
-    DramCommand
-    choose(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now) const;
+    // Writes it to `command`, whose numbers are read at once: a copy would wait for each of them
+    // (model/base/one_store.h).
+    void choose(const WaitingRequests& waiting,
+                const DramDevice& device,
+                MemoryCycle now,
+                DramCommand& command) const;
     // Since `waiting` was looked at nothing could go out: `request`, which is not in it yet and
     // comes at `now`, may go out then, or ask for its row; NoCycle: others ask for that. None: all
     // have to be looked at again.
@@ -62,9 +66,8 @@ private:
     static constexpr std::uint32_t MeetingsToSlip = 32;
     static constexpr std::uint32_t FewBanks = 8;
 
-    DramCommand
-    choose_plainly(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now) const;
     struct Search;
+    void choose_plainly(Search& search) const;
     void find_column(Search& search) const;
     void find_row(Search& search) const;
     bool find_without_column(Search& search) const;
@@ -75,7 +78,7 @@ private:
     template <class FindRow, class IsBusWanted>
     void
     choose_row(Search& search, const FindRow& find_row, const IsBusWanted& is_bus_wanted) const;
-    DramCommand result(Search& search) const;
+    void name_cause(Search& search) const;
     static LostTo why_oldest_waits(const Search& search);
 
     const std::uint32_t limit_;
