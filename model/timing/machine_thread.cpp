@@ -5,7 +5,7 @@
 namespace ffgpu::timing {
 namespace {
 
-constexpr std::size_t MostWeight = 1 << 17; // quads and lines that wait
+constexpr std::size_t MostWeight = 1 << 15; // quads and lines that wait
 
 } // namespace
 
