@@ -82,6 +82,12 @@ public:
     T pop() {
         check(can_pop(), "pop from an empty channel");
         T value = items_[first_].value;
+        drop();
+        return value;
+    }
+    // The same without a copy of front().
+    void drop() {
+        check(can_pop(), "an item taken from an empty channel");
         if (++first_ == items_.size()) first_ = 0;
         count_before(clock_.now());
         arrival_ = --count_ > 0 ? items_[first_].ready_at : Never;
@@ -92,7 +98,6 @@ public:
         ++popped_now_;
         if (refused_ && producer_) producer_->wake();
         refused_ = false;
-        return value;
     }
 
     // As it is, not as it was when the cycle began: for next_work().

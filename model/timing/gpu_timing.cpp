@@ -57,6 +57,14 @@ void GpuTiming::end_frame(std::uint32_t frame) {
     thread_->show(order_->shown());
 }
 
+void GpuTiming::leave_out_figures() {
+    machine_->leave_out_figures();
+}
+
+void GpuTiming::let_frames_overlap() {
+    thread_->let_frames_overlap();
+}
+
 void GpuTiming::catch_up() {
     thread_->catch_up();
 }

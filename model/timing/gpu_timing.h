@@ -67,6 +67,13 @@ public:
     void host_transfer(const HostTransfer& transfer) override;
     // Runs the machine until the frame's last quad is written, then calls on_frame.
     void end_frame(std::uint32_t frame) override;
+    // Kinds of misses, how full queues were, whether the memory's buses were busy and what with,
+    // and who waited how long for it are not counted: for who listens and reads no figures. No
+    // cycle depends on it. Before the first command.
+    void leave_out_figures();
+    // From now on end_frame() returns before that: the next frame is made ready while this one
+    // runs. For who listens on the machine's thread; who reads figures calls catch_up() before.
+    void let_frames_overlap();
     // Runs the machine as far as the commands so far allow, which is otherwise put off while they
     // are few. No figure of a whole frame depends on it.
     void catch_up();

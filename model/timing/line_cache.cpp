@@ -50,8 +50,7 @@ LookupResult LineCache::look_up_any(const LineAccess& access) {
     }
     ++statistics_.accesses;
     if (config_.ports > 0) ++bank_lookups_[access.number & (config_.banks - 1)];
-    const MissKind kind = classifier_.access(access.number);
-    result.missed ? count_miss(kind) : count_hit();
+    count_look_up(access.number, result.missed);
     return result;
 }
 
@@ -94,8 +93,8 @@ LookupResult LineCache::look_up_absent(const LineAccess& access, TagArray::Line*
 LookupResult LineCache::read_memory(std::uint64_t number) {
     if (!can_fetch()) return {};
     ++statistics_.accesses;
-    count_miss(classifier_.access(number));
-    classifier_.drop(number);
+    count_look_up(number, true);
+    if (tells_kinds_) classifier_.drop(number);
     return {.accepted = true, .missed = true, .ticket = fetch(number)};
 }
 
@@ -150,6 +149,15 @@ void LineCache::write(const LineAccess& access, TagArray::Line& line) {
         statistics_.dirtied_bytes += grain_.count_bytes(written & ~line.dirty);
     line.valid |= written;
     line.dirty |= written;
+}
+
+void LineCache::count_look_up(std::uint64_t number, bool missed) {
+    if (!tells_kinds_) {
+        ++(missed ? statistics_.misses : statistics_.hits);
+        return;
+    }
+    const MissKind kind = classifier_.access(number);
+    missed ? count_miss(kind) : count_hit();
 }
 
 void LineCache::count_hit() {
@@ -210,13 +218,13 @@ std::vector<LineWrite> LineCache::flush() {
     });
     forget_last();
     if (optimal_) optimal_->clear();
-    classifier_.flush();
+    if (tells_kinds_) classifier_.flush();
     return dirty;
 }
 
 LineWrite LineCache::overwrite(std::uint64_t number, LineMask overwritten) {
     forget_last();
-    classifier_.drop(number);
+    if (tells_kinds_) classifier_.drop(number);
     if (optimal_) { // It is only read.
         optimal_->drop(number);
         return {};

@@ -55,6 +55,9 @@ public:
     // From now on `store` says what a line's way from and to memory costs; null: its bytes.
     void set_store(LineStore* store) { store_ = store; }
 
+    // Misses are only counted, not by kind.
+    void leave_out_kinds() { tells_kinds_ = false; }
+
     // The owner calls it first in each cycle: ports are free again, fills have come, requests that
     // waited go out.
     void begin_cycle(Channel<std::uint64_t>& responses);
@@ -142,6 +145,7 @@ private:
     void fill(std::uint64_t number, work::TagArray::Line& line);
     std::uint64_t fetch(std::uint64_t number);
     void write(const LineAccess& access, work::TagArray::Line& line);
+    void count_look_up(std::uint64_t number, bool missed);
     void count_hit();
     void count_miss(work::MissKind kind);
     LineWrite written_back(std::uint64_t number, const work::TagArray::Line& line);
@@ -158,6 +162,7 @@ private:
     work::TagArray tags_;
     std::optional<work::OptimalTags> optimal_; // in the place of tags_
     work::MissClassifier classifier_;
+    bool tells_kinds_ = true;
     // Of the last look-up that was accepted, while the line is there. Kept where a look-up costs no
     // port, and the cache has its lines in tags_.
     const bool keeps_last_;

@@ -49,6 +49,8 @@ public:
     // sum of the items over the cycles.
     const std::vector<Cycle>& cycles_at() const { return cycles_at_; }
     std::uint64_t item_cycles() const { return item_cycles_; }
+    // Nothing is counted from now on.
+    void leave_out_counts() const { next_ = Never; }
     // Counts all cycles before `now`.
     void count_before(Cycle now) const {
         if (now <= next_) return;

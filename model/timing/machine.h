@@ -67,6 +67,9 @@ public:
     // nobody can see in a result how often this is done.
     void run();
 
+    // As GpuTiming has it.
+    void leave_out_figures();
+
     std::vector<Unit*> units();
     // All that are connected, in the order of the units that they lead to.
     std::vector<const Link*> links();

@@ -224,6 +224,18 @@ std::vector<const StatisticsGroup*> Machine::statistics() {
     return groups;
 }
 
+void Machine::leave_out_figures() {
+    for (CachePort* const port : {&index_port, &vertex_port, &depth_port, &color_port})
+        port->cache.leave_out_kinds();
+    for (CachePort* const port : texel_caches.first_level())
+        port->cache.leave_out_kinds();
+    if (LineCache* const second = texel_caches.second_level()) second->leave_out_kinds();
+    for (const Link* const link : links())
+        link->leave_out_counts();
+    arbiter.leave_out_figures();
+    memory->leave_out_figures();
+}
+
 std::vector<const Histogram*> Machine::histograms() {
     std::vector<const Histogram*> all = shapes.histograms();
     for (const auto& histograms : {arbiter.statistics().histograms(), queues->histograms()})

@@ -5,7 +5,7 @@
 namespace ffgpu::timing {
 namespace {
 
-constexpr std::size_t MostWeight = 1 << 17; // quads and lines that wait
+constexpr std::size_t MostWeight = 1 << 15; // quads and lines that wait
 
 } // namespace
 
@@ -32,7 +32,7 @@ void MachineThread::host_transfer(const HostTransfer& transfer) {
 
 void MachineThread::end_frame(std::uint32_t frame) {
     jobs_.push(1, [this, frame] { machine_.end_frame(frame); });
-    jobs_.drain();
+    frames_overlap_ ? jobs_.check_failure() : jobs_.drain();
 }
 
 void MachineThread::content(work::PreparedContent&& content) {

@@ -16,8 +16,10 @@ public:
     void scene(work::PreparedScene&& scene) override;
     void transfer(work::PreparedTransfer&& transfer) override;
     void host_transfer(const HostTransfer& transfer) override;
-    // Returns when the frame has ended.
+    // Returns when the frame has ended; with overlapping frames at once, and throws what went
+    // wrong.
     void end_frame(std::uint32_t frame) override;
+    void let_frames_overlap() { frames_overlap_ = true; }
     void content(work::PreparedContent&& content) override;
     void host_access(std::vector<work::TransferLine>&& lines) override;
     void texels_rewritten(std::vector<std::uint64_t>&& lines) override;
@@ -28,6 +30,7 @@ public:
 
 private:
     Machine& machine_;
+    bool frames_overlap_ = false;
     work::JobThread jobs_; // The last: its thread uses the machine.
 };
 

@@ -57,16 +57,15 @@ std::uint32_t MemoryArbiter::send_round(std::uint64_t& wanting, std::uint32_t mo
 
 void MemoryArbiter::send(std::size_t port, std::uint32_t channel) {
     const std::uint64_t number = ports_.requests_in[port]->popped();
-    MemoryRequest request = ports_.requests_in[port]->pop();
-    request.port = port;
-    request.number = number;
+    const MemoryRequest& request = ports_.requests_in[port]->front();
     check(is_in_one_place(config_, request.address, request.bytes),
           "a request across an interleave or a row");
-    tlm::tlm_generic_payload& payload = pool_.acquire(request);
+    tlm::tlm_generic_payload& payload = pool_.acquire(request, port, number);
+    if (observer_) observer_->sent(request, now());
+    ports_.requests_in[port]->drop();
     tlm::tlm_phase phase = tlm::BEGIN_REQ;
     sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
     pending_[channel] = &payload;
-    if (observer_) observer_->sent(request, now());
     if (socket->nb_transport_fw(payload, phase, delay) == tlm::TLM_UPDATED)
         pending_[channel] = nullptr;
 }
@@ -82,7 +81,7 @@ tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,
         wake();
         return tlm::TLM_ACCEPTED;
     }
-    statistics_.on_done(request, now());
+    if (counts_) statistics_.on_done(request, now());
     if (ledger_) ledger_->moved(request, now());
     if (waits_) waits_->done(request, now());
     if (observer_) observer_->done(request, now());

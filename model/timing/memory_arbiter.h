@@ -50,6 +50,11 @@ public:
     // The machine's own, who looks what is waited for; null: nobody.
     void set_waits(MemoryObserver* waits) { waits_ = waits; }
     void set_ledger(CommandLedger* ledger) { ledger_ = ledger; }
+    // Neither its statistics nor the ledger are told of requests.
+    void leave_out_figures() {
+        counts_ = false;
+        ledger_ = nullptr;
+    }
 
 private:
     Activity step() override;
@@ -70,6 +75,7 @@ private:
     MemoryObserver* observer_ = nullptr;
     MemoryObserver* waits_ = nullptr;
     CommandLedger* ledger_ = nullptr;
+    bool counts_ = true;
     std::size_t next_port_ = 0;
     // Per memory channel: the request that it has not taken yet, and when it took one late.
     std::vector<tlm::tlm_generic_payload*> pending_;

@@ -42,7 +42,15 @@ void MemoryController::connect(Unit& arbiter) {
             "memory_channel" + std::to_string(number) + "_arrivals", arbiter, *this);
 }
 
+// Nor does the unit account for the cycles in which a bus carries data.
+void MemoryController::leave_out_figures() {
+    counts_ = false;
+    for (Lane& lane : lanes_)
+        lane.dram->leave_out_figures();
+}
+
 void MemoryController::set_command_observer(DramCommandObserver* observer) {
+    commands_are_observed_ = observer != nullptr;
     for (Lane& lane : lanes_)
         lane.dram->set_command_observer(observer);
 }
@@ -78,7 +86,7 @@ void MemoryController::answer(Lane& lane) {
     for (; !served.empty(); served.pop_front()) {
         const auto& [request, data] = served.front();
         const Cycle last = std::max(core_time(data.end), now());
-        carry(lane, {std::max(core_time(data.begin + 1), now()), last});
+        if (tells_carrying()) carry(lane, {std::max(core_time(data.begin + 1), now()), last});
         lane.responses.push_back(
             {last + way_back(), static_cast<tlm::tlm_generic_payload*>(request.payload)});
     }

@@ -31,6 +31,8 @@ public:
     virtual void connect(Unit&) {}
     // A frame has ended: bring the statistics up to date.
     virtual void settle() {}
+    // Nobody will read the statistics.
+    virtual void leave_out_figures() {}
     // Of a DRAM of ours; null: nobody.
     virtual void set_command_observer(DramCommandObserver*) {}
     virtual std::vector<const StatisticsGroup*> statistics() const { return {}; }

@@ -29,9 +29,10 @@ public:
         }
     }
 
-    // A payload with one reference, filled in for `request`. It carries no data: values come from
-    // the functional GPU.
-    tlm::tlm_generic_payload& acquire(const MemoryRequest& request) {
+    // A payload with one reference, filled in for `request`, the `number`-th of its port. It
+    // carries no data: values come from the functional GPU.
+    tlm::tlm_generic_payload&
+    acquire(const MemoryRequest& request, std::size_t port, std::uint64_t number) {
         if (free_.empty()) {
             all_.push_back(new tlm::tlm_generic_payload(this));
             tags_.push_back(std::make_unique<RequestTag>());
@@ -49,7 +50,10 @@ public:
         payload.set_byte_enable_ptr(nullptr);
         payload.set_dmi_allowed(false);
         payload.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
-        payload.get_extension<RequestTag>()->request = request;
+        MemoryRequest& tagged = payload.get_extension<RequestTag>()->request;
+        tagged = request;
+        tagged.port = port;
+        tagged.number = number;
         return payload;
     }
 

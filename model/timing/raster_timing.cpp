@@ -3,6 +3,11 @@
 #include <utility>
 
 namespace ffgpu::timing {
+namespace {
+
+constexpr std::uint32_t QuadsAhead = 8; // that are on their way from memory
+
+} // namespace
 
 bool RasterTiming::take() {
     if (config_.architecture == Architecture::TileBased) {
@@ -76,6 +81,9 @@ Activity RasterTiming::walk_piece() {
     std::uint32_t made = 0;
     for (; made < config_.quads_per_cycle && quad_ != piece.end; ++made) {
         const PreparedQuad& quad = work.quads[quad_];
+        // Another thread wrote them: they come from another processor's cache.
+        if (quad_ + QuadsAhead < work.quads.size())
+            __builtin_prefetch(&work.quads[quad_ + QuadsAhead]);
         // The way to another block begins in the cycle after the quads of this one.
         if (made > 0 && quad.new_tile && cycles_to(quad) > 0) break;
         if (!step_to_block(quad)) return Activity::Busy;

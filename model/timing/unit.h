@@ -88,6 +88,7 @@ public:
         observer_ = observer;
         number_ = number;
     }
+    bool is_observed() const { return observer_ != nullptr; }
 
     // By a channel of which the unit is the consumer, or the producer.
     void add_input(const Link& input, Cycle latency) {

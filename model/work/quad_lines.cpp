@@ -43,15 +43,13 @@ void QuadLines::add_square(const LevelLines& level, const TexelAccess& access) {
     const std::uint64_t columns[]{level.column(access.x0), level.column(access.x1)};
     reads_ += 4;
     const LevelLines::Rectangles rectangles = level.rectangles(access);
-    if (rectangles.are_one()) {
-        add_line(level.line(rows[0] + columns[0]));
-        if (!merges_) return;
-        LastRead& last = last_[access.level & 1];
+    if (merges_) {
+        LastRead& last = last_[access.level & 1]; // In place: one_store.h.
         last.level = &level;
         last.layer = access.layer0;
         last.rectangles = rectangles;
-        return;
     }
+    if (rectangles.are_one()) return add_line(level.line(rows[0] + columns[0]));
     std::uint64_t last = count_ > 0 ? lines_[count_ - 1] : ~std::uint64_t{0};
     for (const std::uint64_t row : rows)
         for (const std::uint64_t column : columns) {

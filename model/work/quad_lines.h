@@ -45,14 +45,14 @@ public:
 private:
     static constexpr std::size_t MostOfAccess = 8;
 
-    // The rectangle that was read last, of even and of odd levels.
+    // The rectangles that were read last, of even and of odd levels: their lines are told.
     struct LastRead {
         const LevelLines* level = nullptr;
         std::uint16_t layer = 0;
         LevelLines::Rectangles rectangles{};
     };
 
-    // Whether it reads 2x2 texels of the line that was read last.
+    // Whether it reads 2x2 texels of the rectangles that were read last.
     bool is_last(const LevelLines& level, const TexelAccess& access) const {
         const LastRead& last = last_[access.level & 1];
         return last.level == &level && access.linear == 3 && last.layer == access.layer0 &&

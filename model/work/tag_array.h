@@ -5,6 +5,8 @@
 
 #include "model/work/replacement.h"
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -87,10 +89,22 @@ private:
     }
     std::size_t place_of(std::uint64_t number) const {
         const std::size_t begin = set_of_(number) * ways_;
-        for (std::size_t at = begin; at < begin + ways_; ++at)
-            if (numbers_[at] == number) return at;
-        return numbers_.size();
+        if (ways_ > MostAtOnce) {
+            const auto first = numbers_.begin() + static_cast<std::ptrdiff_t>(begin);
+            const auto end = first + static_cast<std::ptrdiff_t>(ways_);
+            const auto found = std::find(first, end, number);
+            return static_cast<std::size_t>(found == end ? numbers_.end() - numbers_.begin()
+                                                         : found - numbers_.begin());
+        }
+        // Which way it is cannot be foretold: all are compared.
+        unsigned found = 0;
+        for (std::size_t way = 0; way < ways_; ++way)
+            found |= unsigned{numbers_[begin + way] == number} << way;
+        return found == 0 ? numbers_.size()
+                          : begin + static_cast<std::size_t>(std::countr_zero(found));
     }
+
+    static constexpr std::size_t MostAtOnce = 16;
 
     SetIndex set_of_;
     ReplacementPolicy policy_;

@@ -35,7 +35,7 @@ MemoryConfig random_config(std::mt19937& random) {
         return values.begin()[random() % values.size()];
     };
     MemoryConfig config;
-    config.banks = one_of({1, 2, 4, 16, 64});
+    config.banks = one_of({1, 2, 4, 8, 16, 64});
     config.queue = one_of({1, 2, 16, 63, 64, 65, 100}); // on both sides of what has bits
     config.reorder_limit = one_of({0, 1, 3, 64});
     config.scheduler = random() % 4 == 0 ? SchedulerKind::InOrder : SchedulerKind::FirstReady;

@@ -128,7 +128,9 @@ public:
     TracedMachine(const timing::TimingConfig& config, bool with_places)
         : with_places_(with_places)
         , order_(config.work(), no_machine_)
-        , timing_(config) {}
+        , timing_(config) {
+        timing_.let_frames_overlap();
+    }
 
     void command(std::shared_ptr<const work::WholeCommand> command) override {
         if (with_places_) {
@@ -149,6 +151,9 @@ public:
         if (with_places_) order_.end_frame(frame);
         timing_.end_frame(frame);
     }
+
+    // All that was told has gone through it.
+    void finish() { timing_.catch_up(); }
 
     timing::GpuTiming& timing() { return timing_; }
     const TexturePlaces& places() const { return places_; }
@@ -186,17 +191,17 @@ std::string export_memory(const ExportOptions& options) {
                       config.texel_cache.line_bytes,
                       machine.places(),
                       text);
+    machine.timing().leave_out_figures();
     machine.timing().set_memory_observer(&trace);
     // What misses in a first level need not come to memory.
     if (names_quads && !config.texel_l2.enable) machine.timing().set_quad_observer(&trace);
+    machine.timing().set_on_frame([&](const timing::FrameTiming&) { trace.end_frame(); });
     play_and_finish(
         options,
         machine,
-        [&](const work::FrameFigures&) {
-            machine.timing().catch_up();
-            trace.end_frame();
-        },
+        [&](const work::FrameFigures&) { trace.check_failure(); },
         [&] {
+            machine.finish();
             trace.finish();
             output.commit();
         });
@@ -221,15 +226,14 @@ std::string export_commands(const ExportOptions& options) {
     TextWriter text(output);
     TracedMachine machine(config, false);
     CommandTrace trace(config.memory, text);
+    machine.timing().leave_out_figures();
     machine.timing().set_command_observer(&trace);
     play_and_finish(
         options,
         machine,
-        [&](const work::FrameFigures&) {
-            machine.timing().catch_up();
-            trace.check_failure();
-        },
+        [&](const work::FrameFigures&) { trace.check_failure(); },
         [&] {
+            machine.finish();
             trace.finish();
             output.commit();
         });
@@ -257,18 +261,19 @@ std::string export_time(const ExportOptions& options) {
     TracedMachine machine(config, false);
     timing::GpuTiming& timing = machine.timing();
     TimelineTrace trace(*format, timing.unit_names());
-    if (tells_queues) timing.set_series_sink(&trace);
+    if (tells_queues)
+        timing.set_series_sink(&trace);
+    else
+        timing.leave_out_figures();
     timing.set_activity_observer(&trace);
     timing.set_memory_observer(&trace);
     timing.set_on_frame([&](const timing::FrameTiming& frame) { trace.frame(frame); });
     play_and_finish(
         options,
         machine,
-        [&](const work::FrameFigures&) {
-            timing.catch_up();
-            trace.check_failure();
-        },
+        [&](const work::FrameFigures&) { trace.check_failure(); },
         [&] {
+            machine.finish();
             trace.finish(timing.cycles());
             text.flush();
             output.commit();

@@ -60,8 +60,10 @@ std::optional<timing::QuadName> MemoryTrace::asker(const timing::MemoryRequest& 
 
 void MemoryTrace::sent(const timing::MemoryRequest& request, std::uint64_t cycle) {
     const bool of_screen = request.client == timing::Client::ScanOut;
-    waiting_.push_back({request, cycle, !of_screen, asker(request)});
-    if (!of_screen) hand_over_known();
+    if (of_screen || !waiting_.empty())
+        waiting_.push_back({request, cycle, !of_screen, asker(request)});
+    else
+        hand_over({request, cycle, true, asker(request)});
 }
 
 void MemoryTrace::done(const timing::MemoryRequest& request, std::uint64_t) {
@@ -81,27 +83,28 @@ void MemoryTrace::count(const timing::MemoryRequest& request) {
     (request.write ? traffic.written_bytes : traffic.read_bytes) += request.bytes;
 }
 
-void MemoryTrace::hand_over_known() {
-    for (; !waiting_.empty() && waiting_.front().counts; waiting_.pop_front()) {
-        count(waiting_.front().request);
-        chunk_.push_back(waiting_.front());
-    }
+void MemoryTrace::hand_over(const TracedRequest& traced) {
+    count(traced.request);
+    chunk_.push_back(traced);
     if (chunk_.size() >= Chunk) write_chunk();
 }
 
+void MemoryTrace::hand_over_known() {
+    for (; !waiting_.empty() && waiting_.front().counts; waiting_.pop_front())
+        hand_over(waiting_.front());
+}
+
 void MemoryTrace::write_chunk() {
-    writer_.push(1 + chunk_.size(), [this, chunk = std::exchange(chunk_, {})] {
+    std::vector<TracedRequest> chunk;
+    chunk.reserve(Chunk);
+    chunk.swap(chunk_);
+    writer_.push(1 + chunk.size(), [this, chunk = std::move(chunk)] {
         for (const TracedRequest& traced : chunk) {
             const bool of_texture = traced.request.client == timing::Client::Texture;
             format_->write(
                 traced, of_texture ? places_.find(traced.request.address) : std::nullopt, out_);
         }
     });
-}
-
-void MemoryTrace::end_frame() {
-    askers_.clear();
-    writer_.check_failure();
 }
 
 void MemoryTrace::finish() {

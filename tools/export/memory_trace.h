@@ -56,16 +56,19 @@ public:
     void done(const timing::MemoryRequest& request, std::uint64_t cycle) override;
     void texel_line(const timing::QuadName& quad, const timing::CacheLine& line) override;
 
-    // A frame has ended, and the machine stands still. Throws what went wrong with writing.
-    void end_frame();
+    // By the machine's thread: a frame has ended.
+    void end_frame() { askers_.clear(); }
+    // Throws what went wrong with writing.
+    void check_failure() { writer_.check_failure(); }
     // Nothing more comes: returns when all is handed to the text writer.
     void finish();
 
     const TrafficByClient& traffic() const { return traffic_; }
 
 private:
-    static constexpr std::size_t Chunk = std::size_t{1} << 14;
+    static constexpr std::size_t Chunk = std::size_t{1} << 12;
 
+    void hand_over(const TracedRequest& traced);
     void hand_over_known();
     void write_chunk();
     void count(const timing::MemoryRequest& request);

@@ -22,24 +22,38 @@ DramChannel::DramChannel(const MemoryConfig& config,
 
 void DramChannel::push(const DramRequest& request, MemoryCycle now) {
     check(has_room(), "a request for a full DRAM channel");
-    waiting_.push(request, device_.open_row(request.bank));
     planned_at_ = NoCycle;
-    next_work_ = std::min(next_work_, now);
+    wait_also_for(request, now);
+    waiting_.push(request, device_.open_row(request.bank));
+}
+
+// Mostly it is enough to look at what has come.
+void DramChannel::wait_also_for(const DramRequest& request, MemoryCycle now) {
+    const auto soonest =
+        rests_ ? scheduler_.soonest_of(request, waiting_, device_, now) : std::nullopt;
+    if (soonest && *soonest > now) {
+        if (counts_) note(now, DramScheduler::why_nothing(waiting_, device_, now));
+        next_work_ = std::min(next_work_, *soonest);
+    } else {
+        next_work_ = std::min(next_work_, now);
+        rests_ = false;
+    }
 }
 
 // One cycle's command, or how long there will be none.
 void DramChannel::work(MemoryCycle now) {
+    rests_ = false;
     if (now >= refresh_due_) return work_on_refresh(now);
-    const DramCommand command =
-        planned_at_ == now ? planned_ : scheduler_.choose(waiting_, device_, now);
-    if (command.kind == DramCommand::Kind::None) return rest(command, now);
-    issue(command, now);
+    if (planned_at_ != now) scheduler_.choose(waiting_, device_, now, planned_);
+    if (planned_.kind == DramCommand::Kind::None) return rest(planned_, now);
+    issue(planned_, now);
     look_ahead(now + 1);
 }
 
 void DramChannel::rest(const DramCommand& none, MemoryCycle now) {
-    causes_.note(now, none.cause);
+    note(now, none.cause);
     next_work_ = std::min(none.again_at, refresh_due_);
+    rests_ = config_.page_policy != PagePolicy::Timeout;
     if (config_.page_policy != PagePolicy::Timeout || close_idle_row(now)) return;
     next_work_ = std::min(next_work_, next_row_to_close(now));
 }
@@ -49,14 +63,14 @@ void DramChannel::rest(const DramCommand& none, MemoryCycle now) {
 void DramChannel::look_ahead(MemoryCycle next) {
     next_work_ = next;
     if (next >= refresh_due_ || config_.page_policy == PagePolicy::Timeout) return;
-    planned_ = scheduler_.choose(waiting_, device_, next);
+    scheduler_.choose(waiting_, device_, next, planned_);
     planned_at_ = next;
     if (planned_.kind == DramCommand::Kind::None) rest(planned_, next);
 }
 
 // Closes all rows, then refreshes.
 void DramChannel::work_on_refresh(MemoryCycle now) {
-    causes_.note(now, waiting_.empty() ? LostTo::NoRequest : LostTo::Refresh);
+    note(now, waiting_.empty() ? LostTo::NoRequest : LostTo::Refresh);
     const bool must_close = device_.any_row_open();
     const MemoryCycle allowed =
         must_close ? device_.all_precharge_ready() : device_.refresh_ready();
@@ -87,14 +101,14 @@ void DramChannel::issue(const DramCommand& command, MemoryCycle now) {
     case DramCommand::Kind::Column:
         return serve(command.index, now);
     case DramCommand::Kind::Activate:
-        causes_.note(now, command.cause);
+        note(now, command.cause);
         device_.activate(request.bank, request.row, now);
         tell_command(DramOperation::ACT, now, request.bank, request.row);
         waiting_.set_open_row(request.bank, request.row);
         waiting.result = std::max(waiting.result, RowResult::Miss);
         return;
     case DramCommand::Kind::Precharge:
-        causes_.note(now, command.cause);
+        note(now, command.cause);
         precharge(request.bank, now);
         waiting.result = RowResult::Conflict;
         return;
@@ -115,11 +129,15 @@ void DramChannel::serve(std::size_t index, MemoryCycle now) {
     waiting_.remove(index);
 
     const bool turns = request.write != device_.last_was_write();
-    if (turns && device_.has_carried_data()) observer_.on_turnaround();
+    const bool is_first = !device_.has_carried_data();
     const DataBurst data = device_.column(request, now);
-    tell(now);
-    charge_until(data, request.bytes, turns ? LostTo::Turnaround : LostTo::NoRequest);
-    causes_.restart(now, LostTo::Column);
+    if (counts_) {
+        if (turns && !is_first) observer_.on_turnaround();
+        tell(now);
+        charge_until(data, request.bytes, turns ? LostTo::Turnaround : LostTo::NoRequest);
+        causes_.restart(now, LostTo::Column);
+        observer_.on_access(number_, request, waiting.result);
+    }
 
     policy_.learn(request.bank, request.row, waiting.result);
     const auto wanted = [&] { return is_wanted(request.bank); };
@@ -129,7 +147,6 @@ void DramChannel::serve(std::size_t index, MemoryCycle now) {
         device_.auto_precharge(request.bank);
         waiting_.set_open_row(request.bank, DramDevice::NoRow);
     }
-    observer_.on_access(number_, request, waiting.result);
     served_.push_back({request, data});
 }
 
@@ -180,6 +197,7 @@ void DramChannel::tell(MemoryCycle end) {
 
 void DramChannel::settle(MemoryCycle end) {
     advance(end);
+    if (!counts_) return;
     const MemoryCycle latency = device_.column_latency(false);
     if (charged_ < end)
         causes_.charge(end > latency ? end - latency : 0,

@@ -26,6 +26,11 @@ public:
                 DramObserver& observer,
                 bool plainly = false);
 
+    // The observer is told no more.
+    void leave_out_figures() {
+        counts_ = false;
+        scheduler_.leave_out_causes();
+    }
     // Null: nobody.
     void set_command_observer(DramCommandObserver* observer) { commands_ = observer; }
 
@@ -49,6 +54,7 @@ public:
     void settle(MemoryCycle end);
 
 private:
+    void wait_also_for(const DramRequest& request, MemoryCycle now);
     void work(MemoryCycle now);
     void rest(const DramCommand& none, MemoryCycle now);
     void look_ahead(MemoryCycle next);
@@ -71,6 +77,9 @@ private:
         MemoryCycle cycles = 0;
     };
 
+    void note(MemoryCycle from, LostTo cause) {
+        if (counts_) causes_.note(from, cause);
+    }
     void charge_until(const DataBurst& data, std::uint32_t bytes, LostTo before);
     void charge(const Charge& charge);
     void tell(MemoryCycle end);
@@ -81,6 +90,7 @@ private:
     const std::uint32_t number_;
     DramObserver& observer_;
     DramCommandObserver* commands_ = nullptr;
+    bool counts_ = true;
     DramDevice device_;
     DramScheduler scheduler_;
     RowPolicy policy_;
@@ -93,6 +103,7 @@ private:
     MemoryCycle next_work_ = 0; // nothing happens before
     DramCommand planned_;       // what goes out in cycle planned_at_, unless something comes
     MemoryCycle planned_at_ = NoCycle;
+    bool rests_ = false; // Until next_work_ nothing of what is there can go out.
     MemoryCycle refresh_due_;
 };
 

@@ -45,6 +45,15 @@ public:
                          activates_[oldest_activate_],
                          refreshed_at_});
     }
+    // What the bank needs next for another row: an activate where none is open, else a precharge.
+    MemoryCycle row_ready_at(std::uint32_t bank) const {
+        const MemoryCycle any =
+            std::max({next_activate_, activates_[oldest_activate_], refreshed_at_});
+        const Bank& it = banks_[bank];
+        const MemoryCycle opened = it.precharge_at, closed = std::max(it.activate_at, any);
+        const MemoryCycle is_closed = ~(MemoryCycle{it.row == NoRow} - 1); // all bits, or none
+        return (closed & is_closed) | (opened & ~is_closed);
+    }
     MemoryCycle column_ready_at(std::uint32_t bank, bool write) const {
         return std::max(banks_[bank].column_at, bus_ready_[write]);
     }

@@ -11,19 +11,24 @@ std::uint64_t bit(std::uint32_t bank) {
     return std::uint64_t{1} << bank;
 }
 
+// `at`, or never; without a branch.
+MemoryCycle only_if(bool condition, MemoryCycle at) {
+    return at | (MemoryCycle{condition} - 1);
+}
+
 } // namespace
 
 struct DramScheduler::Search {
     const WaitingRequests& waiting;
     const DramDevice& device;
     MemoryCycle now;
+    DramCommand& command;
     MemoryCycle row_slot = device.free_slot(now); // for an activate or a precharge
     std::uint64_t hits = 0;                       // banks whose open row somebody waits for
     bool order_forbids = false;                   // a younger one's data could flow
     // Banks of which a column was looked at: [to write]. All columns of a kind in an open row are
     // ready at one time.
     std::array<std::uint64_t, 2> looked_at{};
-    DramCommand command{.again_at = NoCycle};
     bool column_yields = false;  // its data could flow, but a bank's row went first
     std::uint32_t activates = 0; // of banks with older requests, which the next bank's comes behind
 
@@ -113,6 +118,38 @@ void DramScheduler::find_row(Search& search) const {
     }
 }
 
+// False, and nothing found, where a column could go out, or the oldest request may not be passed.
+// Else no request was passed too often, so that a bank works for its oldest one if nobody waits for
+// the row that it has open.
+bool DramScheduler::find_without_column(Search& search) const {
+    const WaitingRequests& waiting = search.waiting;
+    if (waiting.front().passed >= limit_) return false;
+    const WaitingRequests::Bits reads = waiting.hits() & waiting.of_kind(false);
+    const WaitingRequests::Bits writes = waiting.hits() & waiting.of_kind(true);
+    MemoryCycle column_at = NoCycle, row_at = NoCycle;
+    WaitingRequests::Bits rows = 0; // requests for rows, all those of banks that can be made ready
+    for (std::uint32_t bank = 0; bank < banks_; ++bank) {
+        const WaitingRequests::Bits of_bank = waiting.of_bank(bank);
+        const MemoryCycle read_at = search.device.column_ready_at(bank, false);
+        const MemoryCycle write_at = search.device.column_ready_at(bank, true);
+        const bool wants_row = (of_bank & (reads | writes)) == 0;
+        const MemoryCycle ready_at =
+            only_if(wants_row, std::max(search.device.row_ready_at(bank), search.row_slot));
+        column_at = std::min(column_at, only_if((of_bank & reads) != 0, read_at));
+        column_at = std::min(column_at, only_if((of_bank & writes) != 0, write_at));
+        row_at = std::min(row_at, only_if(of_bank != 0, ready_at));
+        rows |= of_bank & (WaitingRequests::Bits{ready_at > search.now} - 1);
+    }
+    if (column_at <= search.now) return false;
+    search.command.again_at = std::min(column_at, row_at);
+    if (rows == 0) return true;
+    const auto index = static_cast<std::size_t>(std::countr_zero(rows));
+    const bool closed = search.device.open_row(waiting[index].request.bank) == DramDevice::NoRow;
+    search.command = {.kind = closed ? DramCommand::Kind::Activate : DramCommand::Kind::Precharge,
+                      .index = index};
+    return true;
+}
+
 // The oldest column of each bank and kind, from the oldest to the youngest.
 void DramScheduler::find_column_by_bits(Search& search) const {
     const WaitingRequests& waiting = search.waiting;
@@ -179,13 +216,33 @@ LostTo DramScheduler::why_oldest_waits(const Search& search) {
     return ready.at < search.now ? LostTo::Row : ready.cause;
 }
 
-// What goes out, or else why no data do.
-DramCommand DramScheduler::result(Search& search) {
-    if (search.has_column()) return search.command;
+LostTo DramScheduler::why_nothing(const WaitingRequests& waiting,
+                                  const DramDevice& device,
+                                  MemoryCycle now) {
+    DramCommand none;
+    return why_oldest_waits({waiting, device, now, none});
+}
+
+// A request for the open row of a bank that was to be closed for an older one keeps it open.
+std::optional<MemoryCycle> DramScheduler::soonest_of(const DramRequest& request,
+                                                     const WaitingRequests& waiting,
+                                                     const DramDevice& device,
+                                                     MemoryCycle now) const {
+    if (!by_banks_ || waiting.empty() || waiting.front().passed >= limit_) return std::nullopt;
+    const WaitingRequests::Bits of_bank = waiting.of_bank(request.bank);
+    if (device.open_row(request.bank) != request.row)
+        return of_bank != 0 ? NoCycle
+                            : std::max(device.row_ready_at(request.bank), device.free_slot(now));
+    if (of_bank != 0 && (of_bank & waiting.hits()) == 0) return std::nullopt;
+    return device.column_ready_at(request.bank, request.write);
+}
+
+// Where data do not flow: why.
+void DramScheduler::name_cause(Search& search) const {
+    if (search.has_column() || !tells_causes_) return;
     search.command.cause = search.column_yields ? LostTo::Commands : why_oldest_waits(search);
     if (search.order_forbids && search.command.cause != LostTo::Turnaround)
         search.command.cause = LostTo::Order;
-    return search.command;
 }
 
 // Behind the search for a column. Where one could go out and a row, too, the row goes if the bus
@@ -196,8 +253,8 @@ void DramScheduler::choose_row(Search& search,
                                const FindRow& find_row,
                                const IsBusWanted& is_bus_wanted) const {
     if (!search.has_column()) return find_row();
-    const DramCommand column = search.command;
-    const bool follows = !search.device.bus_stood(search.write_of(column.index), search.now);
+    const std::size_t column = search.command.index;
+    const bool follows = !search.device.bus_stood(search.write_of(column), search.now);
     if (follows && is_bus_wanted()) return;
     find_row();
     if (search.has_column()) return;
@@ -205,31 +262,33 @@ void DramScheduler::choose_row(Search& search,
     if (row_goes)
         search.column_yields = true;
     else
-        search.command = column;
+        search.command = {.kind = DramCommand::Kind::Column, .index = column};
     search.command.meets = follows;
 }
 
-DramCommand DramScheduler::choose_plainly(const WaitingRequests& waiting,
-                                          const DramDevice& device,
-                                          MemoryCycle now) const {
-    if (waiting.empty()) return {.again_at = NoCycle};
-    Search search{waiting, device, now};
+void DramScheduler::choose_plainly(Search& search) const {
     find_column(search);
     choose_row(
         search, [&] { find_row(search); }, [&] { return is_bus_wanted(search); });
-    return result(search);
 }
 
-DramCommand DramScheduler::choose(const WaitingRequests& waiting,
-                                  const DramDevice& device,
-                                  MemoryCycle now) const {
-    if (!by_bits_) return choose_plainly(waiting, device, now);
-    if (waiting.empty()) return {.again_at = NoCycle};
-    Search search{waiting, device, now};
-    find_column_by_bits(search);
-    choose_row(
-        search, [&] { find_row_by_bits(search); }, [&] { return is_bus_wanted_by_bits(search); });
-    return result(search);
+void DramScheduler::choose(const WaitingRequests& waiting,
+                           const DramDevice& device,
+                           MemoryCycle now,
+                           DramCommand& command) const {
+    command = {.again_at = NoCycle};
+    if (waiting.empty()) return;
+    Search search{waiting, device, now, command};
+    if (!by_bits_) {
+        choose_plainly(search);
+    } else if (!by_banks_ || !find_without_column(search)) {
+        find_column_by_bits(search);
+        choose_row(
+            search,
+            [&] { find_row_by_bits(search); },
+            [&] { return is_bus_wanted_by_bits(search); });
+    }
+    name_cause(search);
 }
 
 } // namespace ffgpu::timing

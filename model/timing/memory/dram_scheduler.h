@@ -11,12 +11,15 @@
 //
 // Two forms of one rule: the plain one looks at each request, and is the specification; the other
 // looks at the bits of WaitingRequests, at a request for each bank and kind, where the queue has
-// them.
+// them. Mostly nothing can go out, or a row alone: where banks are few, one walk over them tells
+// so, in which nothing is to be foretold.
 
 #pragma once
 
 #include "model/timing/memory/dram_device.h"
 #include "model/timing/memory/waiting_requests.h"
+
+#include <optional>
 
 namespace ffgpu::timing {
 
@@ -34,21 +37,40 @@ public:
     // `plainly`: not by bits even where the queue has them.
     explicit DramScheduler(const MemoryConfig& config, bool plainly = false)
         : limit_(config.scheduler == SchedulerKind::InOrder ? 0 : config.reorder_limit)
-        , by_bits_(!plainly && config.queue <= WaitingRequests::MostWithBits) {}
+        , by_bits_(!plainly && config.queue <= WaitingRequests::MostWithBits)
+        , by_banks_(by_bits_ && config.banks <= FewBanks)
+        , banks_(config.banks) {}
 
-    DramCommand
-    choose(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now) const;
+    // Writes it to `command`, whose numbers are read at once: a copy would wait for each of them
+    // (model/base/one_store.h).
+    void choose(const WaitingRequests& waiting,
+                const DramDevice& device,
+                MemoryCycle now,
+                DramCommand& command) const;
+    // Since `waiting` was looked at nothing could go out: `request`, which is not in it yet and
+    // comes at `now`, may go out then, or ask for its row; NoCycle: others ask for that. None: all
+    // have to be looked at again.
+    std::optional<MemoryCycle> soonest_of(const DramRequest& request,
+                                          const WaitingRequests& waiting,
+                                          const DramDevice& device,
+                                          MemoryCycle now) const;
+    // Why no data flow where nothing can go out.
+    static LostTo
+    why_nothing(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now);
+    // Nobody asks why no data flow.
+    void leave_out_causes() { tells_causes_ = false; }
     // The command that was chosen goes out.
     void issued(const DramCommand& command) { meetings_ += command.meets; }
 
 private:
     static constexpr std::uint32_t MeetingsToSlip = 32;
+    static constexpr std::uint32_t FewBanks = 8;
 
-    DramCommand
-    choose_plainly(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now) const;
     struct Search;
+    void choose_plainly(Search& search) const;
     void find_column(Search& search) const;
     void find_row(Search& search) const;
+    bool find_without_column(Search& search) const;
     void find_column_by_bits(Search& search) const;
     void find_row_by_bits(Search& search) const;
     static bool is_bus_wanted(const Search& search);
@@ -56,11 +78,13 @@ private:
     template <class FindRow, class IsBusWanted>
     void
     choose_row(Search& search, const FindRow& find_row, const IsBusWanted& is_bus_wanted) const;
-    static DramCommand result(Search& search);
+    void name_cause(Search& search) const;
     static LostTo why_oldest_waits(const Search& search);
 
     const std::uint32_t limit_;
-    const bool by_bits_;
+    const bool by_bits_, by_banks_;
+    const std::uint32_t banks_;
+    bool tells_causes_ = true;
     std::uint32_t meetings_ = 0;
 };
 
