@@ -208,6 +208,45 @@ private:
 };
 using Unit = TexelAddress;
 
+// A step of a power of two brings the lowest bits of a probe's position behind the point, where
+// repeating leaves nothing else: all that is left is the weight and the texel beside it.
+TEST_CASE("probes stand where the model has them, to the last bit of each position") {
+    TexelAddress unit;
+    UnitBench<TexelAddress> bench(unit);
+    constexpr int LeastStep = 12, Steps = 13; // 2^12 to 2^24
+    TextureWords words;
+    words.image.shape = {.kind = TextureKind::TwoD,
+                         .format = Format::Luminance8,
+                         .width = 8,
+                         .height = 8,
+                         .depth = 1,
+                         .levels = 1};
+    words.sampler = {.wrap = {Wrap::Repeat, Wrap::Repeat, Wrap::Repeat},
+                     .minify_linear = true,
+                     .mip_filter = MipFilter::None,
+                     .max_anisotropy = MaxProbes};
+    Random random(9);
+    const auto state = [&](unsigned) { return words; };
+    // Lane 0 alone, whose pixel is `probes` times as wide as high, or almost so.
+    const auto input = [&](unsigned n, unsigned i) {
+        const unsigned probes = 2 + n;
+        const float step = std::ldexp(1.0f, LeastStep + static_cast<int>(i));
+        AddressQuad quad{.live = 1};
+        quad.coordinates[3] = step;
+        quad.coordinates[7] = step / (static_cast<float>(probes) - 0.5f);
+        quad.coordinates[9] = quad.coordinates[3];
+        quad.coordinates[10] = quad.coordinates[7];
+        TexelAddress::choose_levels(random, words, quad);
+        REQUIRE(quad.levels.probes == probes);
+        REQUIRE(quad.levels.major_step[0] == step);
+        return quad;
+    };
+    bench.run(counted_source<TexelAddress>(MaxProbes - 1, Steps, state, input), Stall::Never, 1);
+    INFO(bench.report);
+    CHECK(bench.mismatches == 0);
+    CHECK(bench.compared == Steps * (MaxProbes * (MaxProbes + 1) / 2 - 1));
+}
+
 } // namespace
 } // namespace ffgpu::rtl
 
