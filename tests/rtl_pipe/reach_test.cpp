@@ -204,6 +204,73 @@ TEST_CASE("Coordinates over a q of any magnitude are the model's") {
     CHECK(comparison.fragments().at("") == 125 * 256);
 }
 
+// Products of numbers that are not held to fog's range leave binary32's.
+TEST_CASE("Fog coordinates of any magnitude are the model's") {
+    PipeComparison comparison(Memory);
+    test::Scene scene(8, 8);
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    Registers& registers = scene.registers;
+    // In t.
+    registers.vertex_format.elements[static_cast<unsigned>(Attribute::FogCoordinate)] = {1, 9};
+    registers.fog.source = FogCoordinateSource::Attribute;
+    registers.fog.color = 0x20c0ff;
+    scene.clear(0);
+    for (const FogMode mode : {FogMode::Linear, FogMode::Exp, FogMode::Exp2})
+        for (const float density : {0x1p-40f, 0x1p-8f, 1.0f, 0x1p40f})
+            for (const float coordinate : {0x1p-59f, 0x1p-30f, 0.5f, 0x1p20f, 0x1p59f})
+                for (const float sign : {1.0f, -1.0f}) {
+                    registers.fog.mode = mode;
+                    registers.fog.density = registers.fog.end = density;
+                    auto vertices = rectangle(-1, -1, 1, 1);
+                    for (test::Vertex& vertex : vertices)
+                        vertex.t = sign * coordinate * (1.5f + vertex.x / 4);
+                    scene.draw(PrimitiveType::TriangleFan, vertices);
+                    INFO(fmt::format("mode {}, density {:a}, coordinate {:a}",
+                                     static_cast<unsigned>(mode),
+                                     density,
+                                     sign * coordinate));
+                    INFO(comparison.summary());
+                    REQUIRE(comparison.equal());
+                }
+    CHECK(comparison.fragments().at("") == 120 * 64);
+}
+
+// Planes of slivers rise more from pixel to pixel than depth has room for, by more than their steps
+// hold: what they say of a centre is held to the depths of the corners.
+TEST_CASE("Depths of slivers are the model's") {
+    PipeComparison comparison(Memory);
+    test::Scene scene(64, 64);
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    scene.registers.depth = {.test_enable = true, .write_enable = true, .compare = Compare::Always};
+    scene.clear(0);
+    std::mt19937 random(17);
+    const auto unit = [&] { return static_cast<float>(random() & 0xffff) / 32768.0f - 1.0f; };
+    std::vector<test::Vertex> vertices;
+    for (unsigned i = 0; i < 1500; ++i) {
+        const float x = unit(), y = unit(), along = unit(), up = unit();
+        const float width = 1.0f / 2048; // of a 64th of a pixel
+        const float end = i % 2 == 0 ? 0.9f : -0.9f;
+        for (const auto& [u, v, z] : {std::array{0.0f, 0.0f, -end},
+                                      std::array{along + width, up - width, end},
+                                      std::array{along, up, -end}})
+            vertices.push_back({x + u, y + v, z, 1, 1, 1, 1, 1, 0, 0});
+    }
+    scene.draw(PrimitiveType::Triangles, vertices);
+    INFO(comparison.summary());
+    CHECK(comparison.equal());
+    CHECK(comparison.fragments().at("") > 150);
+    // Some end at either corner's depth.
+    const std::vector<std::uint32_t> depths = scene.depth_buffer();
+    const auto count = [&](float z) {
+        const auto depth = static_cast<std::uint32_t>((0.5 + double{z} / 2) * 0xffffff + 0.5);
+        return std::ranges::count_if(depths, [&](std::uint32_t d) { return d >> 8 == depth; });
+    };
+    CHECK(count(-0.9f) > 20);
+    CHECK(count(0.9f) > 20);
+}
+
 // Where an address loses a bit there is nothing.
 TEST_CASE("Targets and images of the pipe lie anywhere in memory") {
     PipeComparison comparison(Memory);
