@@ -294,6 +294,66 @@ TEST_CASE("Targets and images of the pipe lie anywhere in memory") {
     CHECK(comparison.fragments().at("") > 256);
 }
 
+// The last rows, layers and levels of hundreds of megabytes. A texel a pixel has a colour.
+TEST_CASE("Rows, layers and levels of the pipe lie as far apart as they may") {
+    constexpr std::uint32_t Size = 16, MostRows = MaxSurfaceSize;
+    constexpr DeviceAddress ImageAt = 0x2000'0000;
+    const TextureShape shape = GENERATE(
+        TextureShape{TextureKind::TwoD, Format::Rgba8, MaxTextureSize, MaxTextureSize, 1, 2, 0},
+        TextureShape{TextureKind::ThreeD,
+                     Format::Rgba8,
+                     MaxTexture3dSize,
+                     MaxTexture3dSize,
+                     MaxTexture3dSize,
+                     2,
+                     0});
+    const std::uint32_t level = GENERATE(0u, 1u);
+    PipeComparison comparison(Memory);
+    test::Scene scene(Size, Size, {.memory_bytes = std::uint64_t{1} << 32});
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    scene.texture(1, {0}); // its sampler
+    Registers& registers = scene.registers;
+    registers.images[0].shape = shape;
+    registers.images[0].address = ImageAt;
+    registers.samplers[0].mip_filter = MipFilter::Nearest;
+    registers.samplers[0].max_lod = static_cast<std::int16_t>(256 * level);
+    registers.vertex_format.elements[static_cast<unsigned>(Attribute::TexCoord0)] = {3, 7};
+    // Rows further from each other than 64 KB, of which the uppermost are drawn on.
+    constexpr std::uint32_t Stride = 0x1'2000;
+    registers.targets.color[0] = {0x8000'0000, Format::Rgba8, Size, MostRows, Stride};
+    registers.targets.depth = {0xb000'0000, Format::Depth24Stencil8, Size, MostRows, Stride};
+    registers.depth = {.test_enable = true, .write_enable = true, .compare = Compare::Always};
+    registers.scissor.height = MostRows;
+    registers.viewport.y = MostRows - Size;
+    const LevelLayout layout = level_layout(shape, level);
+    const auto place = [&](std::uint32_t at, std::uint32_t size) {
+        return std::uint64_t{(2 * at + 1) * size / (2 * Size)};
+    };
+    for (std::uint32_t y = 0; y < Size; ++y)
+        for (std::uint32_t x = 0; x < Size; ++x) {
+            const std::uint32_t color = 0xff00'0000 | y << 12 | x << 4;
+            const std::uint64_t at =
+                ImageAt + layout.offset + place(y, layout.depth) * layout.layer_stride +
+                place(y, layout.height) * layout.row_stride + place(x, layout.width) * 4;
+            scene.into->write_memory(static_cast<DeviceAddress>(at),
+                                     std::as_bytes(std::span(&color, 1)));
+        }
+    auto vertices = rectangle(-1, -1, 1, 1);
+    for (test::Vertex& vertex : vertices) {
+        vertex.a = 0.5f + vertex.x / 2;
+        vertex.s = vertex.t = 0.5f + vertex.y / 2;
+    }
+    scene.draw(PrimitiveType::TriangleFan, vertices);
+    INFO(comparison.summary());
+    CHECK(comparison.equal());
+    CHECK(comparison.fragments() == std::map<std::string, std::uint64_t>{{"", Size * Size}});
+    std::uint32_t last = 0;
+    scene.gpu.read_memory(0x8000'0000 + (MostRows - 1) * Stride + (Size - 1) * 4,
+                          std::as_writable_bytes(std::span(&last, 1)));
+    CHECK(last == 0xff00'f0f0);
+}
+
 // What the texture unit holds of an image stays for the draws of one number, and for no other.
 TEST_CASE("Draws are told apart by every bit of their number") {
     PipeComparison comparison(Memory);
