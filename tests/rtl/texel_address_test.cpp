@@ -68,6 +68,7 @@ private:
 
 struct TexelAddress {
     static constexpr const char* Name = "texel_address";
+    static constexpr bool TakesEachCycle = false;
     static constexpr std::string_view Latency = "TexelAddressLatency";
     static constexpr std::uint64_t ShortItems = 40000, LongItems = 1000000; // some 10 requests each
 
@@ -245,6 +246,20 @@ TEST_CASE("probes stand where the model has them, to the last bit of each positi
     INFO(bench.report);
     CHECK(bench.mismatches == 0);
     CHECK(bench.compared == Steps * (MaxProbes * (MaxProbes + 1) / 2 - 1));
+}
+
+TEST_CASE("a request leaves each cycle, and one cycle lies between quads") {
+    TexelAddress unit;
+    UnitBench<TexelAddress> bench(unit);
+    Random random(21);
+    const TextureWords words = TexelAddress::random_state(random);
+    const auto state = [&](unsigned) { return words; };
+    const auto input = [&](unsigned, unsigned) { return unit.random_input(random, words); };
+    constexpr unsigned Quads = 200;
+    bench.run(counted_source<TexelAddress>(1, Quads, state, input), Stall::Never, 1);
+    CHECK(bench.mismatches == 0);
+    CHECK(bench.compared > 2 * Quads);
+    CHECK(bench.cycles() == Quads + bench.compared + pipe_number(TexelAddress::Latency));
 }
 
 } // namespace
