@@ -15,6 +15,7 @@ namespace {
 
 struct QuadInterlock {
     static constexpr const char* Name = "quad_interlock";
+    static constexpr bool TakesEachCycle = false;
     static constexpr std::uint64_t ShortItems = 60000, LongItems = 10000000;
 
     using Dut = Vinterlock_loop;

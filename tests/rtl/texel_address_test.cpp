@@ -68,6 +68,7 @@ private:
 
 struct TexelAddress {
     static constexpr const char* Name = "texel_address";
+    static constexpr bool TakesEachCycle = false;
     static constexpr std::string_view Latency = "TexelAddressLatency";
     static constexpr std::uint64_t ShortItems = 40000, LongItems = 1000000; // some 10 requests each
 
@@ -207,6 +208,59 @@ private:
     std::unique_ptr<ColorPlanes> colors_ = std::make_unique<ColorPlanes>();
 };
 using Unit = TexelAddress;
+
+// A step of a power of two brings the lowest bits of a probe's position behind the point, where
+// repeating leaves nothing else: all that is left is the weight and the texel beside it.
+TEST_CASE("probes stand where the model has them, to the last bit of each position") {
+    TexelAddress unit;
+    UnitBench<TexelAddress> bench(unit);
+    constexpr int LeastStep = 12, Steps = 13; // 2^12 to 2^24
+    TextureWords words;
+    words.image.shape = {.kind = TextureKind::TwoD,
+                         .format = Format::Luminance8,
+                         .width = 8,
+                         .height = 8,
+                         .depth = 1,
+                         .levels = 1};
+    words.sampler = {.wrap = {Wrap::Repeat, Wrap::Repeat, Wrap::Repeat},
+                     .minify_linear = true,
+                     .mip_filter = MipFilter::None,
+                     .max_anisotropy = MaxProbes};
+    Random random(9);
+    const auto state = [&](unsigned) { return words; };
+    // Lane 0 alone, whose pixel is `probes` times as wide as high, or almost so.
+    const auto input = [&](unsigned n, unsigned i) {
+        const unsigned probes = 2 + n;
+        const float step = std::ldexp(1.0f, LeastStep + static_cast<int>(i));
+        AddressQuad quad{.live = 1};
+        quad.coordinates[3] = step;
+        quad.coordinates[7] = step / (static_cast<float>(probes) - 0.5f);
+        quad.coordinates[9] = quad.coordinates[3];
+        quad.coordinates[10] = quad.coordinates[7];
+        TexelAddress::choose_levels(random, words, quad);
+        REQUIRE(quad.levels.probes == probes);
+        REQUIRE(quad.levels.major_step[0] == step);
+        return quad;
+    };
+    bench.run(counted_source<TexelAddress>(MaxProbes - 1, Steps, state, input), Stall::Never, 1);
+    INFO(bench.report);
+    CHECK(bench.mismatches == 0);
+    CHECK(bench.compared == Steps * (MaxProbes * (MaxProbes + 1) / 2 - 1));
+}
+
+TEST_CASE("a request leaves each cycle, and one cycle lies between quads") {
+    TexelAddress unit;
+    UnitBench<TexelAddress> bench(unit);
+    Random random(21);
+    const TextureWords words = TexelAddress::random_state(random);
+    const auto state = [&](unsigned) { return words; };
+    const auto input = [&](unsigned, unsigned) { return unit.random_input(random, words); };
+    constexpr unsigned Quads = 200;
+    bench.run(counted_source<TexelAddress>(1, Quads, state, input), Stall::Never, 1);
+    CHECK(bench.mismatches == 0);
+    CHECK(bench.compared > 2 * Quads);
+    CHECK(bench.cycles() == Quads + bench.compared + pipe_number(TexelAddress::Latency));
+}
 
 } // namespace
 } // namespace ffgpu::rtl

@@ -40,6 +40,7 @@ struct TexelData {
 
 struct TexelCache {
     static constexpr const char* Name = "texel_cache";
+    static constexpr bool TakesEachCycle = false;
     static constexpr std::uint64_t ShortItems = 150000, LongItems = 10000000;
     static constexpr std::uint32_t Sets = 4, Ways = 4, LineBits = 6; // as in texel_cache_loop.sv
 
@@ -102,6 +103,33 @@ private:
     bool missed_ = false, evicted_ = false;
 };
 using Unit = TexelCache;
+
+// Cycles for reads of these addresses, one after the other.
+std::uint64_t cycles_for(const std::vector<std::uint32_t>& addresses) {
+    TexelCache unit;
+    UnitBench<TexelCache> bench(unit);
+    const auto state = [](unsigned) { return NoState{}; };
+    const auto input = [&](unsigned, unsigned i) { return TexelRead{.address = addresses[i]}; };
+    const auto count = static_cast<unsigned>(addresses.size());
+    bench.run(counted_source<TexelCache>(1, count, state, input), Stall::Never, 1);
+    CHECK(bench.mismatches == 0);
+    CHECK(bench.compared == count);
+    return bench.cycles();
+}
+
+TEST_CASE(
+    "a read takes a cycle where lines are there, and lines are asked for before others come") {
+    constexpr unsigned Count = 1000;
+    std::vector<std::uint32_t> addresses;
+    const std::uint64_t first = cycles_for({0});
+    for (unsigned i = 0; i < Count; ++i)
+        addresses.push_back(16 * (i % 4));
+    CHECK(cycles_for(addresses) == first + Count - 1);
+    // No line twice: the memory gives one of eight in about eight cycles, and one alone in 32.
+    for (unsigned i = 0; i < Count; ++i)
+        addresses[i] = i << TexelCache::LineBits;
+    CHECK(cycles_for(addresses) < 16 * Count);
+}
 
 } // namespace
 } // namespace ffgpu::rtl

@@ -161,22 +161,43 @@ TEST_CASE("plain formats of up to 16 bits equal the model's on every texel") {
 TEST_CASE("S3TC steps equal the model's between every two levels of a channel") {
     TexelDecode unit;
     UnitBench<TexelDecode> bench(unit);
-    constexpr std::array Formats{Format::Dxt1Rgb, Format::Dxt1Rgba, Format::Dxt3, Format::Dxt5};
+    // Codes of DXT5's alphas stand in two rows.
+    struct Row {
+        Format format;
+        std::uint8_t y;
+    };
+    constexpr std::array Rows{Row{Format::Dxt1Rgb, 0},
+                              Row{Format::Dxt1Rgba, 0},
+                              Row{Format::Dxt3, 0},
+                              Row{Format::Dxt5, 0},
+                              Row{Format::Dxt5, 1}};
+    std::array<unsigned, 2 * 8> alphas{}; // by their order and code
     const auto state = [](unsigned) { return NoState{}; };
     // Twelve bits of two greens, with reds and blues alike; or two alphas of DXT5.
     const auto input = [&](unsigned n, unsigned i) {
         const std::uint32_t ends = (i & 63) << 5 | (i >> 6 & 31) << 11 | (i >> 6 & 31) |
                                    (i >> 6 & 63) << 21 | (i & 31) << 27 | (i & 31) << 16;
         const std::uint32_t codes = 0xe4e4e4e4;
-        TexelBlock texel{.format = Formats[n / 4], .x = static_cast<std::uint8_t>(n % 4)};
+        const Row row = Rows[n / 4];
+        TexelBlock texel{.format = row.format, .x = static_cast<std::uint8_t>(n % 4), .y = row.y};
+        const std::uint64_t alpha_codes = 0xfac688; // 0 to 7, behind the two alphas
+        const std::uint64_t alpha = i | alpha_codes << 16;
+        if (row.format == Format::Dxt5)
+            ++alphas[((i & 255) > i >> 8 ? 8u : 0u) +
+                     (alpha >> (16 + 3 * (4u * texel.y + texel.x)) & 7)];
+        const auto low = static_cast<std::uint32_t>(alpha);
+        const auto high = static_cast<std::uint32_t>(alpha >> 32);
         texel.block = n / 4 < 2 ? std::array<std::uint32_t, 4>{ends, codes, 0, 0}
-                                : std::array<std::uint32_t, 4>{i, 0x00fac688, ends, codes};
+                                : std::array<std::uint32_t, 4>{low, high, ends, codes};
         return texel;
     };
-    bench.run(counted_source<TexelDecode>(16, 1 << 16, state, input), Stall::Never, 1);
+    constexpr auto Draws = static_cast<unsigned>(4 * Rows.size());
+    bench.run(counted_source<TexelDecode>(Draws, 1 << 16, state, input), Stall::Never, 1);
     INFO(bench.report);
     CHECK(bench.mismatches == 0);
-    CHECK(bench.compared == 16 << 16);
+    CHECK(bench.compared == Draws << 16);
+    for (unsigned i = 0; i < alphas.size(); ++i)
+        CHECK(alphas[i] == (i < 8 ? 256 * 257 / 2 : 256 * 255 / 2));
 }
 
 } // namespace

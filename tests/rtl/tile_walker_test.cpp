@@ -15,6 +15,7 @@ namespace {
 
 struct TileWalker {
     static constexpr const char* Name = "tile_walker";
+    static constexpr bool TakesEachCycle = false;
     static constexpr std::uint64_t ShortItems = 20000, LongItems = 500000; // some 50 cycles each
 
     using Dut = Vtile_walker;

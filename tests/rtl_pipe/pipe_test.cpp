@@ -182,9 +182,17 @@ public:
         draw_textured(textured_units(random_), most_records);
     }
     void draw_textured(unsigned units, std::size_t most_records = SIZE_MAX) {
+        vary(units);
+        draw_as_set(triangles(random_, 1 + random_.below(3)), most_records);
+    }
+    // The registers of the next draw.
+    Registers& vary(unsigned units) {
         random_.vary(model_.registers, units);
         model_.registers.targets = targets_[random_.below(3)];
-        const auto vertices = triangles(random_, 1 + random_.below(3));
+        return model_.registers;
+    }
+    void draw_as_set(const std::vector<test::Vertex>& vertices,
+                     std::size_t most_records = SIZE_MAX) {
         model_.draw(PrimitiveType::Triangles, vertices);
         // Behind everything that a draw reads.
         constexpr DeviceAddress At = test::VerticesAt;
@@ -246,6 +254,28 @@ TEST_CASE("Draws follow each other through the pipe without a gap") {
         // As fast as targets are slow: quads of two draws stand in the queues before them.
         for (int draw = 0; draw < 300; ++draw)
             draws.draw_textured(0);
+        const TargetDifference difference = draws.difference();
+        INFO(target_text(difference));
+        CHECK(difference.target.empty());
+    }
+}
+
+// Of a draw many samples are on their way, sixteen texels each, when the next one's second and
+// third unit want the bank that those are under.
+TEST_CASE("A bank of the texture unit is another unit's when its last sample has come") {
+    for (const rtl::PipeOptions& options : Memories) {
+        CloseDraws draws(options);
+        for (int turn = 0; turn < 8; ++turn) {
+            Registers& registers = draws.vary(1);
+            registers.images[0].shape = {TextureKind::ThreeD, Format::Rgba8, 16, 16, 8, 3, 0};
+            registers.samplers[0].magnify_linear = registers.samplers[0].minify_linear = true;
+            registers.samplers[0].mip_filter = MipFilter::Linear;
+            std::vector<test::Vertex> whole;
+            for (const auto& [x, y] : {std::pair{-1.0f, -1.0f}, {3.0f, -1.0f}, {-1.0f, 3.0f}})
+                whole.push_back({x, y, 0, 1, 1, 1, 1, 1, 6 * x, 5 * y});
+            draws.draw_as_set(whole);
+            draws.draw_textured(3);
+        }
         const TargetDifference difference = draws.difference();
         INFO(target_text(difference));
         CHECK(difference.target.empty());

@@ -116,6 +116,15 @@ Mutants = [
     ("too slow", "texel_fetch", "!header.linear", "1'b0"),
     ("too slow", "texture_banks", "last_bank_q <= bank", "last_bank_q <= last_bank_q"),
     ("too slow", "tile_sequence", "record_q.box_x1 - 14'd1", "record_q.box_x1"),
+    ("tag mismatch", "texture_banks", "(victim ? count_1_q : count_0_q) == '0", "(victim ? count_1_q[4:0] : count_0_q[4:0]) == '0"),
+    ("lost sample", "sample_collect", "(!is_last || out_ready_i)", "(!is_last || out_ready_i || sample_i.place[4:2] == 3'd7)"),
+    ("lost texel", "texel_gather", "filter_valid_i && (!is_last || out_ready_i)", "filter_valid_i && (!is_last || out_ready_i || texel_q == 3'd7)"),
+    ("doubled", "texel_fetch", "in_valid_i && (!is_last || filter_ready_i)", "in_valid_i"),
+    ("clamp", "attribute_pass", "ffgpu_pkg::PerspectiveFog", "3'd0"),
+    ("clamp", "raster_front", "record.depth_min", "24'd0"),
+    ("bytes", "texel_fetch", "row_stride * {18'd0, row}", "(row_stride * {18'd0, row}) & 32'h00ff_ffff"),
+    ("bytes", "texel_fetch", "layer_stride * {18'd0, z}", "(layer_stride * {18'd0, z}) & 32'h0fff_ffff"),
+    ("bytes", "target_place", "lower + surface_i.stride", "lower + {16'd0, surface_i.stride[15:0]}"),
     ("too slow", "fifo", "read_q != {~write_q[IndexWidth], write_q[IndexWidth-1:0]}", "out_valid_o == 1'b0 || read_q[IndexWidth-1:0] != write_q[IndexWidth-1:0] + 1'b1"),
 ]
 

@@ -204,6 +204,73 @@ TEST_CASE("Coordinates over a q of any magnitude are the model's") {
     CHECK(comparison.fragments().at("") == 125 * 256);
 }
 
+// Products of numbers that are not held to fog's range leave binary32's.
+TEST_CASE("Fog coordinates of any magnitude are the model's") {
+    PipeComparison comparison(Memory);
+    test::Scene scene(8, 8);
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    Registers& registers = scene.registers;
+    // In t.
+    registers.vertex_format.elements[static_cast<unsigned>(Attribute::FogCoordinate)] = {1, 9};
+    registers.fog.source = FogCoordinateSource::Attribute;
+    registers.fog.color = 0x20c0ff;
+    scene.clear(0);
+    for (const FogMode mode : {FogMode::Linear, FogMode::Exp, FogMode::Exp2})
+        for (const float density : {0x1p-40f, 0x1p-8f, 1.0f, 0x1p40f})
+            for (const float coordinate : {0x1p-59f, 0x1p-30f, 0.5f, 0x1p20f, 0x1p59f})
+                for (const float sign : {1.0f, -1.0f}) {
+                    registers.fog.mode = mode;
+                    registers.fog.density = registers.fog.end = density;
+                    auto vertices = rectangle(-1, -1, 1, 1);
+                    for (test::Vertex& vertex : vertices)
+                        vertex.t = sign * coordinate * (1.5f + vertex.x / 4);
+                    scene.draw(PrimitiveType::TriangleFan, vertices);
+                    INFO(fmt::format("mode {}, density {:a}, coordinate {:a}",
+                                     static_cast<unsigned>(mode),
+                                     density,
+                                     sign * coordinate));
+                    INFO(comparison.summary());
+                    REQUIRE(comparison.equal());
+                }
+    CHECK(comparison.fragments().at("") == 120 * 64);
+}
+
+// Planes of slivers rise more from pixel to pixel than depth has room for, by more than their steps
+// hold: what they say of a centre is held to the depths of the corners.
+TEST_CASE("Depths of slivers are the model's") {
+    PipeComparison comparison(Memory);
+    test::Scene scene(64, 64);
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    scene.registers.depth = {.test_enable = true, .write_enable = true, .compare = Compare::Always};
+    scene.clear(0);
+    std::mt19937 random(17);
+    const auto unit = [&] { return static_cast<float>(random() & 0xffff) / 32768.0f - 1.0f; };
+    std::vector<test::Vertex> vertices;
+    for (unsigned i = 0; i < 1500; ++i) {
+        const float x = unit(), y = unit(), along = unit(), up = unit();
+        const float width = 1.0f / 2048; // of a 64th of a pixel
+        const float end = i % 2 == 0 ? 0.9f : -0.9f;
+        for (const auto& [u, v, z] : {std::array{0.0f, 0.0f, -end},
+                                      std::array{along + width, up - width, end},
+                                      std::array{along, up, -end}})
+            vertices.push_back({x + u, y + v, z, 1, 1, 1, 1, 1, 0, 0});
+    }
+    scene.draw(PrimitiveType::Triangles, vertices);
+    INFO(comparison.summary());
+    CHECK(comparison.equal());
+    CHECK(comparison.fragments().at("") > 150);
+    // Some end at either corner's depth.
+    const std::vector<std::uint32_t> depths = scene.depth_buffer();
+    const auto count = [&](float z) {
+        const auto depth = static_cast<std::uint32_t>((0.5 + double{z} / 2) * 0xffffff + 0.5);
+        return std::ranges::count_if(depths, [&](std::uint32_t d) { return d >> 8 == depth; });
+    };
+    CHECK(count(-0.9f) > 20);
+    CHECK(count(0.9f) > 20);
+}
+
 // Where an address loses a bit there is nothing.
 TEST_CASE("Targets and images of the pipe lie anywhere in memory") {
     PipeComparison comparison(Memory);
@@ -225,6 +292,66 @@ TEST_CASE("Targets and images of the pipe lie anywhere in memory") {
     INFO(comparison.summary());
     CHECK(comparison.equal());
     CHECK(comparison.fragments().at("") > 256);
+}
+
+// The last rows, layers and levels of hundreds of megabytes. A texel a pixel has a colour.
+TEST_CASE("Rows, layers and levels of the pipe lie as far apart as they may") {
+    constexpr std::uint32_t Size = 16, MostRows = MaxSurfaceSize;
+    constexpr DeviceAddress ImageAt = 0x2000'0000;
+    const TextureShape shape = GENERATE(
+        TextureShape{TextureKind::TwoD, Format::Rgba8, MaxTextureSize, MaxTextureSize, 1, 2, 0},
+        TextureShape{TextureKind::ThreeD,
+                     Format::Rgba8,
+                     MaxTexture3dSize,
+                     MaxTexture3dSize,
+                     MaxTexture3dSize,
+                     2,
+                     0});
+    const std::uint32_t level = GENERATE(0u, 1u);
+    PipeComparison comparison(Memory);
+    test::Scene scene(Size, Size, {.memory_bytes = std::uint64_t{1} << 32});
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    scene.texture(1, {0}); // its sampler
+    Registers& registers = scene.registers;
+    registers.images[0].shape = shape;
+    registers.images[0].address = ImageAt;
+    registers.samplers[0].mip_filter = MipFilter::Nearest;
+    registers.samplers[0].max_lod = static_cast<std::int16_t>(256 * level);
+    registers.vertex_format.elements[static_cast<unsigned>(Attribute::TexCoord0)] = {3, 7};
+    // Rows further from each other than 64 KB, of which the uppermost are drawn on.
+    constexpr std::uint32_t Stride = 0x1'2000;
+    registers.targets.color[0] = {0x8000'0000, Format::Rgba8, Size, MostRows, Stride};
+    registers.targets.depth = {0xb000'0000, Format::Depth24Stencil8, Size, MostRows, Stride};
+    registers.depth = {.test_enable = true, .write_enable = true, .compare = Compare::Always};
+    registers.scissor.height = MostRows;
+    registers.viewport.y = MostRows - Size;
+    const LevelLayout layout = level_layout(shape, level);
+    const auto place = [&](std::uint32_t at, std::uint32_t size) {
+        return std::uint64_t{(2 * at + 1) * size / (2 * Size)};
+    };
+    for (std::uint32_t y = 0; y < Size; ++y)
+        for (std::uint32_t x = 0; x < Size; ++x) {
+            const std::uint32_t color = 0xff00'0000 | y << 12 | x << 4;
+            const std::uint64_t at =
+                ImageAt + layout.offset + place(y, layout.depth) * layout.layer_stride +
+                place(y, layout.height) * layout.row_stride + place(x, layout.width) * 4;
+            scene.into->write_memory(static_cast<DeviceAddress>(at),
+                                     std::as_bytes(std::span(&color, 1)));
+        }
+    auto vertices = rectangle(-1, -1, 1, 1);
+    for (test::Vertex& vertex : vertices) {
+        vertex.a = 0.5f + vertex.x / 2;
+        vertex.s = vertex.t = 0.5f + vertex.y / 2;
+    }
+    scene.draw(PrimitiveType::TriangleFan, vertices);
+    INFO(comparison.summary());
+    CHECK(comparison.equal());
+    CHECK(comparison.fragments() == std::map<std::string, std::uint64_t>{{"", Size * Size}});
+    std::uint32_t last = 0;
+    scene.gpu.read_memory(0x8000'0000 + (MostRows - 1) * Stride + (Size - 1) * 4,
+                          std::as_writable_bytes(std::span(&last, 1)));
+    CHECK(last == 0xff00'f0f0);
 }
 
 // What the texture unit holds of an image stays for the draws of one number, and for no other.

@@ -9,6 +9,7 @@
 //     set_tag(input, tag)                          the bank of registers that the input is under
 //     reset()                                      may be left out: forgets what came before
 //     settle(output)                               may be left out: clears what does not matter
+//     TakesEachCycle = false                       where an item may take longer
 //
 // Draws follow each other without a gap, under the tags 0 and 1 in turn. A bank is written anew
 // when the last item under it has left, as the front end does it.
@@ -91,6 +92,8 @@ public:
 
     std::uint64_t compared = 0, mismatches = 0, dependences = 0, stuck = 0;
     std::uint64_t least_latency = ~std::uint64_t{0}; // cycles from an input to an output of its
+    std::uint64_t refused = 0; // cycles with an offer that waited, though the receiver took
+    std::uint64_t cycles() const { return cycle_; }
     std::string report;
 
     bool probes_dependences = false;
@@ -123,6 +126,7 @@ public:
             dut_->eval();
             if (probes_dependences && random.one_in(4)) probe();
             waves_.settled();
+            refused += dut_->in_valid_i && !dut_->in_ready_o && dut_->out_ready_i;
             if (exchange())
                 idle = 0;
             else if (dut_->out_ready_i) // A receiver that waits now and then begins no new count.

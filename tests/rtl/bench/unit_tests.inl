@@ -69,6 +69,23 @@ TEST_CASE("the latency is that of the table of the pipe's numbers") {
     CHECK(bench.least_latency == pipe_number(name));
 }
 
+// Units of which an item may take longer have a test of their own of how long.
+template <class U>
+constexpr bool takes_each_cycle() {
+    if constexpr (requires { U::TakesEachCycle; }) return U::TakesEachCycle;
+    return true;
+}
+
+TEST_CASE("an item is taken in each cycle where nothing stalls") {
+    if (!takes_each_cycle<Unit>()) return;
+    Unit unit;
+    UnitBench<Unit> bench(unit);
+    Random random(23);
+    bench.run(random_source(unit, random, 300), Stall::Never, 2);
+    CHECK(bench.refused == 0);
+    CHECK(bench.compared > 0);
+}
+
 TEST_CASE("a reset in mid-stream leaves nothing behind") {
     Unit unit;
     UnitBench<Unit> bench(unit, 9);
