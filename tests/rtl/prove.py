@@ -14,7 +14,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from mutate import Packages, Rtl, inside
+from mutate import Rtl, inside
+from ports import Packages
 
 Proofs = Path(__file__).resolve().parent / "proofs"
 Claims = "channel_claims"

@@ -10,20 +10,19 @@ that their module computes the same; the others are listed, exit status 1.
 import argparse
 import os
 import random
-import re
 import shutil
-import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import plant_faults
 from plant_faults import Root, Rtl
-from verilated_tree import Packages, build_tree
+from verilated_tree import build_tree
 
 sys.path.insert(0, str(Root / "tests/rtl"))
 import mutants  # noqa: E402
 import mutate  # noqa: E402
+from equivalence import Mutant, proves  # noqa: E402
 
 Work = Root / "out" / "pipe_random_mutants"
 
@@ -71,29 +70,9 @@ def write_sources(chosen):
 def is_equivalent(mutant, seconds):
     """Whether yosys proves that the mutant's module and the original compute the same."""
     number, module = mutant[:2]
-    folder = Work / "proof" / str(number)
-    folder.mkdir(parents=True, exist_ok=True)
-    mutated = (Work / "rtl" / f"{module}.sv").read_text()
-    (folder / f"{module}.sv").write_text(re.sub(
-        re.escape(f"({mutants.Chosen} == ") + r"(\d+)\)",
-        lambda m: f"(1'b{int(int(m[1]) == number)})", mutated))
-    packages = " ".join(str(Rtl / f"{p}.sv") for p in Packages)
-
-    def design(name, place):
-        files = " ".join(str((folder if place and m == module else Rtl) / f"{m}.sv")
-                         for m in mutate.inside(module))
-        return (f"read_verilog -sv {packages} {files}; hierarchy -top {module}; proc; flatten; "
-                f"memory; opt; rename -top {name}; design -stash {name}; ")
-
-    script = (design("gold", False) + design("gate", True) +
-              "design -copy-from gold -as gold gold; design -copy-from gate -as gate gate; "
-              "equiv_make gold gate equiv; hierarchy -top equiv; opt -full; equiv_simple -undef; "
-              "equiv_induct; equiv_status -assert")
-    try:
-        return subprocess.run(["yosys", "-q", "-p", script], timeout=seconds,
-                              capture_output=True).returncode == 0
-    except (subprocess.TimeoutExpired, FileNotFoundError):
-        return False
+    pair = Mutant("fragment_pipe", number, module, (Work / "rtl" / f"{module}.sv").read_text(),
+                  Work / "proof" / str(number), mutate.inside)
+    return proves(pair.induction(module, ""), seconds)
 
 
 def main():
