@@ -122,6 +122,7 @@ Mutants = [
     ("doubled", "texel_fetch", "in_valid_i && (!is_last || filter_ready_i)", "in_valid_i"),
     ("clamp", "attribute_pass", "ffgpu_pkg::PerspectiveFog", "3'd0"),
     ("clamp", "raster_front", "record.depth_min", "24'd0"),
+    ("rounding", "raster_front", "record.depth_origin", "{record.depth_origin[63:1], 1'b0}"),
     ("bytes", "texel_fetch", "row_stride * {18'd0, row}", "(row_stride * {18'd0, row}) & 32'h00ff_ffff"),
     ("bytes", "texel_fetch", "layer_stride * {18'd0, z}", "(layer_stride * {18'd0, z}) & 32'h0fff_ffff"),
     ("bytes", "target_place", "lower + surface_i.stride", "lower + {16'd0, surface_i.stride[15:0]}"),
