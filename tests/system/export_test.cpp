@@ -229,8 +229,9 @@ TEST_CASE("what is wrong with an export is one line, and status 2", "[export]") 
                Contains("did you mean 'texel'?"));
     CHECK_THAT(fails({"export", trace, "--format", "din", "-o", "/dev/full"}),
                Contains("/dev/full: cannot be written: No space left on device"));
-    CHECK_THAT(fails({"export", trace, "--format", "dramsim3", "-o", "/dev/full"}),
-               Contains("No space left on device"));
+    for (const char* const format : {"dramsim3", "ramulator2", "dram_commands", "perfetto", "vcd"})
+        CHECK_THAT(fails({"export", trace, "--format", format, "-o", "/dev/full"}),
+                   Contains("No space left on device"));
     CHECK_THAT(fails({"export", trace, "--format", "csv", "--access-bytes", "48"}),
                Contains("--access-bytes 48"));
     const TemporaryFile newer(std::string("FFGPUWRK\x09\0\0\0", 12), ".ffw");

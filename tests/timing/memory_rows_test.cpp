@@ -201,10 +201,10 @@ TEST_CASE("new rows whose commands meet take the shortest round that there is") 
     check_profile(four, true, round / 4.0);
 }
 
-// Each column of a request stands in the way of the other bank's rows. A cycle more a round is what
-// the scheduler's not looking ahead may cost.
+// Each column of a request stands in the way of the other bank's rows. Writes of four bursts take a
+// cycle more: the scheduler does not look ahead, and two banks delay each other round after round.
 TEST_CASE("new rows of several bursts take the shortest round of two banks, or a cycle more") {
-    unsigned longer_than_form = 0, cycle_more = 0, rounds = 0;
+    unsigned longer_than_form = 0;
     for (const MemoryProfile profile :
          {MemoryProfile::Sdr, MemoryProfile::Ddr, MemoryProfile::Gddr3})
         for (const std::uint32_t bursts : {1u, 2u, 4u, 8u})
@@ -216,13 +216,11 @@ TEST_CASE("new rows of several bursts take the shortest round of two banks, or a
                 INFO(MemoryProfileNames[static_cast<std::size_t>(profile)]
                      << ", " << bursts << " bursts, " << (write ? "writes" : "reads"));
                 CHECK(cycles > 0.998 * shortest); // The last round may be a shorter one.
-                CHECK(cycles < 1.02 * (shortest + 1));
+                const bool delay_each_other = profile != MemoryProfile::Sdr && bursts == 4 && write;
+                CHECK(cycles < 1.02 * (shortest + (delay_each_other ? 1 : 0)));
                 longer_than_form += shortest > 2 * closed_form(config, stream);
-                cycle_more += cycles > 1.02 * shortest;
-                ++rounds;
             }
     CHECK(longer_than_form > 0);
-    CHECK(cycle_more * 10 < rounds);
 }
 
 TEST_CASE(

@@ -155,6 +155,25 @@ public:
     // All that was told has gone through it.
     void finish() { timing_.catch_up(); }
 
+    // Declared behind what listens to the machine: its end waits until the machine stands, also
+    // where an export ends early.
+    class StandsAtEnd {
+    public:
+        explicit StandsAtEnd(TracedMachine& machine)
+            : machine_(machine) {}
+        StandsAtEnd(const StandsAtEnd&) = delete;
+        StandsAtEnd& operator=(const StandsAtEnd&) = delete;
+        ~StandsAtEnd() {
+            try {
+                machine_.finish();
+            } catch (...) { // What went wrong was told.
+            }
+        }
+
+    private:
+        TracedMachine& machine_;
+    };
+
     timing::GpuTiming& timing() { return timing_; }
     const TexturePlaces& places() const { return places_; }
 
@@ -196,6 +215,7 @@ std::string export_memory(const ExportOptions& options) {
     // What misses in a first level need not come to memory.
     if (names_quads && !config.texel_l2.enable) machine.timing().set_quad_observer(&trace);
     machine.timing().set_on_frame([&](const timing::FrameTiming&) { trace.end_frame(); });
+    const TracedMachine::StandsAtEnd stands(machine);
     play_and_finish(
         options,
         machine,
@@ -228,6 +248,7 @@ std::string export_commands(const ExportOptions& options) {
     CommandTrace trace(config.memory, text);
     machine.timing().leave_out_figures();
     machine.timing().set_command_observer(&trace);
+    const TracedMachine::StandsAtEnd stands(machine);
     play_and_finish(
         options,
         machine,
@@ -268,6 +289,7 @@ std::string export_time(const ExportOptions& options) {
     timing.set_activity_observer(&trace);
     timing.set_memory_observer(&trace);
     timing.set_on_frame([&](const timing::FrameTiming& frame) { trace.frame(frame); });
+    const TracedMachine::StandsAtEnd stands(machine);
     play_and_finish(
         options,
         machine,
