@@ -21,7 +21,8 @@ module cache_tags #(
   localparam int unsigned Ways = 1 << WayBits;
   localparam int unsigned TagWidth = NumberWidth - SetBits;
 
-  // Of a set's ways, the first lowest; an age counts the lines used since, and no two are alike.
+  // Of a set's ways, the first lowest; an age counts the lines used since, and no two are alike. At
+  // first the lowest way is the oldest: lines fill a set upwards.
   logic [Ways*TagWidth-1:0]     tags_q [Sets];
   logic [Sets*Ways-1:0]         used_q;
   logic [Sets*Ways*WayBits-1:0] ages_q;
@@ -77,7 +78,7 @@ module cache_tags #(
     if (!rst_ni) begin
       used_q <= '0;
       for (int unsigned i = 0; i < Sets * Ways; i++) begin
-        ages_q[WayBits*i +: WayBits] <= i[WayBits-1:0];
+        ages_q[WayBits*i +: WayBits] <= ~i[WayBits-1:0];
       end
     end else if (update_i) begin
       used_q[Ways*set +: Ways]                 <= next_used;

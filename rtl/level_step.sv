@@ -15,8 +15,8 @@ module level_step #(
 
   localparam int unsigned Axis = Element % 3;
   localparam int unsigned Other = (Stage == 3 ? Element + 1 : Element + 2) % 6;
-  localparam logic [30:0] LeastStep = 31'h2180_0000;  // 2^-60
-  localparam logic [30:0] LargestStep = 31'h5d80_0000;  // 2^60
+  localparam ffgpu_pkg::float_t LeastStep = 32'h2180_0000;  // 2^-60
+  localparam ffgpu_pkg::float_t LargestStep = 32'h5d80_0000;  // 2^60
 
   ffgpu_texture_pkg::level_steps_t steps;
   ffgpu_pkg::float_t       value;
@@ -48,12 +48,13 @@ module level_step #(
       .product_o(texels)
     );
     always_comb begin
-      value_o = {1'b0, texels[30:0]};
-      if (texels[30:0] < LeastStep) begin
-        value_o = {1'b0, LeastStep};
+      // Of either sign: it is squared next.
+      value_o = texels;
+      if (texels[30:0] < LeastStep[30:0]) begin
+        value_o = LeastStep;
       end
-      if (texels[30:0] > LargestStep) begin
-        value_o = {1'b0, LargestStep};
+      if (texels[30:0] > LargestStep[30:0]) begin
+        value_o = LargestStep;
       end
     end
   end else if (Stage == 2) begin : g_square

@@ -105,14 +105,14 @@ module texel_axis #(
         clamped = most;
       end
     end
+    // Twice 0 becomes 2^-126, which is 0 in texels.
     always_comb begin
       value_o = clamped;
       if (operands_i.rule.fold == ffgpu_texture_pkg::FoldRepeat) begin
         value_o = fraction;
       end
       if (operands_i.rule.fold == ffgpu_texture_pkg::FoldMirror) begin
-        value_o = fraction[30:23] == 8'd0 ? fraction :
-          {fraction[31], fraction[30:23] + 8'd1, fraction[22:0]};
+        value_o = {fraction[31], fraction[30:23] + 8'd1, fraction[22:0]};
       end
     end
     assign other_o = 32'd0;

@@ -63,6 +63,7 @@ module texel_decode (
   );
 
   always_comb begin
+    value = plain;
     unique case (in_data_i.format)
       ffgpu_registers_pkg::FormatDxt1Rgb,
       ffgpu_registers_pkg::FormatDxt1Rgba:  value = blocks;
@@ -71,9 +72,9 @@ module texel_decode (
       ffgpu_registers_pkg::FormatFxt1Rgb:   value = {8'd255, fxt1[23:0]};
       ffgpu_registers_pkg::FormatFxt1Rgba:  value = fxt1;
       ffgpu_registers_pkg::FormatDepth16:
-        value = {8'd0, in_data_i.block[15:0], in_data_i.block[15:8]};
-      ffgpu_registers_pkg::FormatDepth24Stencil8: value = {8'd0, in_data_i.block[31:8]};
-      default: value = plain;
+        value[23:0] = {in_data_i.block[15:0], in_data_i.block[15:8]};
+      ffgpu_registers_pkg::FormatDepth24Stencil8: value[23:0] = in_data_i.block[31:8];
+      default: ;
     endcase
     if (in_data_i.is_border) begin
       value = in_data_i.block[31:0];

@@ -48,7 +48,7 @@ public:
 
     // A look-up used a line that find() gave.
     void use(const Line& line, std::uint64_t next_use = NeverUsedAgain) {
-        policy_.used(stamps_[position(line)], {++now_, next_use});
+        policy_.used(stamps_[place(line)], {++now_, next_use});
     }
 
     // Gives `number`, which is absent, a place: an empty one of its set or the victim's, whose line
@@ -69,7 +69,7 @@ public:
 
     // Empties the place of a line that find() gave.
     void drop(Line& line) {
-        numbers_[position(line)] = Empty;
+        numbers_[place(line)] = Empty;
         line = {};
     }
 
@@ -83,10 +83,13 @@ public:
 
     std::size_t size() const { return numbers_.size(); }
 
-private:
-    std::size_t position(const Line& line) const {
+    // Where a line that find() or replace() gave stands, below size(): set times ways and its way.
+    // The empty places of a set are taken from its first way on.
+    std::size_t place(const Line& line) const {
         return static_cast<std::size_t>(&line - lines_.data());
     }
+
+private:
     std::size_t place_of(std::uint64_t number) const {
         const std::size_t begin = set_of_(number) * ways_;
         if (ways_ > MostAtOnce) {

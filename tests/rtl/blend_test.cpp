@@ -104,19 +104,20 @@ struct BlendUnit {
             const ColorTarget target{{.format = format}, static_cast<std::uint8_t>(mask)};
             const ColoredFragment fragment{
                 input.quad.x + lane % 2u, input.quad.y + lane / 2u, input.quad.rgba(lane)};
-            written.pixels[lane] =
+            const std::uint32_t pixel =
                 pack_pixel(format, pack_rgba8(written_color(stage, target, fragment, stored)));
-            written.enables[lane] =
-                static_cast<std::uint8_t>((1u << format_info(format).block_bytes) - 1);
+            // Of a pixel narrower than a word the rest is as it was.
+            const unsigned bytes = format_info(format).block_bytes;
+            const std::uint32_t its_bits = ~0u >> (32 - 8 * bytes);
+            written.pixels[lane] = (input.pixels[lane] & ~its_bits) | (pixel & its_bits);
+            written.enables[lane] = static_cast<std::uint8_t>((1u << bytes) - 1);
         }
         outputs.push_back(written);
     }
-    // Of a pixel narrower than a word the rest is whatever.
+    // A pixel that is not written is whatever.
     static void settle(Output& written) {
         for (unsigned lane = 0; lane < Lanes; ++lane)
-            for (unsigned byte = 0; byte < 4; ++byte)
-                if ((written.enables[lane] >> byte & 1) == 0)
-                    written.pixels[lane] &= ~(0xffu << 8 * byte);
+            if (written.enables[lane] == 0) written.pixels[lane] = 0;
     }
 };
 using Unit = BlendUnit;

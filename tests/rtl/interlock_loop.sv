@@ -39,6 +39,21 @@ module interlock_loop (
     .release_i  (stores)
   );
 
+  // The table holds the place of what entered last, as it is.
+  logic        entered_q;
+  logic [1:0]  entry_q;
+  logic [23:0] place_q;
+
+  always_ff @(posedge clk_i) begin
+    entered_q <= rst_ni && u_interlock.enters;
+    entry_q   <= u_interlock.last_q;
+    place_q   <= {free.y[12:1], free.x[12:1]};
+    if (entered_q && rst_ni) begin
+      assert (u_interlock.places_q[24*entry_q +: 24] == place_q)
+      else $error("%m: entry %0d: another quad's place", entry_q);
+    end
+  end
+
   assign read_at = {free.y[4:1], free.x[4:1]};
   always_comb begin
     read             = free;

@@ -1,7 +1,9 @@
 // texel_cache with a memory behind it that answers after any time in any order. A word of the memory
-// is its address times an odd number.
+// is its address times an odd number. With what comes out stands the way of the set that its line is in.
 
-module texel_cache_loop (
+module texel_cache_loop #(
+  parameter int unsigned DataWidth = $bits(ffgpu_texture_pkg::texel_data_t)
+) (
   input  logic                           clk_i,
   input  logic                           rst_ni,
 
@@ -11,7 +13,7 @@ module texel_cache_loop (
 
   output logic                           out_valid_o,
   input  logic                           out_ready_i,
-  output ffgpu_texture_pkg::texel_data_t out_data_o
+  output logic [DataWidth+1:0]           out_data_o
 );
 
   localparam int unsigned FillBits = 3;
@@ -38,7 +40,7 @@ module texel_cache_loop (
     .in_data_i,
     .out_valid_o,
     .out_ready_i,
-    .out_data_o,
+    .out_data_o       (out_data_o[2 +: DataWidth]),
     .request_valid_o  (request_valid),
     .request_ready_i  (request_ready),
     .request_address_o(request_address),
@@ -47,6 +49,38 @@ module texel_cache_loop (
     .response_fill_i  (response_fill),
     .response_line_i  (response_line)
   );
+
+  // Beside the cache's last register, and in step with it.
+  logic unused_ready, unused_valid;
+
+  pipeline_register #(
+    .Width(2)
+  ) u_way (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i (u_cache.head_valid && u_cache.is_there),
+    .in_ready_o (unused_ready),
+    .in_data_i  (u_cache.head_place[2 +: 2]),
+    .out_valid_o(unused_valid),
+    .out_ready_i,
+    .out_data_o (out_data_o[1:0])
+  );
+
+  // A look-up leaves its line's tag in its line's set, at the way that it names.
+  localparam int unsigned TagWidth = 24;
+  logic        looked_up_q;
+  logic [1:0]  set_q, way_q;
+  logic [TagWidth-1:0] tag_q;
+
+  always_ff @(posedge clk_i) begin
+    looked_up_q <= rst_ni && u_cache.enters;
+    {tag_q, set_q} <= in_data_i.address[31:6];
+    way_q <= u_cache.way;
+    if (looked_up_q && rst_ni) begin
+      assert (u_cache.u_tags.tags_q[set_q][TagWidth*way_q +: TagWidth] == tag_q)
+      else $error("%m: set %0d, way %0d: another line's tag", set_q, way_q);
+    end
+  end
 
   // One of the lines that are asked for, or none; no request in an eighth of the cycles.
   assign request_ready  = random_q[31:29] != 3'd0;

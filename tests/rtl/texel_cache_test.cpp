@@ -28,6 +28,7 @@ struct TexelData {
     std::uint16_t place = 0;
     bool missed = false;
     std::array<std::uint32_t, 4> block{};
+    std::uint8_t way = 0;
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field) {
@@ -35,6 +36,7 @@ struct TexelData {
         field("place", self.place, 10);
         field("missed", self.missed, 1);
         visit_lanes(field, "block", self.block, 32);
+        field("way", self.way, 2);
     }
 };
 
@@ -82,16 +84,19 @@ struct TexelCache {
     void reset() { tags_ = work::TagArray(Sets, Ways); }
     void expect(const State&, const TexelRead& read, std::vector<TexelData>& outputs) {
         const std::uint32_t line = read.address >> LineBits;
-        work::TagArray::Line* const found = tags_.find(line);
-        missed_ = found == nullptr;
-        if (found) {
-            tags_.use(*found);
-        } else {
+        work::TagArray::Line* at = tags_.find(line);
+        missed_ = at == nullptr;
+        if (missed_) {
             work::TagArray::Evicted evicted;
-            tags_.replace(line, evicted);
+            at = &tags_.replace(line, evicted);
             evicted_ = evicted.number != work::TagArray::Empty;
+        } else {
+            tags_.use(*at);
         }
-        TexelData data{.tag = read.tag, .place = read.place, .missed = missed_};
+        TexelData data{.tag = read.tag,
+                       .place = read.place,
+                       .missed = missed_,
+                       .way = static_cast<std::uint8_t>(tags_.place(*at) % Ways)};
         for (std::uint32_t i = 0; i < 4; ++i)
             data.block[i] = ((read.address & ~15u) + 4 * i) * 0x9e3779b1u;
         outputs.push_back(data);
