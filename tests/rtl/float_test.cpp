@@ -5,6 +5,7 @@
 #include "model/arith/range.h"
 #include "tests/rtl/bench/random.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -53,6 +54,8 @@ public:
         if (product == 0 && (a == 0 || b == 0)) compare("product", product, dut_.product_o, 0);
         // Exact in binary64 where the exponents are near.
         if (is_ordinary(sum)) compare("sum", sum, dut_.sum_o, double{a} + b);
+        check_clamp(a, 1, dut_.clamped_o);
+        check_clamp(a, 3, dut_.clamped_wide_o);
         if (a >= 0 && a < 1048576 && dut_.integer_o != static_cast<std::uint32_t>(a))
             tell("integer", a, b);
         if (std::abs(a) < 0x1p22f) {
@@ -72,7 +75,8 @@ public:
     }
     std::uint64_t wrong = 0, compared = 0, carries = 0; // of a rounding into the exponent
     std::array<std::uint64_t, 4> products{}, sums{}, conversions{};
-    std::uint64_t halves = 0; // rounded to an integer
+    std::uint64_t halves = 0;               // rounded to an integer
+    std::array<std::uint64_t, 4> clamped{}; // below, inside, at the most, above
 
 private:
     void compare(const char* what, float expected, std::uint32_t got, double exact) {
@@ -82,6 +86,10 @@ private:
         ++(what[0] == 'p' ? products : sums)[rounding(exact, expected)];
         if (bits(expected) != got) tell(what, exact, got);
     }
+    void check_clamp(float a, float most, std::uint32_t got) {
+        ++clamped[a < 0 ? 0 : a < most ? 1 : a == most ? 2 : 3];
+        if (bits(a <= 0 ? 0.0f : std::min(a, most)) != got) tell("clamped", a, most);
+    }
     void tell(const char* what, double a, double b) {
         if (++wrong < 4) UNSCOPED_INFO(what << ' ' << a << ' ' << b);
     }
@@ -89,7 +97,7 @@ private:
     Vfloat_units dut_;
 };
 
-TEST_CASE("products, sums and conversions of binary32 equal the host's") {
+TEST_CASE("products, sums, conversions and clamps of binary32 equal the host's") {
     Checker checker;
     Random random(5);
     const std::uint64_t count = std::getenv("FFGPU_RTL_LONG") ? 10000000 : 1000000;
@@ -115,6 +123,7 @@ TEST_CASE("products, sums and conversions of binary32 equal the host's") {
             checker.check(std::nextafter(half, 0.0f), whole);
             checker.check(std::nextafter(half, 2 * half), whole);
         }
+        if (random.one_in(64)) checker.check(random.one_in(2) ? 1.0f : 3.0f, a);
         // Products beside a power of two: half of those below are rounded up to it.
         if (a != 0 && random.one_in(4)) checker.check(a, 1 / a);
     }
@@ -126,6 +135,7 @@ TEST_CASE("products, sums and conversions of binary32 equal the host's") {
         CHECK(checker.products[way] > 0);
         CHECK(checker.sums[way] > 0);
         CHECK(checker.conversions[way] > 0);
+        CHECK(checker.clamped[way] > 0);
     }
 }
 

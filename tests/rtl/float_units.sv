@@ -8,7 +8,9 @@ module float_units (
   output logic [19:0]       integer_o,
   output logic [23:0]       nearest_o,
   input  logic [31:0]       signed_i,
-  output ffgpu_pkg::float_t converted_o
+  output ffgpu_pkg::float_t converted_o,
+  output ffgpu_pkg::float_t clamped_o,  // to 1
+  output ffgpu_pkg::float_t clamped_wide_o  // to 3
 );
 
   float_multiply u_multiply (
@@ -37,6 +39,16 @@ module float_units (
     .enable_i (1'b1),
     .integer_i(signed_i),
     .value_o  (converted_o)
+  );
+  float_clamp u_clamp (
+    .value_i  (a_i),
+    .clamped_o
+  );
+  float_clamp #(
+    .Most(32'h4040_0000)
+  ) u_clamp_wide (
+    .value_i  (a_i),
+    .clamped_o(clamped_wide_o)
   );
 
 endmodule
