@@ -7,6 +7,8 @@ import mutants
 from ports import Packages, Rtl, ports
 
 Everything = "1'b1"
+# A part's value is taken where it is let to compute, and nowhere else: enable_checker.sv.
+Enable = "enable_i"
 Different = " && ".join(f"ages_i[{2 * i} +: 2] != ages_i[{2 * j} +: 2]"
                         for i in range(4) for j in range(i))
 # What comes up at the inputs of combinational modules, where it is not everything. Of cache_ages it is
@@ -82,7 +84,7 @@ class Mutant:
             re.sub(rf"\bmodule {module}\b", "module mutated", self.chosen) +
             f"module both ({', '.join(f'input {kind} {name}' for kind, name in inputs)}); "
             f"{' '.join(nets)} {' '.join(cells)}\n"
-            f"always_comb begin assume ({Ranges.get(module, Everything)}); assert ({equal}); "
+            f"always_comb begin assume ({assumed(module)}); assert ({equal}); "
             "end endmodule\n")
         files = " ".join(str(Rtl / f"{name}.sv") for name in Packages + self.inside(module))
         return proves(f"read_verilog -sv -formal {files} {self.folder}/both.sv; hierarchy -top both; "
@@ -91,7 +93,9 @@ class Mutant:
     def is_equal_with_parameters(self):
         """The same by SAT, with each of the parameters that the module has in the unit."""
         names = self.instances()
-        return bool(names) and all(proves(self.miter(name), 120) for name in names)
+        whole = "".join(self.read(self.unit, place) + f"design -stash all_{side}; "
+                        for side, place in (("gold", False), ("gate", True)))
+        return bool(names) and proves(whole + "".join(map(self.miter, names)), 600)
 
     def instances(self):
         """Names that yosys gives the module with each of its parameters."""
@@ -99,13 +103,23 @@ class Mutant:
         return re.findall(rf"^ +(\$paramod\S*\\{self.module}(?:\\\S+)?|{self.module})$", listed, re.M)
 
     def miter(self, name):
-        def design(side, place):
-            return (self.read(self.unit, place) + f"hierarchy -top {name}; proc; flatten; opt; "
+        def design(side):
+            return (f"design -load all_{side}; hierarchy -top {name}; proc; flatten; opt; "
                     f"rename {name} {side}; design -stash {side}; ")
-        return (design("gold", False) + design("gate", True) +
+        return (design("gold") + design("gate") + "design -reset; "
                 "design -copy-from gold -as gold gold; design -copy-from gate -as gate gate; "
                 "miter -equiv -flatten gold gate both; hierarchy -top both; opt -full; "
-                "sat -verify -prove trigger 0")
+                "sat -verify -prove trigger 0" +
+                (f" -set in_{Enable} 1" if has_enable(self.module) else "") + "; ")
+
+
+def assumed(module):
+    claims = [Ranges.get(module, Everything)] + ([Enable] if has_enable(module) else [])
+    return " && ".join(claims)
+
+
+def has_enable(module):
+    return any(name == Enable for _, _, name in ports(module))
 
 
 def has_parameters(module):
