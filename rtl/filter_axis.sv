@@ -35,9 +35,8 @@ module filter_axis #(
   end
 
   always_comb begin
-    filtered                        = in_data_i;
-    filtered.texels                 = 256'd0;
-    filtered.texels[32*Pairs-1:0]   = colors;
+    filtered        = in_data_i;
+    filtered.texels = 256'(colors);
   end
 
   pipeline_register #(

@@ -1,6 +1,7 @@
 // The units of binary32 side by side, for their test.
 
 module float_units (
+  input  logic              enable_i,
   input  ffgpu_pkg::float_t a_i,
   input  ffgpu_pkg::float_t b_i,
   output ffgpu_pkg::float_t product_o,
@@ -14,13 +15,13 @@ module float_units (
 );
 
   float_multiply u_multiply (
-    .enable_i(1'b1),
+    .enable_i,
     .a_i,
     .b_i,
     .product_o
   );
   float_add u_add (
-    .enable_i(1'b1),
+    .enable_i,
     .a_i,
     .b_i,
     .sum_o
@@ -36,7 +37,7 @@ module float_units (
     .integer_o(nearest_o)
   );
   float_from_signed u_from_signed (
-    .enable_i (1'b1),
+    .enable_i,
     .integer_i(signed_i),
     .value_o  (converted_o)
   );
