@@ -85,9 +85,8 @@ module fog_lane #(
       .value_i  (value_i),
       .clamped_o(clamped)
     );
-    // Times 2^16; 0 stays 0.
-    assign fixed = clamped[30:23] == 8'd0 ? 32'd0 :
-      {1'b0, clamped[30:23] + 8'd16, clamped[22:0]};
+    // Times 2^16; 0 becomes 2^-111, which adds nothing to a half.
+    assign fixed = {1'b0, clamped[30:23] + 8'd16, clamped[22:0]};
     float_add u_sum (
       .enable_i,
       .a_i  (is_linear ? value_i : fixed),
