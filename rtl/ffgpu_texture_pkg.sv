@@ -25,7 +25,7 @@ package ffgpu_texture_pkg;
   } level_steps_t;
 
   typedef struct packed {
-    logic [1:0]   dimensions;
+    logic [1:0]   is_used;  // the second axis, the third
     logic [38:0]  densities;  // texels for each unit of a coordinate, s lowest
     level_steps_t steps;
   } level_operands_t;

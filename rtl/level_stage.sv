@@ -23,7 +23,7 @@ module level_stage #(
   ffgpu_pkg::texture_state_t           state;
   ffgpu_texture_pkg::level_steps_t             left;
   ffgpu_registers_pkg::texture_image_t image;
-  logic [1:0]                          dimensions;
+  logic [1:0]                          is_used;
   logic [38:0]                         densities;
   logic [191:0]                        values;
 
@@ -32,21 +32,16 @@ module level_stage #(
 
   // Coordinates of rectangles count texels.
   always_comb begin
-    densities  = '0;
-    dimensions = 2'd2;
+    densities = '0;
     if (in_valid_i && in_ready_o) begin
       densities = {3'd0, image.depth, image.height, image.width};
       if (image.kind == ffgpu_registers_pkg::TextureKindRectangle) begin
         densities[25:0] = {13'd1, 13'd1};
       end
-      if (image.kind == ffgpu_registers_pkg::TextureKindOneD) begin
-        dimensions = 2'd1;
-      end
-      if (image.kind == ffgpu_registers_pkg::TextureKindThreeD) begin
-        dimensions = 2'd3;
-      end
     end
   end
+  assign is_used = {image.kind == ffgpu_registers_pkg::TextureKindThreeD,
+                    image.kind != ffgpu_registers_pkg::TextureKindOneD};
 
   for (genvar element = 0; element < 6; element++) begin : g_element
     level_step #(
@@ -54,7 +49,7 @@ module level_stage #(
       .Element(element)
     ) u_step (
       .enable_i  (in_valid_i && in_ready_o),
-      .operands_i({dimensions, densities, in_data_i}),
+      .operands_i({is_used, densities, in_data_i}),
       .value_o   (values[32*element +: 32])
     );
   end

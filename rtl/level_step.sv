@@ -73,7 +73,7 @@ module level_step #(
       .b_i  (steps.values[32*Other +: 32]),
       .sum_o(sum)
     );
-    assign value_o = operands_i.dimensions >= (Stage == 3 ? 2'd2 : 2'd3) ? sum : value;
+    assign value_o = operands_i.is_used[Stage == 3 ? 0 : 1] ? sum : value;
   end else begin : g_keep
     logic unused_enable;
 

@@ -53,21 +53,20 @@ module texel_axis #(
     assign at = header.probes == 5'd1 ? value : moved;
     always_comb begin
       value_o = at;
-      if (operands_i.rule.fold == ffgpu_texture_pkg::FoldMirror && at[30:23] != 8'd0) begin
-        value_o = {at[31], at[30:23] - 8'd1, at[22:0]};
+      if (operands_i.rule.fold == ffgpu_texture_pkg::FoldMirror) begin
+        value_o = {at[31], at[30:23] - {7'd0, |at[30:23]}, at[22:0]};
       end
       if (operands_i.rule.fold == ffgpu_texture_pkg::FoldMirrorClamp) begin
         value_o = {1'b0, at[30:0]};
       end
     end
-    assign other_o = 32'd0;
+    assign other_o = '0;
   end else if (Stage == 2) begin : g_floor
     logic [23:0]       below;  // the mantissa's fraction bits
     ffgpu_pkg::float_t whole, floor_value;
 
     // Below 1 in magnitude there is no whole; from 2^23 on no fraction.
-    assign below = value[30:23] < 8'd127 ? 24'hff_ffff :
-      value[30:23] >= 8'd150 ? 24'd0 : 24'h7f_ffff >> (value[30:23] - 8'd127);
+    assign below = value[30:23] >= 8'd150 ? 24'd0 : 24'h7f_ffff >> (value[30:23] - 8'd127);
     assign whole = value[30:23] < 8'd127 ? 32'd0 : value & ~{8'd0, below};
     float_add u_floor (
       .enable_i,
@@ -76,8 +75,7 @@ module texel_axis #(
       .sum_o(floor_value)
     );
     // What is subtracted: the next whole number below.
-    assign other_o = value[31] && value[30:0] != 31'd0 && whole[30:0] != value[30:0] ?
-      floor_value : whole;
+    assign other_o = value[31] && whole[30:0] != value[30:0] ? floor_value : whole;
     assign value_o = value;
   end else if (Stage == 3) begin : g_fraction
     ffgpu_pkg::float_t other, fraction, clamped, most;
@@ -115,7 +113,7 @@ module texel_axis #(
         value_o = {fraction[31], fraction[30:23] + 8'd1, fraction[22:0]};
       end
     end
-    assign other_o = 32'd0;
+    assign other_o = '0;
   end else if (Stage == 4) begin : g_mirror
     ffgpu_pkg::float_t back;
 
@@ -126,7 +124,7 @@ module texel_axis #(
       .sum_o(back)
     );
     assign value_o = operands_i.rule.fold == ffgpu_texture_pkg::FoldMirror && back[30:0] < value[30:0] ? back : value;
-    assign other_o = 32'd0;
+    assign other_o = '0;
   end else if (Stage == 5) begin : g_scale
     ffgpu_pkg::float_t scale;
 
@@ -141,7 +139,7 @@ module texel_axis #(
       .b_i      (scale),
       .product_o(value_o)
     );
-    assign other_o = 32'd0;
+    assign other_o = '0;
   end else begin : g_clamp
     logic [23:0] low, raw, high, at_least, clamped;
 

@@ -85,28 +85,29 @@ module tile_walker (
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      active_q   <= 1'b0;
-      in_block_q <= 1'b0;
+      active_q <= 1'b0;
     end else if (start) begin
-      active_q   <= 1'b1;
-      in_block_q <= 1'b0;
+      active_q <= 1'b1;
     end else if (leaves_block) begin
-      active_q   <= !last_block;
-      in_block_q <= 1'b0;
-    end else if (active_q) begin
-      in_block_q <= 1'b1;
+      active_q <= !last_block;
     end
   end
+  // Where it is needs no reset: active_q guards it.
   always_ff @(posedge clk_i) begin
     if (start) begin
-      walk_q  <= in_data_i;
-      block_q <= 4'd0;
-      quad_q  <= 4'd0;
+      walk_q     <= in_data_i;
+      block_q    <= 4'd0;
+      quad_q     <= 4'd0;
+      in_block_q <= 1'b0;
     end else if (leaves_block) begin
-      block_q <= block_q + 4'd1;
-      quad_q  <= 4'd0;
-    end else if (steps) begin
-      quad_q <= quad_q + 4'd1;
+      block_q    <= block_q + 4'd1;
+      quad_q     <= 4'd0;
+      in_block_q <= 1'b0;
+    end else begin
+      in_block_q <= active_q;
+      if (steps) begin
+        quad_q <= quad_q + 4'd1;
+      end
     end
   end
 
@@ -114,8 +115,8 @@ module tile_walker (
     covered.tag          = walk_q.tag;
     covered.key          = walk_q.key;
     covered.front_facing = walk_q.front_facing;
-    covered.x            = quad_x[12:0];
-    covered.y            = quad_y[12:0];
+    covered.x            = {quad_x[12:1], 1'b0};
+    covered.y            = {quad_y[12:1], 1'b0};
     covered.live         = live;
   end
 

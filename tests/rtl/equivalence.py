@@ -43,7 +43,7 @@ class Mutant:
             is_of_one_kind = self.module in Ranges or not has_parameters(self.module)
             if is_of_one_kind and self.is_equal_in_range():
                 return True
-            if (Rtl / f"{self.unit}.sv").exists() and self.is_equal_with_parameters():
+            if (Rtl / f"{self.unit}.sv").exists() and any(map(self.is_equal_in, self.around())):
                 return True
         if not has_parameters(self.module) and proves(self.induction(self.module, ""), 120):
             return True
@@ -90,19 +90,25 @@ class Mutant:
         return proves(f"read_verilog -sv -formal {files} {self.folder}/both.sv; hierarchy -top both; "
                       "proc; flatten; memory; opt; sat -verify -prove-asserts -set-assumes", 300)
 
-    def is_equal_with_parameters(self):
-        """The same by SAT, with each of the parameters that the module has in the unit."""
-        names = self.instances()
+    def around(self):
+        """The module and the combinational ones of the unit that it stands in, the least first."""
+        return sorted((m for m in self.inside(self.unit)
+                       if is_combinational(m) and self.module in self.inside(m)),
+                      key=lambda m: len(self.inside(m)))
+
+    def is_equal_in(self, outer):
+        """A module is the same by SAT, with each of the parameters that it has in the unit."""
+        names = self.instances(outer)
         whole = "".join(self.read(self.unit, place) + f"design -stash all_{side}; "
                         for side, place in (("gold", False), ("gate", True)))
-        return bool(names) and proves(whole + "".join(map(self.miter, names)), 600)
+        return bool(names) and proves(whole + "".join(self.miter(name, has_enable(outer)) for name in names), 600)
 
-    def instances(self):
-        """Names that yosys gives the module with each of its parameters."""
+    def instances(self, module):
+        """Names that yosys gives a module with each of its parameters."""
         listed = output(self.read(self.unit, False) + "ls")
-        return re.findall(rf"^ +(\$paramod\S*\\{self.module}(?:\\\S+)?|{self.module})$", listed, re.M)
+        return re.findall(rf"^ +(\$paramod\S*\\{module}(?:\\\S+)?|{module})$", listed, re.M)
 
-    def miter(self, name):
+    def miter(self, name, is_enabled):
         def design(side):
             return (f"design -load all_{side}; hierarchy -top {name}; proc; flatten; opt; "
                     f"rename {name} {side}; design -stash {side}; ")
@@ -110,7 +116,7 @@ class Mutant:
                 "design -copy-from gold -as gold gold; design -copy-from gate -as gate gate; "
                 "miter -equiv -flatten gold gate both; hierarchy -top both; opt -full; "
                 "sat -verify -prove trigger 0" +
-                (f" -set in_{Enable} 1" if has_enable(self.module) else "") + "; ")
+                (f" -set in_{Enable} 1" if is_enabled else "") + "; ")
 
 
 def assumed(module):
