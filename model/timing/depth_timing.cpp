@@ -275,7 +275,11 @@ Activity DepthTiming::step() {
         }
     }
     if (interlock_.changes()) blame(reason, Activity::StalledMemory); // Stores are under way.
-    return worked ? Activity::Busy : reason;
+    if (!worked) return reason;
+    if (!ports_.early_in.can_pop() && !ports_.late_in.can_pop() && early_.rests(ports_.cache) &&
+        late_.rests(ports_.cache) && ports_.cache.rests() && !interlock_.changes())
+        rest_as(early_.empty() && late_.empty() ? Activity::Idle : Activity::StalledMemory);
+    return Activity::Busy;
 }
 
 } // namespace ffgpu::timing

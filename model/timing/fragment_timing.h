@@ -55,6 +55,7 @@ private:
                });
     }
     bool can_distribute() const;
+    bool is_empty() const; // No pipe has anything to do.
     void distribute();
     Activity step(std::size_t number);
     Activity go_round(std::size_t number);

@@ -78,6 +78,9 @@ public:
 
     bool is_complete(std::uint64_t ticket) const { return ticket < first_incomplete_; }
 
+    // Until an answer comes begin_cycle() does nothing.
+    bool rests() const { return expanding_.empty() && requests_.nothing_waits(); }
+
     // Lines have come that take some cycles to expand.
     bool expands_lines() const { return !expanding_.empty(); }
 

@@ -32,7 +32,10 @@ Activity MemoryArbiter::step() {
         if (sent == 0) break;
         left -= sent;
     }
-    if (left < config_.channels) return Activity::Busy;
+    if (left < config_.channels) {
+        if (wanting == 0) rest_as(Activity::Idle);
+        return Activity::Busy;
+    }
     return wanting != 0 ? Activity::StalledOutput : Activity::Idle;
 }
 

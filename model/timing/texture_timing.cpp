@@ -4,6 +4,13 @@
 #include <utility>
 
 namespace ffgpu::timing {
+namespace {
+
+bool has_parked(const TexturePipe& pipe) {
+    return pipe.has_parked();
+}
+
+} // namespace
 
 TextureTiming::TextureTiming(sc_core::sc_module_name name,
                              const Clock& clock,
@@ -85,7 +92,19 @@ Activity TextureTiming::step() {
     worked |= exit_.advance();
     if (!worked) return reason;
     first_ = turn(first_ + 1, pipes_.size());
+    if (!ports_.quads_in.can_pop() && pipes_rest())
+        rest_as(std::any_of(pipes_.begin(), pipes_.end(), has_parked) ? Activity::StalledMemory
+                                                                      : Activity::Idle);
     return Activity::Busy;
+}
+
+// What is under way waits for the memory.
+bool TextureTiming::pipes_rest() const {
+    const auto rests = [](const TexturePipe& pipe) { return pipe.rests(); };
+    const auto cache_rests = [](const CachePort* port) { return port->cache.rests(); };
+    return config_.texture.rate == TexelRate::Samples && exit_.is_empty() &&
+           std::all_of(pipes_.begin(), pipes_.end(), rests) &&
+           std::all_of(ports_.caches.begin(), ports_.caches.end(), cache_rests);
 }
 
 bool TextureTiming::has_backlog() const {
