@@ -8,8 +8,9 @@
 //     can_push() refused it,
 //   - when somebody calls wake().
 // A cycle may be left out if step() would have changed nothing in it and said what it said last, or
-// what a busy one said that it comes to rest as (rest_as); one that is called too often does no harm. Clock's Pace::EveryCycle calls all of them: a unit
-// that sleeps too long shows as a figure that differs from it (tests/timing/pace_test.cpp).
+// what a busy one said that it comes to rest as (rest_as); one that is called too often does no
+// harm. Clock's Pace::EveryCycle calls all of them: a unit that sleeps too long shows as a figure
+// that differs from it (tests/timing/pace_test.cpp).
 
 #pragma once
 
@@ -73,7 +74,8 @@ public:
             last_ = activity;
             if (observer_) observer_->changed(number_, activity, clock_.now());
         }
-        if (activity == Activity::Busy && rest_ != Activity::Busy && may_rest_) return come_to_rest();
+        if (activity == Activity::Busy && rest_ != Activity::Busy && may_rest_)
+            return come_to_rest();
         Cycle due = next_work(activity);
         if (has_far_inputs_ && due > clock_.now() + 1) due = std::min(due, next_arrival());
         clock_.wake(place_, due);
@@ -126,6 +128,9 @@ protected:
     // nothing and say this, so that it need not be asked.
     void rest_as(Activity activity) { rest_ = activity; }
 
+    // The machine may have to wait for the host from now on.
+    void ask_whether_to_wait() { clock_.ask(); }
+
 private:
     void come_to_rest() {
         account_until(clock_.now());
@@ -155,8 +160,8 @@ private:
     Activity last_ = Activity::Idle; // of all cycles since accounted_
     Activity rest_ = Activity::Busy; // of the cycles to come; Busy: it has to be asked
     bool may_rest_ = true;
-    Cycle rests_from_ = 0;  // the last time
-    Cycle busy_since_ = 1;  // before
+    Cycle rests_from_ = 0; // the last time
+    Cycle busy_since_ = 1; // before
     std::uint64_t* shown_in_ = nullptr;
     std::uint64_t shown_bits_ = 0;
     Cycle accounted_ = 0;
