@@ -111,8 +111,8 @@ Activity ColorTiming::step() {
         worked = true;
     if (interlock_.changes()) blame(reason, Activity::StalledMemory); // Stores are under way.
     if (!worked) return reason;
-    if (!ports_.quads_in.can_pop() && parked_.rests(ports_.cache) && ports_.cache.rests() &&
-        !interlock_.changes())
+    if ((parked_.is_full() || !ports_.quads_in.can_pop()) && parked_.rests(ports_.cache) &&
+        ports_.cache.rests() && !interlock_.changes())
         rest_as(parked_.empty() ? Activity::Idle : Activity::StalledMemory);
     return Activity::Busy;
 }

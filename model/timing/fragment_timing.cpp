@@ -73,7 +73,7 @@ Activity FragmentTiming::step(std::size_t number) {
 
 // The pipes share the way out: a different one is first whenever one has worked.
 Activity FragmentTiming::step() {
-    distribute();
+    if (ports_.quads_in.can_pop()) distribute();
     bool worked = false, stalled = false;
     for (std::size_t i = 0; i < pipes_.size(); ++i) {
         const Activity activity = step(turn(first_ + i, pipes_.size()));

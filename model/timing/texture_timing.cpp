@@ -79,7 +79,7 @@ Activity TextureTiming::step() {
     for (CachePort* port : ports_.caches)
         port->cache.begin_cycle(port->responses);
     Activity reason = Activity::Idle;
-    distribute();
+    if (ports_.quads_in.can_pop()) distribute();
     bool worked = false;
     // The pipes share the cache's ports and the way out: a different one is first whenever one
     // has worked.
@@ -115,7 +115,8 @@ bool TextureTiming::has_backlog() const {
 }
 
 Cycle TextureTiming::next_work(Activity last) const {
-    return can_distribute() || expands() ? now() + 1 : Unit::next_work(last);
+    const bool works = last == Activity::Busy || can_distribute() || expands();
+    return works ? now() + 1 : Unit::next_work(last);
 }
 
 // Texels that have come take some cycles more.
