@@ -267,6 +267,7 @@ Activity DepthTiming::step() {
     for (const Path path : {Path::Late, Path::Early}) {
         const ParkedQuads& parked = path == Path::Early ? early_ : late_;
         const Channel<QuadToken>& in = path == Path::Early ? ports_.early_in : ports_.late_in;
+        if (parked.empty() && !in.can_pop()) continue;
         for (std::uint32_t i = 0; i < pipes && !parked.empty() && send(path, reason); ++i)
             worked = true;
         for (std::uint32_t taken = 0; in.can_pop() && look_up(path, budget, reason);) {

@@ -129,7 +129,7 @@ void MemoryController::step(Lane& lane) {
     if (lane.refused || (lane.arrivals->can_pop() && lane.dram->has_room()))
         accept_arrivals(lane, begin);
     lane.dram->advance(end);
-    answer(lane);
+    if (!lane.dram->served().empty()) answer(lane);
     while (!lane.carryings.empty() && lane.carryings.front().last < now())
         lane.carryings.pop_front();
     lane.moves = !lane.carryings.empty() && lane.carryings.front().first <= now();
