@@ -277,8 +277,10 @@ Activity DepthTiming::step() {
     }
     if (interlock_.changes()) blame(reason, Activity::StalledMemory); // Stores are under way.
     if (!worked) return reason;
+    // Past the cache a quad of which nothing is left ends where there is no place.
+    const bool late_is_full = late_.is_full() && !is_past_cache(Path::Late);
     const bool takes_none = (early_.is_full() || !ports_.early_in.can_pop()) &&
-                            (late_.is_full() || !ports_.late_in.can_pop());
+                            (late_is_full || !ports_.late_in.can_pop());
     if (takes_none && early_.rests(ports_.cache) && late_.rests(ports_.cache) &&
         ports_.cache.rests() && !interlock_.changes())
         rest_as(early_.empty() && late_.empty() ? Activity::Idle : Activity::StalledMemory);
