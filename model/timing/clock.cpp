@@ -36,9 +36,10 @@ void Clock::on_tick() {
 }
 
 bool Clock::paused() {
-    if (!must_wait_()) return false;
-    pause();
-    return true;
+    if (!asks_ && now_ < ask_from_) return false;
+    asks_ = must_wait_();
+    if (asks_) pause();
+    return asks_;
 }
 
 void Clock::pause() {
@@ -76,8 +77,9 @@ bool Clock::run_ahead() {
 void Clock::walk() {
     std::uint64_t due = calendar_.take(now_);
     if (pace_ == Pace::EveryCycle) due = (std::uint64_t{1} << units_.size()) - 1;
+    Unit* const* const units = units_.data();
     for (; due != 0; due &= due - 1)
-        units_[static_cast<std::size_t>(std::countr_zero(due))]->run_cycle();
+        units[static_cast<std::size_t>(std::countr_zero(due))]->run_cycle();
     if (on_walked_) on_walked_();
 }
 

@@ -47,6 +47,11 @@ public:
     // Called at the end of each cycle in which a unit was due.
     void set_on_walked(std::function<void()> on_walked) { on_walked_ = std::move(on_walked); }
 
+    // Before cycle `at` it need not be asked again whether the machine has to wait, unless somebody
+    // calls ask(). Else it is asked before each cycle that is walked.
+    void ask_from(Cycle at) { ask_from_ = at; }
+    void ask() const { asks_ = true; }
+
     // Decoupled only where every process that takes part is a unit of this clock.
     void set_pace(Pace pace) { pace_ = pace; }
     Pace pace() const { return pace_; }
@@ -79,6 +84,8 @@ private:
     sc_core::sc_event edge_;
     sc_core::sc_event resume_;
     Cycle now_ = 0;
+    Cycle ask_from_ = 0;
+    mutable bool asks_ = true;
     Cycle systemc_now_ = 0; // the cycle that SystemC's time stands at
     mutable std::vector<Unit*> units_;
     mutable Calendar calendar_;

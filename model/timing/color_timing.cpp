@@ -110,7 +110,11 @@ Activity ColorTiming::step() {
     for (std::uint32_t i = 0; i < lookups && look_up(reason); ++i)
         worked = true;
     if (interlock_.changes()) blame(reason, Activity::StalledMemory); // Stores are under way.
-    return worked ? Activity::Busy : reason;
+    if (!worked) return reason;
+    if ((parked_.is_full() || !ports_.quads_in.can_pop()) && parked_.rests(ports_.cache) &&
+        ports_.cache.rests() && !interlock_.changes())
+        rest_as(parked_.empty() ? Activity::Idle : Activity::StalledMemory);
+    return Activity::Busy;
 }
 
 } // namespace ffgpu::timing

@@ -267,6 +267,7 @@ Activity DepthTiming::step() {
     for (const Path path : {Path::Late, Path::Early}) {
         const ParkedQuads& parked = path == Path::Early ? early_ : late_;
         const Channel<QuadToken>& in = path == Path::Early ? ports_.early_in : ports_.late_in;
+        if (parked.empty() && !in.can_pop()) continue;
         for (std::uint32_t i = 0; i < pipes && !parked.empty() && send(path, reason); ++i)
             worked = true;
         for (std::uint32_t taken = 0; in.can_pop() && look_up(path, budget, reason);) {
@@ -275,7 +276,15 @@ Activity DepthTiming::step() {
         }
     }
     if (interlock_.changes()) blame(reason, Activity::StalledMemory); // Stores are under way.
-    return worked ? Activity::Busy : reason;
+    if (!worked) return reason;
+    // Past the cache a quad of which nothing is left ends where there is no place.
+    const bool late_is_full = late_.is_full() && !is_past_cache(Path::Late);
+    const bool takes_none = (early_.is_full() || !ports_.early_in.can_pop()) &&
+                            (late_is_full || !ports_.late_in.can_pop());
+    if (takes_none && early_.rests(ports_.cache) && late_.rests(ports_.cache) &&
+        ports_.cache.rests() && !interlock_.changes())
+        rest_as(early_.empty() && late_.empty() ? Activity::Idle : Activity::StalledMemory);
+    return Activity::Busy;
 }
 
 } // namespace ffgpu::timing

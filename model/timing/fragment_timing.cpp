@@ -13,6 +13,12 @@ bool FragmentTiming::can_distribute() const {
     return pipe.waiting.size() < places;
 }
 
+bool FragmentTiming::is_empty() const {
+    return exit_.is_empty() && std::all_of(pipes_.begin(), pipes_.end(), [](const Pipe& pipe) {
+               return pipe.waiting.empty() && pipe.cycles_left == 0;
+           });
+}
+
 // In the order in which they came: a quad whose pipe's queue is full holds up those behind it.
 void FragmentTiming::distribute() {
     for (std::size_t i = 0; i < pipes_.size() && can_distribute(); ++i) {
@@ -67,7 +73,7 @@ Activity FragmentTiming::step(std::size_t number) {
 
 // The pipes share the way out: a different one is first whenever one has worked.
 Activity FragmentTiming::step() {
-    distribute();
+    if (ports_.quads_in.can_pop()) distribute();
     bool worked = false, stalled = false;
     for (std::size_t i = 0; i < pipes_.size(); ++i) {
         const Activity activity = step(turn(first_ + i, pipes_.size()));
@@ -77,6 +83,7 @@ Activity FragmentTiming::step() {
     worked |= exit_.advance();
     if (worked) {
         first_ = turn(first_ + 1, pipes_.size());
+        if (!ports_.quads_in.can_pop() && is_empty()) rest_as(Activity::Idle);
         return Activity::Busy;
     }
     return stalled ? Activity::StalledOutput : Activity::Idle;

@@ -46,7 +46,8 @@ private:
 
     Activity step() override;
     Cycle next_work(Activity last) const override {
-        return can_distribute() ? now() + 1 : Unit::next_work(last);
+        const bool works = last == Activity::Busy || can_distribute();
+        return works ? now() + 1 : Unit::next_work(last);
     }
     bool has_backlog() const override {
         return Unit::has_backlog() ||
@@ -55,6 +56,7 @@ private:
                });
     }
     bool can_distribute() const;
+    bool is_empty() const; // No pipe has anything to do.
     void distribute();
     Activity step(std::size_t number);
     Activity go_round(std::size_t number);

@@ -58,6 +58,19 @@ bool GeometryTiming::send_next() {
     return true;
 }
 
+// Nothing leaves before the first is done, and nothing begins before a unit is free: all cycles
+// until then are busy.
+void GeometryTiming::sleep_until_done() {
+    const bool waits = ports_.vertices_in.can_pop();
+    if (order_.empty() && !waits) rest_as(Activity::Idle);
+    if (order_.empty() || assembling_) return;
+    next_change_ = order_.front().done_at;
+    if (waits)
+        next_change_ = ports_.vertices_in.front().shade
+                           ? std::min(next_change_, *std::ranges::min_element(free_at_))
+                           : 0;
+}
+
 Activity GeometryTiming::step() {
     next_change_ = 0;
     bool moved = false;
@@ -66,7 +79,10 @@ Activity GeometryTiming::step() {
     const std::uint32_t most = std::max(config_.vertex.vertices_per_cycle, config_.setup.units);
     for (std::uint32_t i = 0; i < most && send_next(); ++i)
         moved = true;
-    if (moved) return Activity::Busy;
+    if (moved) {
+        sleep_until_done();
+        return Activity::Busy;
+    }
     if (order_.empty()) return Activity::Idle;
     Cycle next_change = Never;
     for (const Cycle free_at : free_at_)

@@ -46,6 +46,7 @@ private:
     Cycle next_work(Activity last) const override {
         return now() < next_change_ ? next_change_ : Unit::next_work(last);
     }
+    void sleep_until_done();
     bool begin_next();
     void assemble(const VertexToken& vertex);
     bool send_next();

@@ -82,7 +82,18 @@ Activity HostBus::step() {
     bool moved = false;
     while (!commands_.empty() && advance(reason))
         moved = true;
+    if (starves()) ask_whether_to_wait();
     return moved ? Activity::Busy : reason;
+}
+
+bool HostBus::may_carry_all() const {
+    if (config_.bytes_per_cycle == 0) return true;
+    std::uint64_t left = config_.bytes_per_cycle;
+    for (std::size_t i = 0; i < commands_.size(); ++i) {
+        if (commands_[i].bytes > left) return false;
+        left -= commands_[i].bytes;
+    }
+    return true;
 }
 
 // One thing that happens to the first command; false: nothing more in this cycle.

@@ -57,7 +57,8 @@ public:
     // What is left to send could end within a cycle, in which the bus would go on to what the host
     // has not told yet: the clock must not go on without the host.
     bool starves() const {
-        return ends_frame_ ? commands_.empty() : commands_.size() <= most_in_a_cycle_;
+        if (ends_frame_) return commands_.empty();
+        return commands_.size() <= most_in_a_cycle_ && may_carry_all();
     }
 
     std::string state() const override;
@@ -82,6 +83,8 @@ private:
     }
     void add_without_bus(CommandToken token);
     void add(Command command, std::uint32_t register_writes, std::uint32_t register_words);
+    // In a cycle, but for what is uploaded.
+    bool may_carry_all() const;
     bool advance(Activity& reason);
     bool carry(Activity& reason);
     void carry_on(std::uint64_t& left);

@@ -20,6 +20,7 @@ LineCache::LineCache(std::string_view name,
     , tags_(config.sets, config.ways, config)
     , classifier_(config.sets, config.ways)
     , keeps_last_(config.ports == 0 && requests.pace() != Pace::EveryCycle)
+    , may_hit_at_once_(false)
     , statistics_(name)
     , bank_lookups_(config.banks) {
     if (config.replacement == work::Replacement::Optimal)
@@ -38,16 +39,25 @@ void LineCache::begin_cycle(Channel<std::uint64_t>& responses) {
 }
 
 LookupResult LineCache::look_up_any(const LineAccess& access) {
+    if (!may_hit_at_once_) return look_up_plainly(access);
+    TagArray::Line* const line = tags_.find(access.number);
+    if (!line || (needed(access) & ~line->valid) != 0) return look_up_plainly(access);
+    tags_.use(*line);
+    if (access.written != 0) write(access, *line);
+    keep_last(access.number, line);
+    ++statistics_.accesses;
+    ++statistics_.hits;
+    return {.accepted = true, .missed = false, .ticket = line->fill};
+}
+
+LookupResult LineCache::look_up_plainly(const LineAccess& access) {
     if (config_.ports > 0 && !has_port(access.number)) return {};
     TagArray::Line* line = optimal_ ? nullptr : tags_.find(access.number);
     const LookupResult result = optimal_ ? look_up_optimal(access)
                                 : line   ? look_up_present(access, *line)
                                          : look_up_absent(access, line);
     if (!result.accepted) return {};
-    if (keeps_last_ && line) {
-        last_number_ = access.number;
-        last_line_ = line;
-    }
+    if (line) keep_last(access.number, line);
     ++statistics_.accesses;
     if (config_.ports > 0) ++bank_lookups_[access.number & (config_.banks - 1)];
     count_look_up(access.number, result.missed);

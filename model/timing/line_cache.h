@@ -56,7 +56,10 @@ public:
     void set_store(LineStore* store) { store_ = store; }
 
     // Misses are only counted, not by kind.
-    void leave_out_kinds() { tells_kinds_ = false; }
+    void leave_out_kinds() {
+        tells_kinds_ = false;
+        may_hit_at_once_ = keeps_last_ && !optimal_;
+    }
 
     // The owner calls it first in each cycle: ports are free again, fills have come, requests that
     // waited go out.
@@ -77,6 +80,9 @@ public:
     bool is_enabled() const { return config_.enable; }
 
     bool is_complete(std::uint64_t ticket) const { return ticket < first_incomplete_; }
+
+    // Until an answer comes begin_cycle() does nothing.
+    bool rests() const { return expanding_.empty() && requests_.nothing_waits(); }
 
     // Lines have come that take some cycles to expand.
     bool expands_lines() const { return !expanding_.empty(); }
@@ -122,7 +128,14 @@ private:
         if (access.written != 0) write(access, *last_line_);
         return {.accepted = true, .missed = false, .ticket = last_line_->fill};
     }
+    // A hit that costs no port and is of no kind by the shortest way, all else plainly.
     LookupResult look_up_any(const LineAccess& access);
+    LookupResult look_up_plainly(const LineAccess& access);
+    void keep_last(std::uint64_t number, work::TagArray::Line* line) {
+        if (!keeps_last_) return;
+        last_number_ = number;
+        last_line_ = line;
+    }
     void forget_last() { last_number_ = work::TagArray::Empty; }
 
     void finish(std::uint64_t ticket);
@@ -166,6 +179,7 @@ private:
     // Of the last look-up that was accepted, while the line is there. Kept where a look-up costs no
     // port, and the cache has its lines in tags_.
     const bool keeps_last_;
+    bool may_hit_at_once_;
     std::uint64_t last_number_ = work::TagArray::Empty;
     work::TagArray::Line* last_line_ = nullptr;
     CacheStatistics statistics_;

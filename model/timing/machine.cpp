@@ -331,6 +331,7 @@ bool Machine::must_wait() {
         settle();
         series->record(statistics());
     }
+    clock.ask_from(std::min(next_progress_check, series ? series->interval_end() : Never));
     return false;
 }
 

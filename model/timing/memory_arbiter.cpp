@@ -32,7 +32,10 @@ Activity MemoryArbiter::step() {
         if (sent == 0) break;
         left -= sent;
     }
-    if (left < config_.channels) return Activity::Busy;
+    if (left < config_.channels) {
+        if (wanting == 0) rest_as(Activity::Idle);
+        return Activity::Busy;
+    }
     return wanting != 0 ? Activity::StalledOutput : Activity::Idle;
 }
 
@@ -43,11 +46,11 @@ std::uint32_t MemoryArbiter::send_round(std::uint64_t& wanting, std::uint32_t mo
     for (std::uint64_t turn : {wanting & ~before, wanting & before}) {
         for (; turn != 0 && sent < most; turn &= turn - 1) {
             const auto port = static_cast<std::size_t>(std::countr_zero(turn));
-            const MemoryRequest& request = ports_.requests_in[port]->front();
-            const std::uint32_t channel = memory_channel(config_, request.address);
+            const Channel<MemoryRequest>& requests = *ports_.requests_in[port];
+            const std::uint32_t channel = memory_channel(config_, requests.front().address);
             if (!is_free(channel)) continue;
             send(port, channel);
-            if (!ports_.requests_in[port]->can_pop()) wanting &= ~(turn & -turn);
+            if (!requests.can_pop()) wanting &= ~(turn & -turn);
             next_port_ = port + 1 < ports ? port + 1 : 0;
             ++sent;
         }
@@ -56,13 +59,14 @@ std::uint32_t MemoryArbiter::send_round(std::uint64_t& wanting, std::uint32_t mo
 }
 
 void MemoryArbiter::send(std::size_t port, std::uint32_t channel) {
-    const std::uint64_t number = ports_.requests_in[port]->popped();
-    const MemoryRequest& request = ports_.requests_in[port]->front();
+    Channel<MemoryRequest>& requests = *ports_.requests_in[port];
+    const std::uint64_t number = requests.popped();
+    const MemoryRequest& request = requests.front();
     check(is_in_one_place(config_, request.address, request.bytes),
           "a request across an interleave or a row");
     tlm::tlm_generic_payload& payload = pool_.acquire(request, port, number);
     if (observer_) observer_->sent(request, now());
-    ports_.requests_in[port]->drop();
+    requests.drop();
     tlm::tlm_phase phase = tlm::BEGIN_REQ;
     sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
     pending_[channel] = &payload;

@@ -85,7 +85,7 @@ void MemoryController::answer(Lane& lane) {
     Ring<ServedRequest>& served = lane.dram->served();
     for (; !served.empty(); served.pop_front()) {
         const auto& [request, data] = served.front();
-        const Cycle last = std::max(core_time(data.end), now());
+        const Cycle last = core_time(data.end);
         if (tells_carrying()) carry(lane, {std::max(core_time(data.begin + 1), now()), last});
         lane.responses.push_back(
             {last + way_back(), static_cast<tlm::tlm_generic_payload*>(request.payload)});
@@ -129,13 +129,14 @@ void MemoryController::step(Lane& lane) {
     if (lane.refused || (lane.arrivals->can_pop() && lane.dram->has_room()))
         accept_arrivals(lane, begin);
     lane.dram->advance(end);
-    answer(lane);
+    if (!lane.dram->served().empty()) answer(lane);
     while (!lane.carryings.empty() && lane.carryings.front().last < now())
         lane.carryings.pop_front();
     lane.moves = !lane.carryings.empty() && lane.carryings.front().first <= now();
     lane.waits = lane.dram->has_waiting() || !lane.carryings.empty() || lane.arrivals->can_pop();
     if (!lane.responses.empty() && lane.responses.front().at <= now()) deliver(lane);
     lane.due = next_work(lane);
+    lane.is_behind = lane.dram->has_waiting() && lane.due > core_time(lane.dram->next_work() + 1);
 }
 
 // Busy while a bus carries data; all else that it does for a request is a stall.
@@ -159,12 +160,23 @@ void MemoryController::settle() {
     statistics_.set_bus_cycles(end * config_.channels);
 }
 
+// When the channel has to be looked at for its next command: in the cycle in which that goes out;
+// but where nobody asks what the bus does, and nothing waits for a place, it is enough to be there
+// before an answer could be back. What went out until then is made up for, then or when something
+// arrives.
+Cycle MemoryController::next_command(const Lane& lane) const {
+    const MemoryCycle command = lane.dram->next_work();
+    if (tells_carrying() || lane.refused || lane.arrivals->can_pop()) return core_time(command + 1);
+    const MemoryCycle least = std::min(config_.column_cycles, config_.write_column_cycles);
+    return std::max(core_time(command + 1), core_time(command + least + 1) + way_back());
+}
+
 // Refreshes of a channel that nobody waits for are made up for when somebody does.
 Cycle MemoryController::next_work(const Lane& lane) const {
     if (lane.arrivals->can_pop() && lane.dram->has_room()) return now() + 1;
     if (lane.refused && !lane.arrivals->is_full()) return now() + 1;
     Cycle next = lane.responses.empty() ? Never : lane.responses.front().at;
-    if (lane.dram->has_waiting()) next = std::min(next, core_time(lane.dram->next_work() + 1));
+    if (lane.dram->has_waiting()) next = std::min(next, next_command(lane));
     if (!lane.carryings.empty()) { // to say that it carries data, or not any more
         const Carrying& carrying = lane.carryings.front();
         next = std::min(next, lane.moves ? carrying.last + 1 : carrying.first);

@@ -60,14 +60,17 @@ private:
         bool moves = false, waits = false;
         Cycle due = 0;
 
+        bool is_behind = false; // Commands went out that were not looked at yet.
+
         bool is_due(Cycle now) const {
-            return due <= now || (arrivals->can_pop() && dram->has_room());
+            return due <= now || (arrivals->can_pop() && (is_behind || dram->has_room()));
         }
     };
 
     Activity step() override;
     Cycle next_work(Activity) const override { return next_work_; }
     void step(Lane& lane);
+    Cycle next_command(const Lane& lane) const;
     Cycle next_work(const Lane& lane) const;
     tlm::tlm_sync_enum
     on_forward(tlm::tlm_generic_payload& payload, tlm::tlm_phase& phase, sc_core::sc_time& delay);

@@ -33,6 +33,8 @@ public:
     bool front_has_data(const LineCache& cache) const {
         return cache.is_complete(quads_.front().ticket);
     }
+    // Until something comes: nothing to send on.
+    bool rests(const LineCache& cache) const { return empty() || !front_has_data(cache); }
     QuadToken pop() {
         const QuadToken quad = quads_.front().quad;
         passage_.leave(quads_.front().ticket);

@@ -51,9 +51,9 @@ PipeWatch::PipeWatch(const Clock& clock, const PipeParts& parts)
         std::uint64_t bits = 0; // of all stages of its unit
         for (std::size_t i = 0; i < parts.stages.size(); ++i)
             bits |= std::uint64_t{parts.stages[i].unit == stage.unit} << i;
-        stage.unit->show_calls_in(called_, bits);
+        stage.unit->show_calls_in(called_, bits, stage.steps.empty());
     }
-    parts.arbiter.show_calls_in(called_, ArbiterBit);
+    parts.arbiter.show_calls_in(called_, ArbiterBit, false);
 }
 
 void PipeWatch::done(const MemoryRequest& request, std::uint64_t) {

@@ -48,6 +48,7 @@ public:
     // Null: nobody.
     void set_sink(SeriesSink* sink) { sink_ = sink; }
 
+    Cycle interval_end() const { return next_; }
     // An interval ends with this cycle, unless the frame does.
     bool is_due() const { return now() == next_; }
     // All groups are brought up to date with this cycle. They are the same in every call.

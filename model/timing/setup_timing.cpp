@@ -66,6 +66,14 @@ bool SetupTiming::send_next() {
     return true;
 }
 
+// Where nothing can begin, all cycles until the first is done are busy.
+void SetupTiming::sleep_until_done() {
+    const bool waits = ports_.primitives_in.can_pop();
+    if (units_.empty() && !waits) rest_as(Activity::Idle);
+    if (units_.empty() || (waits && units_.size() < config_.setup.units)) return;
+    next_change_ = units_.front().done_at;
+}
+
 Activity SetupTiming::step() {
     next_change_ = 0;
     bool moved = false;
@@ -73,7 +81,10 @@ Activity SetupTiming::step() {
         moved = true;
     for (std::uint32_t i = 0; i < config_.setup.units && send_next(); ++i)
         moved = true;
-    if (moved) return Activity::Busy;
+    if (moved) {
+        sleep_until_done();
+        return Activity::Busy;
+    }
     if (units_.empty()) return Activity::Idle;
     Cycle next_change = Never;
     for (std::size_t i = 0; i < units_.size(); ++i)

@@ -45,6 +45,7 @@ private:
     }
     Cycle piece_cycles(const SetupToken& record) const;
     bool drops(const SetupToken& record) const;
+    void sleep_until_done();
     bool begin_next();
     bool send_next();
 

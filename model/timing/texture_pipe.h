@@ -63,6 +63,12 @@ public:
                requests_.moves();
     }
 
+    // With TexelRate::Samples: there is nothing to do before texels come, or a quad.
+    bool rests() const {
+        return !has_tags_to_compare() && read_ == 0 &&
+               (parked_.empty() || !cache_.is_complete(parked_.front().ticket));
+    }
+
     // From the way in to the tags, and from there to the filter (not with TexelRate::Texels).
     const Passage& to_tags() const { return to_tags_; }
     const Passage& to_filter() const { return to_filter_; }

@@ -37,7 +37,7 @@ public:
     void begin(const work::PreparedScene& scene, const PreparedQuad& quad);
     bool is_done() const { return next_ == lines_; }
 
-    void begin_cycle() { std::fill_n(used_.begin(), units_, 0); }
+    void begin_cycle() { used_.fill(0); }
     // The unit whose line is next has a look-up left in this cycle.
     bool has_turn() const { return used_[unit()] < lookups_; }
     // The quad's line that is looked up next. The order is the same whatever look-ups are refused.

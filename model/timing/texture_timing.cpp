@@ -4,6 +4,13 @@
 #include <utility>
 
 namespace ffgpu::timing {
+namespace {
+
+bool has_parked(const TexturePipe& pipe) {
+    return pipe.has_parked();
+}
+
+} // namespace
 
 TextureTiming::TextureTiming(sc_core::sc_module_name name,
                              const Clock& clock,
@@ -72,7 +79,7 @@ Activity TextureTiming::step() {
     for (CachePort* port : ports_.caches)
         port->cache.begin_cycle(port->responses);
     Activity reason = Activity::Idle;
-    distribute();
+    if (ports_.quads_in.can_pop()) distribute();
     bool worked = false;
     // The pipes share the cache's ports and the way out: a different one is first whenever one
     // has worked.
@@ -85,7 +92,19 @@ Activity TextureTiming::step() {
     worked |= exit_.advance();
     if (!worked) return reason;
     first_ = turn(first_ + 1, pipes_.size());
+    if (!ports_.quads_in.can_pop() && pipes_rest())
+        rest_as(std::any_of(pipes_.begin(), pipes_.end(), has_parked) ? Activity::StalledMemory
+                                                                      : Activity::Idle);
     return Activity::Busy;
+}
+
+// What is under way waits for the memory.
+bool TextureTiming::pipes_rest() const {
+    const auto rests = [](const TexturePipe& pipe) { return pipe.rests(); };
+    const auto cache_rests = [](const CachePort* port) { return port->cache.rests(); };
+    return config_.texture.rate == TexelRate::Samples && exit_.is_empty() &&
+           std::all_of(pipes_.begin(), pipes_.end(), rests) &&
+           std::all_of(ports_.caches.begin(), ports_.caches.end(), cache_rests);
 }
 
 bool TextureTiming::has_backlog() const {
@@ -96,7 +115,8 @@ bool TextureTiming::has_backlog() const {
 }
 
 Cycle TextureTiming::next_work(Activity last) const {
-    return can_distribute() || expands() ? now() + 1 : Unit::next_work(last);
+    const bool works = last == Activity::Busy || can_distribute() || expands();
+    return works ? now() + 1 : Unit::next_work(last);
 }
 
 // Texels that have come take some cycles more.

@@ -43,6 +43,7 @@ private:
     bool can_distribute() const;
     void distribute();
     bool is_empty() const;
+    bool pipes_rest() const;
     void forget_rewritten(const QuadToken& quad);
     void forget_former_draw(const QuadToken& quad);
 

@@ -7,9 +7,10 @@
 //   - one cycle after a place came free in a channel of which it is the producer and in which
 //     can_push() refused it,
 //   - when somebody calls wake().
-// A cycle may be left out if step() would have changed nothing in it and said what it said last;
-// one that is called too often does no harm. Clock's Pace::EveryCycle calls all of them: a unit
-// that sleeps too long shows as a figure that differs from it (tests/timing/pace_test.cpp).
+// A cycle may be left out if step() would have changed nothing in it and said what it said last, or
+// what a busy one said that it comes to rest as (rest_as); one that is called too often does no
+// harm. Clock's Pace::EveryCycle calls all of them: a unit that sleeps too long shows as a figure
+// that differs from it (tests/timing/pace_test.cpp).
 
 #pragma once
 
@@ -29,7 +30,7 @@ class Unit : public sc_core::sc_module {
 public:
     const Account& account() const { return account_; }
     // What the last cycle was.
-    Activity activity() const { return last_; }
+    Activity activity() const { return rests_from_ > now() ? Activity::Busy : last_; }
     // What it has inside, on one line, for a report of a machine that is stuck.
     virtual std::string state() const { return {}; }
     // It waits for somebody who is no unit.
@@ -63,30 +64,37 @@ public:
 
     // By the clock: a cycle in which the unit is due.
     void run_cycle() {
+        rest_ = Activity::Busy;
         const Activity activity = step();
         if (shown_in_) *shown_in_ |= shown_bits_;
         if (activity != last_) {
             account_until(clock_.now() - 1);
-            since_ = clock_.now();
+            const bool goes_on = activity == Activity::Busy && rests_from_ == clock_.now();
+            since_ = goes_on ? busy_since_ : clock_.now();
             last_ = activity;
             if (observer_) observer_->changed(number_, activity, clock_.now());
         }
+        if (activity == Activity::Busy && rest_ != Activity::Busy && may_rest_)
+            return come_to_rest();
         Cycle due = next_work(activity);
         if (has_far_inputs_ && due > clock_.now() + 1) due = std::min(due, next_arrival());
         clock_.wake(place_, due);
     }
 
     // The bits are set in `called` in each cycle in which step() is, so that one look tells of many
-    // units. Before the first cycle.
-    void show_calls_in(std::uint64_t& called, std::uint64_t bits) {
+    // units; who wants to be told of the cycle behind the last busy one, too, `sees_rest`. Before
+    // the first cycle.
+    void show_calls_in(std::uint64_t& called, std::uint64_t bits, bool sees_rest) {
         shown_in_ = &called;
         shown_bits_ = bits;
+        may_rest_ &= !sees_rest;
     }
 
     // The observer, or null, is told under this number.
     void set_observer(ActivityObserver* observer, std::size_t number) {
         observer_ = observer;
         number_ = number;
+        may_rest_ &= observer == nullptr; // It is told of a change when it comes.
     }
     bool is_observed() const { return observer_ != nullptr; }
 
@@ -94,6 +102,7 @@ public:
     void add_input(const Link& input, Cycle latency) {
         inputs_.push_back(&input);
         has_far_inputs_ |= latency >= Calendar::Pages;
+        may_rest_ &= !has_far_inputs_;
     }
     void add_output(const Link& output) { outputs_.push_back(&output); }
 
@@ -115,7 +124,21 @@ protected:
 
     Cycle now() const { return clock_.now(); }
 
+    // By step(), in a busy cycle: in those that follow, until somebody calls the unit, it would do
+    // nothing and say this, so that it need not be asked.
+    void rest_as(Activity activity) { rest_ = activity; }
+
+    // The machine may have to wait for the host from now on.
+    void ask_whether_to_wait() { clock_.ask(); }
+
 private:
+    void come_to_rest() {
+        account_until(clock_.now());
+        busy_since_ = since_;
+        since_ = rests_from_ = clock_.now() + 1;
+        last_ = rest_;
+    }
+
     // Of what is on its way to the unit. Each push wakes it for the arrival, but of what is beyond
     // its pages the calendar keeps the soonest alone.
     Cycle next_arrival() const {
@@ -135,6 +158,10 @@ private:
     std::vector<const Link*> inputs_, outputs_;
     bool has_far_inputs_ = false;
     Activity last_ = Activity::Idle; // of all cycles since accounted_
+    Activity rest_ = Activity::Busy; // of the cycles to come; Busy: it has to be asked
+    bool may_rest_ = true;
+    Cycle rests_from_ = 0; // the last time
+    Cycle busy_since_ = 1; // before
     std::uint64_t* shown_in_ = nullptr;
     std::uint64_t shown_bits_ = 0;
     Cycle accounted_ = 0;

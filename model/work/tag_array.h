@@ -6,6 +6,7 @@
 #include "model/work/replacement.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -39,10 +40,11 @@ public:
 
     // The line where it is present, else null. Does not count as a use.
     Line* find(std::uint64_t number) {
-        if (numbers_[found_] == number) return &lines_[found_];
+        std::uint32_t& guess = guess_of(number);
+        if (numbers_[guess] == number) return &lines_[guess];
         const std::size_t at = place_of(number);
         if (at == numbers_.size()) return nullptr;
-        found_ = at;
+        guess = static_cast<std::uint32_t>(at);
         return &lines_[at];
     }
 
@@ -59,12 +61,13 @@ public:
         while (way < ways_ && numbers_[set + way] != Empty)
             ++way;
         if (way == ways_) way = policy_.victim(std::span(stamps_).subspan(set, ways_));
-        found_ = set + way;
-        evicted = {numbers_[found_], lines_[found_]};
-        numbers_[found_] = number;
-        lines_[found_] = {};
-        policy_.filled(stamps_[found_], {++now_, next_use});
-        return lines_[found_];
+        const std::size_t at = set + way;
+        guess_of(number) = static_cast<std::uint32_t>(at);
+        evicted = {numbers_[at], lines_[at]};
+        numbers_[at] = number;
+        lines_[at] = {};
+        policy_.filled(stamps_[at], {++now_, next_use});
+        return lines_[at];
     }
 
     // Empties the place of a line that find() gave.
@@ -90,6 +93,7 @@ public:
     }
 
 private:
+    std::uint32_t& guess_of(std::uint64_t number) { return guesses_[number % Guesses]; }
     std::size_t place_of(std::uint64_t number) const {
         const std::size_t begin = set_of_(number) * ways_;
         if (ways_ > MostAtOnce) {
@@ -113,7 +117,9 @@ private:
     ReplacementPolicy policy_;
     std::size_t ways_;
     std::uint64_t now_ = 0;
-    std::size_t found_ = 0; // where the last look-up ended: the next is often the same
+    // Where the last line of a number with the same end was found: the next is often the same.
+    static constexpr std::size_t Guesses = 16;
+    std::array<std::uint32_t, Guesses> guesses_{};
     // Apart, so that the search reads nothing else.
     std::vector<std::uint64_t> numbers_;
     std::vector<std::uint64_t> stamps_;

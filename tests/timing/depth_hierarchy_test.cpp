@@ -118,6 +118,24 @@ TEST_CASE("The order of evaluation and the pace cannot be seen, with all feature
     }
 }
 
+// Quads of which the alpha test leaves nothing end where others wait for a place.
+TEST_CASE("The order of evaluation and the pace cannot be seen where targets have no caches") {
+    for (std::uint32_t seed = 0; seed < 16; ++seed) {
+        TimingConfig config;
+        config.depth.test = DepthTest::Late;
+        config.depth_cache.enable = false;
+        config.color_cache.enable = seed % 2 == 0;
+        config.depth_cache.fragment_fifo = 1 + seed % 5;
+        const auto figures = [&](const Evaluation& evaluation) {
+            return run_scene(seed, Kinds[seed % Kinds.size()], config, evaluation).figures;
+        };
+        const Figures expected = figures({0, Pace::EveryCycle});
+        CAPTURE(seed);
+        CHECK(figures({0, Pace::Decoupled}) == expected);
+        CHECK(figures({77, Pace::Decoupled}) == expected);
+    }
+}
+
 // Tells the contents of a command's targets before the command.
 struct ToldContents final : work::CommandSink {
     explicit ToldContents(GpuTiming& to)

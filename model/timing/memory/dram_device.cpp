@@ -26,6 +26,14 @@ MemoryCycle DramDevice::refresh_ready() const {
     return at;
 }
 
+void DramDevice::note_times(std::uint32_t bank) {
+    if (bank >= BankTimes::Most) return;
+    const Bank& it = banks_[bank];
+    times_.column_at[bank] = it.column_at;
+    times_.row_at[bank] = it.row == NoRow ? it.activate_at : it.precharge_at;
+    times_.closed[bank] = it.row == NoRow ? ~MemoryCycle{0} : 0;
+}
+
 void DramDevice::activate(std::uint32_t bank, std::uint64_t row, MemoryCycle now) {
     Bank& it = banks_[bank];
     const Ready ready = activate_ready(bank);
@@ -34,6 +42,7 @@ void DramDevice::activate(std::uint32_t bank, std::uint64_t row, MemoryCycle now
     it.column_at = now + config_.row_to_column_cycles;
     it.precharge_at = now + config_.row_active_cycles;
     it.last_column = now;
+    note_times(bank);
     next_activate_ = now + config_.activate_to_activate_cycles;
     activates_[oldest_activate_] = now + config_.four_activates_cycles;
     oldest_activate_ = (oldest_activate_ + 1) % activates_.size();
@@ -43,6 +52,7 @@ void DramDevice::precharge(std::uint32_t bank, MemoryCycle now) {
     banks_[bank].row = NoRow;
     banks_[bank].closed_at = now;
     banks_[bank].activate_at = now + config_.precharge_cycles;
+    note_times(bank);
 }
 
 void DramDevice::precharge_all(MemoryCycle now) {
@@ -66,6 +76,7 @@ DataBurst DramDevice::column(const DramRequest& request, MemoryCycle now) {
     bank.precharge_at = std::max(bank.precharge_at,
                                  request.write ? data.end + config_.write_recovery_cycles
                                                : last + config_.read_to_precharge_cycles);
+    note_times(request.bank);
     first_column_ = now;
     last_column_ = last;
     next_column_ = last + spacing;

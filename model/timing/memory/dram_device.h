@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "model/timing/memory/bank_scan.h"
 #include "model/timing/memory/config.h"
 #include "model/timing/memory/dram_request.h"
 
@@ -47,13 +48,18 @@ public:
     }
     // What the bank needs next for another row: an activate where none is open, else a precharge.
     MemoryCycle row_ready_at(std::uint32_t bank) const {
-        const MemoryCycle any =
-            std::max({next_activate_, activates_[oldest_activate_], refreshed_at_});
         const Bank& it = banks_[bank];
-        const MemoryCycle opened = it.precharge_at, closed = std::max(it.activate_at, any);
+        const MemoryCycle opened = it.precharge_at;
+        const MemoryCycle closed = std::max(it.activate_at, any_activate_at());
         const MemoryCycle is_closed = ~(MemoryCycle{it.row == NoRow} - 1); // all bits, or none
         return (closed & is_closed) | (opened & ~is_closed);
     }
+    // Of the first banks what a scan over them asks.
+    const BankTimes& bank_times() const { return times_; }
+    MemoryCycle any_activate_at() const {
+        return std::max({next_activate_, activates_[oldest_activate_], refreshed_at_});
+    }
+    MemoryCycle bus_ready_at(bool write) const { return bus_ready_[write]; }
     MemoryCycle column_ready_at(std::uint32_t bank, bool write) const {
         return std::max(banks_[bank].column_at, bus_ready_[write]);
     }
@@ -102,11 +108,14 @@ private:
         LostTo opened_after = LostTo::Row; // what the activate waited for, and tRCD with it
     };
 
+    // The bank has changed.
+    void note_times(std::uint32_t bank);
     // `ready`, but not before the bus takes the column.
     Ready bus_ready(Ready ready, bool write) const;
 
     const MemoryConfig& config_;
     std::vector<Bank> banks_;
+    BankTimes times_;
     MemoryCycle refreshed_at_ = 0;           // end of the last refresh
     MemoryCycle next_activate_ = 0;          // tRRD
     std::array<MemoryCycle, 4> activates_{}; // the last four, + tFAW

@@ -11,11 +11,6 @@ std::uint64_t bit(std::uint32_t bank) {
     return std::uint64_t{1} << bank;
 }
 
-// `at`, or never; without a branch.
-MemoryCycle only_if(bool condition, MemoryCycle at) {
-    return at | (MemoryCycle{condition} - 1);
-}
-
 } // namespace
 
 struct DramScheduler::Search {
@@ -124,26 +119,22 @@ void DramScheduler::find_row(Search& search) const {
 bool DramScheduler::find_without_column(Search& search) const {
     const WaitingRequests& waiting = search.waiting;
     if (waiting.front().passed >= limit_) return false;
-    const WaitingRequests::Bits reads = waiting.hits() & waiting.of_kind(false);
-    const WaitingRequests::Bits writes = waiting.hits() & waiting.of_kind(true);
-    MemoryCycle column_at = NoCycle, row_at = NoCycle;
-    WaitingRequests::Bits rows = 0; // requests for rows, all those of banks that can be made ready
-    for (std::uint32_t bank = 0; bank < banks_; ++bank) {
-        const WaitingRequests::Bits of_bank = waiting.of_bank(bank);
-        const MemoryCycle read_at = search.device.column_ready_at(bank, false);
-        const MemoryCycle write_at = search.device.column_ready_at(bank, true);
-        const bool wants_row = (of_bank & (reads | writes)) == 0;
-        const MemoryCycle ready_at =
-            only_if(wants_row, std::max(search.device.row_ready_at(bank), search.row_slot));
-        column_at = std::min(column_at, only_if((of_bank & reads) != 0, read_at));
-        column_at = std::min(column_at, only_if((of_bank & writes) != 0, write_at));
-        row_at = std::min(row_at, only_if(of_bank != 0, ready_at));
-        rows |= of_bank & (WaitingRequests::Bits{ready_at > search.now} - 1);
-    }
-    if (column_at <= search.now) return false;
-    search.command.again_at = std::min(column_at, row_at);
-    if (rows == 0) return true;
-    const auto index = static_cast<std::size_t>(std::countr_zero(rows));
+    BanksFound found;
+    scan_banks({.banks = banks_,
+                .times = search.device.bank_times(),
+                .of_bank = waiting.of_banks(),
+                .reads = waiting.hits() & waiting.of_kind(false),
+                .writes = waiting.hits() & waiting.of_kind(true),
+                .read_at = search.device.bus_ready_at(false),
+                .write_at = search.device.bus_ready_at(true),
+                .activate_at = search.device.any_activate_at(),
+                .row_slot = search.row_slot,
+                .now = search.now},
+               found);
+    if (found.column_is_due) return false;
+    search.command.again_at = found.again_at;
+    if (found.rows == 0) return true;
+    const auto index = static_cast<std::size_t>(std::countr_zero(found.rows));
     const bool closed = search.device.open_row(waiting[index].request.bank) == DramDevice::NoRow;
     search.command = {.kind = closed ? DramCommand::Kind::Activate : DramCommand::Kind::Precharge,
                       .index = index};

@@ -11,8 +11,8 @@
 //
 // Two forms of one rule: the plain one looks at each request, and is the specification; the other
 // looks at the bits of WaitingRequests, at a request for each bank and kind, where the queue has
-// them. Mostly nothing can go out, or a row alone: where banks are few, one walk over them tells
-// so, in which nothing is to be foretold.
+// them. Mostly nothing can go out, or a row alone: where banks are few, one look at all of them
+// tells so, in which nothing is to be foretold (bank_scan.h).
 
 #pragma once
 
@@ -64,7 +64,7 @@ public:
 
 private:
     static constexpr std::uint32_t MeetingsToSlip = 32;
-    static constexpr std::uint32_t FewBanks = 8;
+    static constexpr std::uint32_t FewBanks = BankTimes::Most;
 
     struct Search;
     void choose_plainly(Search& search) const;

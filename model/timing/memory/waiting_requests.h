@@ -4,12 +4,15 @@
 
 #pragma once
 
+#include "model/timing/memory/bank_scan.h"
 #include "model/timing/memory/dram_request.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace ffgpu::timing {
@@ -26,7 +29,8 @@ public:
     static constexpr std::size_t MostWithBits = 64;
 
     explicit WaitingRequests(std::uint32_t banks)
-        : of_bank_(banks, 0) {}
+        : banks_(banks)
+        , of_bank_(std::max(std::size_t{banks}, BankTimes::Most), 0) {}
 
     bool empty() const { return requests_.empty(); }
     std::size_t size() const { return requests_.size(); }
@@ -56,7 +60,7 @@ public:
         const auto close_gap = [&](Bits& bits) {
             bits = (bits & before) | ((bits >> 1) & ~before);
         };
-        for (Bits& bits : of_bank_)
+        for (Bits& bits : std::span(of_bank_).first(banks_))
             close_gap(bits);
         for (Bits& bits : of_kind_)
             close_gap(bits);
@@ -76,11 +80,14 @@ public:
     Bits all() const { return size() < MostWithBits ? (Bits{1} << size()) - 1 : ~Bits{0}; }
     Bits hits() const { return hits_; } // Their rows are open.
     Bits of_bank(std::uint32_t bank) const { return of_bank_[bank]; }
+    // Of all, a word each; at least BankTimes::Most words.
+    const Bits* of_banks() const { return of_bank_.data(); }
     Bits of_kind(bool write) const { return of_kind_[write]; }
 
 private:
     std::vector<WaitingRequest> requests_;
-    std::vector<Bits> of_bank_;
+    std::size_t banks_;
+    std::vector<Bits> of_bank_;     // those behind the last stay empty
     std::array<Bits, 2> of_kind_{}; // reads, writes
     Bits hits_ = 0;
 };
