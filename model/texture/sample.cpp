@@ -184,7 +184,7 @@ void sample_scalar(const TextureUnit& unit,
             const unsigned lane = 4 * q + i;
             const bool told = quads.live.test(lane);
             const FilterWitness witness{told ? observer : nullptr,
-                                        told && footprints ? &footprints->accesses : nullptr,
+                                        told ? footprints : nullptr,
                                         lane};
             store(out, lane, filter_fragment(unit, quad.fragments[i], quad.sampling, witness));
         }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/work/access_columns_simd.cpp"
@@ -14,6 +15,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace ffgpu::work::HWY_NAMESPACE {
 namespace {
+
+// How many lanes of a quad there are in four bits.
+constexpr std::array<std::uint8_t, 16> QuadLanes{0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
 
 #if HWY_TARGET != HWY_SCALAR // Vectors of one lane hold no quad.
 
@@ -54,11 +58,6 @@ struct FourTold {
     bool all_foreseen, short_steps;                         // Each step is a byte.
 };
 
-// An access is four words on a little endian host.
-static_assert(sizeof(TexelAccess) == 16 && offsetof(TexelAccess, level) == 2 &&
-              offsetof(TexelAccess, linear) == 3 && offsetof(TexelAccess, x0) == 4 &&
-              offsetof(TexelAccess, y0) == 8 && offsetof(TexelAccess, layer0) == 12);
-
 HWY_INLINE Words lanes_of(Words head) {
     return hn::And(head, hn::Set(D32(), 0xffff));
 }
@@ -98,7 +97,10 @@ HWY_INLINE void tell(const FourAccesses& four, AccessForecast::Past& past, FourT
 // Of `Each` accesses a lane, what is told of lane after lane.
 template <unsigned Each>
 HWY_INLINE void
-put_told(const std::array<FourTold, Each>& told, const TexelAccess* accesses, AccessCursors& to) {
+put_told(const std::array<FourTold, Each>& told,
+         const std::vector<AccessPlane>& planes,
+         unsigned quad,
+         AccessCursors& to) {
     bool short_steps = true, all_foreseen = true;
     for (const FourTold& one : told) {
         short_steps = short_steps && one.short_steps;
@@ -124,80 +126,89 @@ put_told(const std::array<FourTold, Each>& told, const TexelAccess* accesses, Ac
     if (all_foreseen) return;
     for (unsigned i = 0; i < 4 * Each; ++i)
         if ((told[i % Each].shapes[i / Each] & ShapeForeseen) == 0)
-            to.rare = put_rare(to.rare, accesses[i], told[i % Each].layers[i / Each]);
+            to.rare = put_rare(to.rare,
+                               planes[i % Each].at(4 * quad + i / Each),
+                               told[i % Each].layers[i / Each]);
 }
 
-HWY_INLINE FourAccesses load(const TexelAccess* accesses) {
-    FourAccesses four;
-    hn::LoadInterleaved4(D32(),
-                         reinterpret_cast<const std::uint32_t*>(accesses),
-                         four.head,
-                         four.x,
-                         four.y,
-                         four.layers);
-    return four;
-}
-
-HWY_INLINE bool one_of_each_lane(const FourAccesses& four) {
-    return hn::AllTrue(D32(), hn::Eq(lanes_of(four.head), hn::Iota(D32(), 0)));
-}
-
-// One access of each lane, or two. False, and nothing is done: they are not.
-HWY_INLINE bool
-put_four(const TexelAccess* accesses, AccessForecast& forecast, unsigned unit, AccessCursors& to) {
-    const FourAccesses four = load(accesses);
-    if (!one_of_each_lane(four)) return false;
-    std::array<FourTold, 1> told;
-    tell(four, forecast.past(unit, 0), told[0]);
-    put_told<1>(told, accesses, to);
-    return true;
-}
-
-HWY_INLINE bool
-put_eight(const TexelAccess* accesses, AccessForecast& forecast, unsigned unit, AccessCursors& to) {
+// Of all lanes of a quad.
+HWY_INLINE FourAccesses load(const AccessPlane& plane, unsigned quad) {
+    using Kind = AccessPlane::Words;
     const D32 d;
-    const FourAccesses low = load(accesses), high = load(accesses + 4);
-    const FourAccesses first{hn::ConcatEven(d, high.head, low.head),
-                             hn::ConcatEven(d, high.x, low.x),
-                             hn::ConcatEven(d, high.y, low.y),
-                             hn::ConcatEven(d, high.layers, low.layers)};
-    const FourAccesses second{hn::ConcatOdd(d, high.head, low.head),
-                              hn::ConcatOdd(d, high.x, low.x),
-                              hn::ConcatOdd(d, high.y, low.y),
-                              hn::ConcatOdd(d, high.layers, low.layers)};
-    if (!one_of_each_lane(first) || !one_of_each_lane(second)) return false;
+    const auto words = [&](Kind kind) { return hn::LoadU(d, plane.words(kind) + 4 * quad); };
+    const Words heads =
+        hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint16_t, D32>(), plane.heads() + 4 * quad));
+    return {hn::Or(hn::ShiftLeft<16>(heads), hn::Iota(d, 0)),
+            words(Kind::X),
+            words(Kind::Y),
+            plane.has_layers() ? words(Kind::Layers) : hn::Zero(d)};
+}
+
+HWY_INLINE void put_four(const std::vector<AccessPlane>& planes,
+                         unsigned quad,
+                         AccessForecast::Past* past,
+                         AccessCursors& to) {
+    *to.number++ = 4;
+    std::array<FourTold, 1> told;
+    tell(load(planes[0], quad), past[0], told[0]);
+    put_told<1>(told, planes, quad, to);
+}
+
+HWY_INLINE void put_eight(const std::vector<AccessPlane>& planes,
+                          unsigned quad,
+                          AccessForecast::Past* past,
+                          AccessCursors& to) {
+    *to.number++ = 8;
     std::array<FourTold, 2> told;
-    tell(first, forecast.past(unit, 0), told[0]);
-    tell(second, forecast.past(unit, 1), told[1]);
-    put_told<2>(told, accesses, to);
-    return true;
+    tell(load(planes[0], quad), past[0], told[0]);
+    tell(load(planes[1], quad), past[1], told[1]);
+    put_told<2>(told, planes, quad, to);
 }
 
 #endif
 
-HWY_INLINE void put_quad(std::span<const TexelAccess> accesses,
-                         unsigned unit,
-                         AccessForecast& forecast,
-                         AccessCursors& to) {
-#if HWY_TARGET != HWY_SCALAR
-    if (accesses.size() == 4 && put_four(accesses.data(), forecast, unit, to)) return;
-    if (accesses.size() == 8 && put_eight(accesses.data(), forecast, unit, to)) return;
-#endif
-    forecast.begin_quad(unit);
-    for (const TexelAccess& access : accesses)
+void put_others(const TexelFootprints& read,
+                unsigned quad,
+                AccessForecast& forecast,
+                AccessCursors& to) {
+    unsigned count = 0;
+    for (const AccessPlane& plane : read.planes)
+        count += QuadLanes[plane.lanes.quad(quad)];
+    to.number = put_number(to.number, count);
+    forecast.begin_quad(read.unit);
+    for (const TexelAccess& access : read.of_quad(quad))
         put_access(access, forecast, to);
 }
 
-AccessCursors PutAccesses(const QuadAccesses& quads, AccessForecast& forecast, AccessCursors to) {
-    const TexelAccess* access = quads.accesses + quads.begin.front();
-    std::size_t unit = 0;
-    for (std::size_t i = 0; i + 1 < quads.begin.size(); ++i) {
-        const std::uint32_t count = quads.begin[i + 1] - quads.begin[i];
-        to.number = put_number(to.number, count);
-        put_quad({access, count}, quads.units[unit], forecast, to);
-        access += count;
-        if (++unit == quads.units.size()) unit = 0;
+HWY_INLINE void put_quad(const TexelFootprints& read,
+                         unsigned quad,
+                         AccessForecast& forecast,
+                         AccessCursors& to) {
+#if HWY_TARGET != HWY_SCALAR
+    constexpr unsigned All = 0xf;
+    const std::vector<AccessPlane>& planes = read.planes;
+    const unsigned lanes = planes[0].lanes.quad(quad);
+    const unsigned others = planes.size() > 1 ? planes[1].lanes.quad(quad) : 0;
+    if (lanes == All && planes.size() <= 2) {
+        AccessForecast::Past* const past = &forecast.past(read.unit, 0);
+        if (others == 0) return put_four(planes, quad, past, to);
+        if (others == All) return put_eight(planes, quad, past, to);
     }
+#endif
+    put_others(read, quad, forecast, to);
+}
+
+AccessCursors PutAccesses(const QuadRange& quads, AccessForecast& forecast, AccessCursors to) {
+    const WholeCommand& command = quads.command;
+    const std::size_t units = command.units.size();
+    for (std::size_t i = quads.first; i < quads.first + quads.count; ++i)
+        for (std::size_t unit = 0; unit < units; ++unit) {
+            const TexelFootprints* const read = command.footprints_of(i, unit);
+            if (read)
+                put_quad(*read, command.sources[i].quad, forecast, to);
+            else
+                *to.number++ = 0;
+        }
     return to;
 }
 
@@ -211,7 +222,7 @@ namespace {
 HWY_EXPORT(PutAccesses);
 } // namespace
 
-AccessCursors put_accesses(const QuadAccesses& quads, AccessForecast& forecast, AccessCursors to) {
+AccessCursors put_accesses(const QuadRange& quads, AccessForecast& forecast, AccessCursors to) {
     return HWY_DYNAMIC_DISPATCH(PutAccesses)(quads, forecast, to);
 }
 

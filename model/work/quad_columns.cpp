@@ -3,6 +3,7 @@
 #include "model/work/access_columns.h"
 #include "model/work/quad_fate.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -87,14 +88,21 @@ void write_places(const WholeCommand& command,
 
 } // namespace
 
-std::size_t
-QuadColumnWriter::most_bytes(const WholeCommand& command, std::size_t first, std::size_t count) {
-    const std::size_t units = command.units.size(), end = first + count;
-    const std::size_t accesses =
-        command.access_begin[end * units] - command.access_begin[first * units];
+void QuadColumnWriter::begin(const WholeCommand& command) {
+    std::size_t planes = 0;
+    for (const TexelFootprints* const read : command.footprints)
+        if (read) planes = std::max(planes, read->planes.size());
+    most_accesses_ = 4 * planes * command.units.size();
+}
+
+std::size_t QuadColumnWriter::most_bytes(const WholeCommand& command,
+                                         std::size_t first,
+                                         std::size_t count) const {
+    const std::size_t end = first + count;
     const std::size_t values =
         command.has_values() ? count + command.value_begin[end] - command.value_begin[first] : 0;
-    return count * (MostOfQuad + units * MostOfNumber) + accesses * MostOfAccess +
+    return count * (MostOfQuad + command.units.size() * MostOfNumber +
+                    most_accesses_ * MostOfAccess) +
            values * MostOfNumber;
 }
 
@@ -113,13 +121,12 @@ void QuadColumnWriter::write_accesses(const WholeCommand& command,
                                       std::size_t first,
                                       std::size_t count,
                                       ColumnWriter& columns) {
-    const std::size_t units = command.units.size();
-    const auto begin = std::span(command.access_begin).subspan(first * units, count * units + 1);
-    const std::size_t most = begin.back() - begin.front();
+    const std::size_t most = count * most_accesses_;
     const AccessCursors end =
-        put_accesses({command.accesses.data(), begin, command.units},
+        put_accesses({command, first, count},
                      forecast_,
-                     {columns.room(Column::AccessCount, count * units * MostOfNumber),
+                     {columns.room(Column::AccessCount,
+                                   count * command.units.size() * MostOfNumber),
                       columns.room(Column::Shape, most),
                       columns.room(Column::X, most * MostOfStep),
                       columns.room(Column::Y, most * MostOfStep),

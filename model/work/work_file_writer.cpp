@@ -186,6 +186,7 @@ void WorkFileWriter::write_piece(const PieceBox& box) {
 }
 
 void WorkFileWriter::write_quads(const WholeCommand& command) {
+    quads_out_.begin(command);
     for (std::size_t i = 0; i < command.quads.size();) {
         begin_item(Item::Quad);
         const std::size_t count = quads_of_block(command, i);
@@ -198,7 +199,7 @@ void WorkFileWriter::write_quads(const WholeCommand& command) {
 // From `first` on, some that surely belong to the block at hand.
 std::size_t WorkFileWriter::quads_of_block(const WholeCommand& command, std::size_t first) const {
     const std::size_t count = std::min(command.quads.size() - first, QuadColumnWriter::MostQuads);
-    const std::size_t most = QuadColumnWriter::most_bytes(command, first, count);
+    const std::size_t most = quads_out_.most_bytes(command, first, count);
     return columns_.bytes() + most < BlockBytes ? count : 1;
 }
 

@@ -201,8 +201,7 @@ TEST_CASE("a sequencer takes a cycle for each texture of a quad, beside those of
         WorkBin bin = textured_draw(textures);
         for (WorkBatch& batch : bin.tiles[0].batches)
             for (TexelFootprints& texture : batch.textures)
-                for (TexelAccess& access : texture.accesses)
-                    access.linear = 0;
+                set_nearest(texture);
         const Figures figures = run(config, bin);
         const std::uint64_t cycles = 5 * std::uint64_t{textures} * FillQuads;
         CHECK(figures.at("total_cycles") > cycles);
