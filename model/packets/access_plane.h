@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "model/base/chunk_memory.h"
 #include "model/packets/fragment_batch.h"
 
 #include <algorithm>
@@ -11,8 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <memory_resource>
 #include <utility>
-#include <vector>
 
 namespace ffgpu {
 
@@ -37,11 +38,15 @@ public:
     // A word of two 16-bit numbers a lane, the second above the first.
     enum class Words { X, Y, Layers };
 
+    using Memory = std::pmr::memory_resource*;
+
     AccessPlane() = default;
-    // Room for all lanes of `quads`, which is a multiple of 4. Without layers all are 0.
-    AccessPlane(unsigned quads, bool has_layers)
+    explicit AccessPlane(Memory memory)
+        : words_(memory) {}
+    // Room for all lanes of `quads`, which is even. Without layers all are 0.
+    AccessPlane(unsigned quads, bool has_layers, Memory memory)
         : quads_(quads)
-        , words_(quads_ * (has_layers ? End : LayersAt)) {}
+        , words_(quads_ * (has_layers ? End : LayersAt), memory) {}
 
     FragmentMask lanes; // What other lanes hold means nothing.
 
@@ -50,7 +55,9 @@ public:
     std::uint32_t* words(Words which) { return words_.data() + place(which); }
     const std::uint32_t* words(Words which) const { return words_.data() + place(which); }
     // Level and, above it, TexelAccess::linear: 16 bits a lane, for vectors to load and store.
-    std::uint16_t* heads() { return reinterpret_cast<std::uint16_t*>(words_.data() + HeadsAt * quads_); }
+    std::uint16_t* heads() {
+        return reinterpret_cast<std::uint16_t*>(words_.data() + HeadsAt * quads_);
+    }
     const std::uint16_t* heads() const {
         return reinterpret_cast<const std::uint16_t*>(words_.data() + HeadsAt * quads_);
     }
@@ -59,11 +66,11 @@ public:
     TexelAccess at(unsigned lane) const {
         std::uint16_t head;
         std::memcpy(&head, heads() + lane, sizeof head);
-        const std::array<std::uint32_t, 4> words{
-            lane | std::uint32_t{head} << 16,
-            this->words(Words::X)[lane],
-            this->words(Words::Y)[lane],
-            has_layers() ? this->words(Words::Layers)[lane] : 0};
+        const std::array<std::uint32_t, 4> words{lane | std::uint32_t{head} << 16,
+                                                 this->words(Words::X)[lane],
+                                                 this->words(Words::Y)[lane],
+                                                 has_layers() ? this->words(Words::Layers)[lane]
+                                                              : 0};
         return std::bit_cast<TexelAccess>(words);
     }
 
@@ -87,7 +94,8 @@ private:
     void make_room(std::size_t quads, bool layers) {
         constexpr std::size_t Least = 8;
         const std::size_t room = quads <= quads_ ? quads_ : std::max({Least, quads, 2 * quads_});
-        AccessPlane larger(static_cast<unsigned>(room), layers || has_layers());
+        AccessPlane larger(
+            static_cast<unsigned>(room), layers || has_layers(), words_.get_allocator().resource());
         const auto move = [&](std::size_t from, std::size_t end) {
             std::copy_n(words_.data() + from * quads_,
                         (end - from) * quads_,
@@ -96,7 +104,10 @@ private:
         move(XAt, YAt);
         move(YAt, HeadsAt);
         move(HeadsAt, LayersAt);
-        if (has_layers()) move(LayersAt, End);
+        if (has_layers())
+            move(LayersAt, End);
+        else if (layers)
+            std::fill(larger.words_.begin() + LayersAt * larger.quads_, larger.words_.end(), 0);
         larger.lanes = lanes;
         *this = std::move(larger);
     }
@@ -106,7 +117,7 @@ private:
     }
 
     std::size_t quads_ = 0;
-    std::vector<std::uint32_t> words_;
+    UnsetVector<std::uint32_t> words_;
 };
 
 } // namespace ffgpu

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <memory_resource>
 #include <vector>
 
 namespace ffgpu {
@@ -22,7 +23,7 @@ public:
     class Iterator;
 
     QuadReads() = default;
-    QuadReads(const std::vector<AccessPlane>& planes, unsigned quad)
+    QuadReads(const std::pmr::vector<AccessPlane>& planes, unsigned quad)
         : planes_(planes.data())
         , count_(planes.size())
         , quad_(quad) {}
@@ -87,14 +88,22 @@ private:
     std::size_t plane_ = 0;
 };
 
-inline QuadReads::Iterator QuadReads::begin() const { return Iterator(*this); }
-inline QuadReads::Iterator QuadReads::end() const { return {}; }
+inline QuadReads::Iterator QuadReads::begin() const {
+    return Iterator(*this);
+}
+inline QuadReads::Iterator QuadReads::end() const {
+    return {};
+}
 
 // Only live fragments are recorded. A fragment may have several accesses (trilinear: 2,
 // anisotropic: up to 32).
 struct TexelFootprints {
     std::uint8_t unit = 0;
-    std::vector<AccessPlane> planes;
+    std::pmr::vector<AccessPlane> planes;
+
+    TexelFootprints() = default;
+    explicit TexelFootprints(AccessPlane::Memory memory)
+        : planes(memory) {}
 
     bool empty() const { return planes.empty(); }
     QuadReads of_quad(unsigned quad) const { return {planes, quad}; }
@@ -105,7 +114,7 @@ struct TexelFootprints {
         last_lane_ = access.lane;
         while (next_ < planes.size() && planes[next_].lanes.test(access.lane))
             ++next_;
-        if (next_ == planes.size()) planes.emplace_back();
+        if (next_ == planes.size()) planes.emplace_back(planes.get_allocator().resource());
         planes[next_++].set(access);
     }
 

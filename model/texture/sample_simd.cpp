@@ -98,7 +98,7 @@ void append_accesses(const TextureUnit& unit,
                      const FilterInputs& inputs,
                      FragmentMask live,
                      unsigned i,
-                     std::vector<AccessPlane>& planes) {
+                     std::pmr::vector<AccessPlane>& planes) {
     const SamplingBatch& sampling = *inputs.sampling;
     const unsigned quads = inputs.quad_count;
     if (sampling.max_probes > 1) live = live & probed_lanes(sampling, i, quads);
@@ -108,11 +108,12 @@ void append_accesses(const TextureUnit& unit,
     const bool has_layers = unit.kind == TextureKind::Cube || unit.dimensions > 2;
     const std::size_t levels = blended.any() ? 2 : 1;
     planes.reserve(planes.size() + levels);
+    const AccessPlane::Memory memory = planes.get_allocator().resource();
     AccessPlanes out;
-    out.level = &planes.emplace_back(grouped_quads(quads), has_layers);
+    out.level = &planes.emplace_back(grouped_quads(quads), has_layers, memory);
     out.level->lanes = live;
     if (levels > 1) {
-        out.next_level = &planes.emplace_back(grouped_quads(quads), has_layers);
+        out.next_level = &planes.emplace_back(grouped_quads(quads), has_layers, memory);
         out.next_level->lanes = blended;
     }
     record_batch(unit, inputs, out);
