@@ -24,8 +24,8 @@ struct WholeCommand {
     // the batches of the draw its accesses are, and of each batch what it read in each unit.
     std::vector<std::uint8_t> units;
     std::vector<QuadOfBatch> sources;
-    std::vector<const TexelFootprints*> footprints; // null: nothing
-    std::vector<std::shared_ptr<const WorkBin>> bins; // of the footprints
+    std::vector<const TexelFootprints*> footprints;    // null: nothing
+    std::vector<std::shared_ptr<const WorkBin>> bins;  // of the footprints
     std::vector<std::shared_ptr<TexelFootprints>> own; // those that are in no bin
     // With WorkDetail::Values, where each quad's values begin, and the end; else empty.
     std::vector<std::uint32_t> value_begin;
