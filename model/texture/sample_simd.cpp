@@ -96,11 +96,12 @@ FragmentMask probed_lanes(const SamplingBatch& sampling, unsigned i, unsigned qu
 // Appends what the batch's live lanes read in their probe `i`, of each the finer level first.
 void append_accesses(const TextureUnit& unit,
                      const FilterInputs& inputs,
-                     FragmentMask live,
+                     const FragmentMask& alive,
                      unsigned i,
                      std::pmr::vector<AccessPlane>& planes) {
     const SamplingBatch& sampling = *inputs.sampling;
     const unsigned quads = inputs.quad_count;
+    FragmentMask live = alive;
     if (sampling.max_probes > 1) live = live & probed_lanes(sampling, i, quads);
     if (!live.any()) return;
     FragmentMask blended;

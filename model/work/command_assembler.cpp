@@ -7,8 +7,6 @@
 namespace ffgpu::work {
 namespace {
 
-constexpr std::size_t Ahead = 16;
-
 void append_values(const WorkBatch& batch, std::uint32_t quad, WholeCommand& whole) {
     const auto at = [&](std::uint32_t q) {
         return batch.values.begin() + static_cast<std::ptrdiff_t>(batch.value_begin[q]);
@@ -51,13 +49,8 @@ void CommandAssembler::draw(const WorkDraw& draw, const DrawParts& parts) {
     whole->units = units_of(batches);
     const auto sources = order_.of(batches, draw.kind == WorkKind::Image);
     whole->quads.reserve(sources.size());
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-        if (i + Ahead < sources.size()) {
-            const QuadSource& next = sources[i + Ahead];
-            __builtin_prefetch(batches[next.batch]->quads.data() + next.quad);
-        }
-        whole->quads.push_back(batches[sources[i].batch]->quads[sources[i].quad]);
-    }
+    for (const QuadSource& source : sources)
+        whole->quads.push_back(batches[source.batch]->quads[source.quad]);
     if (draw.kind == WorkKind::Image)
         for (std::size_t i = 0; i < sources.size(); ++i)
             whole->quads[i].piece = sources[i].piece();
