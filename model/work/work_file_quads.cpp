@@ -7,7 +7,7 @@
 namespace ffgpu::work {
 namespace {
 
-// Of a quad in one unit: an elliptic filter takes some 7200 at most.
+// Of a quad in one unit: an elliptic filter takes under 8500.
 constexpr std::uint64_t MostAccesses = 1 << 14;
 
 // `from + by`, in units of two pixels.

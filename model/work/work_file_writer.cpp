@@ -12,7 +12,7 @@
 namespace ffgpu::work {
 namespace {
 
-constexpr int CompressionLevel = 3;
+constexpr int CompressionLevel = 1;
 
 // What these take at most, in all columns.
 constexpr std::size_t MostOfVertex = 5, MostOfPrimitive = 12, MostOfPiece = 2 * (3 + 10) + 4 * 5;
