@@ -75,21 +75,25 @@ struct ProbeMean {
     }
 };
 
-// The lanes whose next level counts.
-FragmentMask weighted_lanes(const SamplingBatch& sampling, unsigned lanes) {
+// Of `live` the lanes whose next level counts.
+FragmentMask
+weighted_lanes(const SamplingBatch& sampling, unsigned quads, const FragmentMask& live) {
     FragmentMask mask;
-    for (unsigned lane = 0; lane < lanes; ++lane)
+    for (unsigned lane = 0; lane < 4 * quads; ++lane)
         mask.words[lane / 64] |= std::uint64_t{(sampling.choice[lane] >> 16 & 0xff) != 0}
                                  << lane % 64;
+    for (std::size_t i = 0; i < mask.words.size(); ++i)
+        mask.words[i] &= live.words[i];
     return mask;
 }
 
-// The lanes that have a probe `i`, counted from 0.
-FragmentMask probed_lanes(const SamplingBatch& sampling, unsigned i, unsigned quads) {
-    FragmentMask mask;
+// Of `live` those that have a probe `i`, counted from 0.
+FragmentMask
+probed_lanes(const SamplingBatch& sampling, unsigned i, unsigned quads, const FragmentMask& live) {
+    FragmentMask mask = live;
     for (unsigned quad = 0; quad < quads; ++quad)
-        if (i < sampling.probes[quad])
-            mask.words[quad / 16] |= std::uint64_t{0xf} << 4 * (quad % 16);
+        if (i >= sampling.probes[quad])
+            mask.words[quad / 16] &= ~(std::uint64_t{0xf} << 4 * (quad % 16));
     return mask;
 }
 
@@ -102,10 +106,10 @@ void append_accesses(const TextureUnit& unit,
     const SamplingBatch& sampling = *inputs.sampling;
     const unsigned quads = inputs.quad_count;
     FragmentMask live = alive;
-    if (sampling.max_probes > 1) live = live & probed_lanes(sampling, i, quads);
+    if (sampling.max_probes > 1) live = probed_lanes(sampling, i, quads, alive);
     if (!live.any()) return;
     FragmentMask blended;
-    if (sampling.any_weight()) blended = live & weighted_lanes(sampling, 4 * quads);
+    if (sampling.any_weight()) blended = weighted_lanes(sampling, quads, live);
     const bool has_layers = unit.kind == TextureKind::Cube || unit.dimensions > 2;
     const std::size_t levels = blended.any() ? 2 : 1;
     planes.reserve(planes.size() + levels);
