@@ -115,7 +115,7 @@ private:
     void open_bin(const Targets& targets);
     void tell_contents(const Targets& targets);
     bool records_values() const { return sink_ && detail_ == WorkDetail::Values; }
-    void hand_over(std::vector<WorkTile> tiles);
+    void hand_over(std::vector<WorkTile> tiles, std::vector<std::shared_ptr<ChunkMemory>> memory);
     void note_transfer(bool is_write, std::uint64_t at, std::uint64_t bytes);
 
     const Config config_;
@@ -124,6 +124,7 @@ private:
     GeometryUnit geometry_;
     ThreadPool pool_;
     std::vector<std::unique_ptr<TileRenderer>> renderers_; // one a thread
+    std::shared_ptr<ChunkPool> record_chunks_ = std::make_shared<ChunkPool>();
     WorkSink* sink_ = nullptr;
     WorkDetail detail_ = WorkDetail::Masks;
     bool hidden_ = false;

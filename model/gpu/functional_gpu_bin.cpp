@@ -307,7 +307,7 @@ void FunctionalGpu::flush() {
     if (!bin_.empty())
         carry_out();
     else if (sink_ && !transfers_.empty())
-        hand_over({});
+        hand_over({}, {});
     finish_carrying();
 }
 
@@ -325,7 +325,7 @@ void FunctionalGpu::carry_out() {
         Bin& bin = under_way_.bin;
         const std::vector<std::uint32_t>& tiles = bin.busy_tiles();
         pool_.start(tiles.size(), [this, &bin, &tiles](unsigned worker, std::size_t i) {
-            renderers_[worker]->render(bin, tiles[i], nullptr);
+            renderers_[worker]->render(bin, tiles[i], {});
         });
         if (pool_.threads() == 1) finish_carrying();
     }
@@ -353,44 +353,6 @@ void FunctionalGpu::finish_carrying() {
         samples_ += counts.counted_samples;
     }
     if (bin_.empty()) samples_pending_ = false;
-}
-
-// Bins that others listen to, or that one thread has to draw.
-void FunctionalGpu::draw_and_record() {
-    const FloatEnvironment environment;
-    const std::vector<std::uint32_t>& tiles = bin_.busy_tiles();
-    std::vector<WorkTile> recordings(sink_ ? tiles.size() : 0);
-    const auto job = [&](unsigned worker, std::size_t i) {
-        renderers_[worker]->render(bin_, tiles[i], sink_ ? &recordings[i] : nullptr);
-    };
-    if (bin_serial_ || probe_) {
-        for (std::size_t i = 0; i < tiles.size(); ++i)
-            job(0, i);
-    } else {
-        pool_.run(tiles.size(), job);
-    }
-    if (sink_) hand_over(std::move(recordings));
-}
-
-void FunctionalGpu::hand_over(std::vector<WorkTile> tiles) {
-    auto work = std::make_shared<WorkBin>();
-    for (BinCommand& command : bin_.commands())
-        work->draws.push_back({.kind = command.kind,
-                               .number = command.number,
-                               .frame = command.frame,
-                               .early_depth = command.pixels->pipe.early_depth,
-                               .register_writes = command.register_writes,
-                               .register_words = command.register_words,
-                               .state = command.context->state.registers,
-                               .geometry = std::move(command.geometry),
-                               .image = command.image ? *command.image : DrawImageCommand{},
-                               .clear = command.clear});
-    std::erase_if(tiles, [](const WorkTile& tile) { return tile.batches.empty(); });
-    work->tiles = std::move(tiles);
-    work->transfers = std::exchange(transfers_, {});
-    work->contents = std::exchange(contents_, {});
-    work->last_draw_goes_on = draw_goes_on_;
-    sink_->bin(std::move(work));
 }
 
 } // namespace ffgpu

@@ -7,6 +7,9 @@
 #include "model/raster/image_fragments.h"
 #include "model/raster/smooth_coverage.h"
 
+#include <cstddef>
+#include <iterator>
+
 namespace ffgpu {
 namespace {
 
@@ -56,11 +59,11 @@ void TileRenderer::set_probe(StageProbe* probe) {
     tap_ = probe ? std::make_unique<StageTap>(*probe, batch_) : nullptr;
 }
 
-void TileRenderer::render(const Bin& bin, std::uint32_t tile, WorkTile* recording) {
+void TileRenderer::render(const Bin& bin, std::uint32_t tile, const Recording& recording) {
     tile_ = bin.tile_rectangle(tile);
-    if (recording) {
-        recording->x = static_cast<std::uint16_t>(tile_.x0);
-        recording->y = static_cast<std::uint16_t>(tile_.y0);
+    if (recording.tile) {
+        recording.tile->x = static_cast<std::uint16_t>(tile_.x0);
+        recording.tile->y = static_cast<std::uint16_t>(tile_.y0);
     }
     recording_ = recording;
     command_ = ~0u;
@@ -85,7 +88,7 @@ void TileRenderer::render(const Bin& bin, std::uint32_t tile, WorkTile* recordin
 // Draws whose pixels are made alike share batches, unless they are to be told apart.
 void TileRenderer::begin_command(const BinCommand& command) {
     const PixelContext* const pixels = command.pixels.get();
-    if (command.kind == WorkKind::Draw && pixels == pixels_ && !recording_ && !tap_) return;
+    if (command.kind == WorkKind::Draw && pixels == pixels_ && !recording_.tile && !tap_) return;
     flush();
     pixels_ = pixels;
     if (pixels_->antialias) batch_.antialias.fill(255);
@@ -240,8 +243,8 @@ void TileRenderer::begin_samples() {
 
 void TileRenderer::sample_unit(unsigned unit, const FragmentMask& covered) {
     TexelFootprints* footprints = nullptr;
-    if (recording_) {
-        footprints = &footprints_.emplace_back();
+    if (recording_.tile) {
+        footprints = &footprints_.emplace_back(recording_.memory);
         footprints->unit = static_cast<std::uint8_t>(unit);
     }
     // A machine that tests depth late reads the texels of hidden fragments, too.
@@ -262,7 +265,7 @@ void TileRenderer::finish_batch(const FragmentMask& covered) {
         fates_ = {};
     }
     count(covered, early);
-    if (recording_) record(covered, early);
+    if (recording_.tile) record(covered, early);
 }
 
 void TileRenderer::count(const FragmentMask& covered, const FragmentMask& early) {
@@ -301,28 +304,18 @@ void TileRenderer::count_samples() {
 }
 
 void TileRenderer::record(const FragmentMask& covered, const FragmentMask& early) {
-    WorkBatch& work = recording_->batches.emplace_back();
-    work.draw = command_;
-    work.quads.resize(batch_.quad_count);
-    const auto bits = [](const FragmentMask& mask, unsigned q) {
-        return static_cast<std::uint8_t>(mask.quad(q));
-    };
-    for (unsigned q = 0; q < batch_.quad_count; ++q) {
-        work.quads[q] = {.primitive = batch_.primitive[q],
-                         .x = batch_.x[q],
-                         .y = batch_.y[q],
-                         .covered = bits(covered, q),
-                         .after_early_depth = bits(early, q),
-                         .after_coverage = bits(fates_.after_coverage, q),
-                         .after_alpha = bits(fates_.after_alpha, q),
-                         .after_stencil = bits(fates_.after_stencil, q),
-                         .after_depth = bits(fates_.after_depth, q)};
-        if (!multisampled()) continue;
-        work.quads[q].samples_covered = sample_bits(covered_samples_, q);
-        work.quads[q].samples_written = sample_bits(batch_.samples, q);
-    }
+    std::pmr::memory_resource* const memory = recording_.memory;
+    const auto moved = std::make_move_iterator(footprints_.begin());
+    WorkBatch& work = recording_.tile->batches.emplace_back(
+        WorkBatch{.draw = command_,
+                  .quads = std::pmr::vector<WorkQuad>(batch_.quad_count, memory),
+                  .textures = std::pmr::vector<TexelFootprints>(
+                      moved, moved + static_cast<std::ptrdiff_t>(footprints_.size()), memory),
+                  .value_begin = std::pmr::vector<std::uint32_t>(memory),
+                  .values = std::pmr::vector<std::uint32_t>(memory)});
+    footprints_.clear();
+    record_quads(covered, early, work.quads);
     record_pieces(work);
-    work.textures = std::exchange(footprints_, {});
     if (!values_) return;
     SampleMasks tested;
     if (multisampled())
@@ -334,6 +327,38 @@ void TileRenderer::record(const FragmentMask& covered, const FragmentMask& early
                    .tested = tested,
                    .memory = memory_},
                   work);
+}
+
+// Most batches lose nobody.
+void TileRenderer::record_quads(const FragmentMask& covered,
+                                const FragmentMask& early,
+                                std::span<WorkQuad> quads) const {
+    const bool whole = same(covered, early) && same(covered, fates_.after_coverage) &&
+                       same(covered, fates_.after_alpha) && same(covered, fates_.after_stencil) &&
+                       same(covered, fates_.after_depth);
+    const auto bits = [](const FragmentMask& mask, unsigned q) {
+        return static_cast<std::uint8_t>(mask.quad(q));
+    };
+    for (unsigned q = 0; q < quads.size(); ++q) {
+        WorkQuad& quad = quads[q];
+        quad.primitive = batch_.primitive[q];
+        quad.x = batch_.x[q];
+        quad.y = batch_.y[q];
+        quad.covered = bits(covered, q);
+        if (whole) {
+            quad.after_early_depth = quad.after_coverage = quad.after_alpha = quad.after_stencil =
+                quad.after_depth = quad.covered;
+        } else {
+            quad.after_early_depth = bits(early, q);
+            quad.after_coverage = bits(fates_.after_coverage, q);
+            quad.after_alpha = bits(fates_.after_alpha, q);
+            quad.after_stencil = bits(fates_.after_stencil, q);
+            quad.after_depth = bits(fates_.after_depth, q);
+        }
+        if (!multisampled()) continue;
+        quad.samples_covered = sample_bits(covered_samples_, q);
+        quad.samples_written = sample_bits(batch_.samples, q);
+    }
 }
 
 // An image is one piece: it has no runs.

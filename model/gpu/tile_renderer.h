@@ -13,6 +13,7 @@
 #include "model/raster/quad_collector.h"
 
 #include <memory>
+#include <memory_resource>
 #include <span>
 #include <utility>
 #include <vector>
@@ -25,8 +26,12 @@ public:
         : memory_(memory)
         , stages_(stages) {}
 
-    // With `recording`, appends what was done to it.
-    void render(const Bin& bin, std::uint32_t tile, WorkTile* recording);
+    // Where what was done is recorded, and in what memory its lists lie.
+    struct Recording {
+        WorkTile* tile = nullptr; // null: nowhere
+        std::pmr::memory_resource* memory = nullptr;
+    };
+    void render(const Bin& bin, std::uint32_t tile, const Recording& recording);
 
     // From now on records tell values, too.
     void set_values(bool values) { values_ = values; }
@@ -56,8 +61,11 @@ private:
     void count(const FragmentMask& covered, const FragmentMask& after_early_depth);
     void count_samples();
     void record(const FragmentMask& covered, const FragmentMask& after_early_depth);
+    void record_quads(const FragmentMask& covered,
+                      const FragmentMask& early,
+                      std::span<WorkQuad> quads) const;
     void record_pieces(WorkBatch& work) const;
-    bool records_values() const { return recording_ && values_; }
+    bool records_values() const { return recording_.tile && values_; }
     const ProbeTap* pipe_tap() const { return tap_ ? &tap_->pipe() : nullptr; }
     bool multisampled() const { return pixels_->pipe.samples > 1; }
 
@@ -67,7 +75,7 @@ private:
 
     // Of the tile in work.
     Rectangle tile_;
-    WorkTile* recording_ = nullptr;
+    Recording recording_;
     bool values_ = false;
     std::uint32_t command_ = 0;
     const BinCommand* binned_ = nullptr; // its command_

@@ -1,37 +1,137 @@
 // TexelFootprints: which texels one texture unit read for one batch, as logical coordinates
 // (level, layer, x, y): addresses are the timing model's business.
+//
+// They are kept as the vector stages find them, a plane for each number of an access within its
+// fragment (access_plane.h); TexelAccess is what a reader sees.
 
 #pragma once
 
-#include "model/packets/fragment_batch.h"
+#include "model/packets/access_plane.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <memory_resource>
 #include <vector>
 
 namespace ffgpu {
 
-// One access of one fragment to one level: 1 texel (nearest), 2x1 (1-D linear), 2x2 (linear), and
-// twice that across two layers for 3-D linear. The texels are (x0|x1, y0|y1, layer0|layer1) after
-// wrapping, counted in the stored image: from its border if it has one. Texels beyond the edge that
-// the border colour stands for are marked by BorderTexel.
-struct TexelAccess {
-    static constexpr std::uint16_t BorderTexel = 0xffff;
+// What a quad read in one unit: lane after lane, TexelAccess::lane counted in the quad; of a
+// fragment the finer level first, of anisotropic probes one after the other.
+class QuadReads {
+public:
+    class Iterator;
 
-    std::uint16_t lane;  // of the batch
-    std::uint8_t level;  // of the image; 0 is its base level
-    std::uint8_t linear; // bit 0: x0 and x1 both, bit 1: y0 and y1 both, bit 2: both layers
-    std::uint16_t x0, x1, y0, y1;
-    std::uint16_t layer0, layer1; // slice or face
+    QuadReads() = default;
+    QuadReads(const std::pmr::vector<AccessPlane>& planes, unsigned quad)
+        : planes_(planes.data())
+        , count_(planes.size())
+        , quad_(quad) {}
 
-    bool operator==(const TexelAccess&) const = default;
+    Iterator begin() const;
+    Iterator end() const;
+
+private:
+    bool has(std::size_t plane, unsigned lane) const {
+        return (planes_[plane].lanes.quad(quad_) >> lane & 1) != 0;
+    }
+
+    const AccessPlane* planes_ = nullptr;
+    std::size_t count_ = 0;
+    unsigned quad_ = 0;
 };
 
-// Only live fragments are recorded, in lane order; of a fragment the finer level first; of
-// anisotropic probes one after the other. `count` may exceed one access a fragment (trilinear: 2,
+class QuadReads::Iterator {
+public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = TexelAccess;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const TexelAccess*;
+    using reference = TexelAccess;
+
+    Iterator() = default; // the end
+    explicit Iterator(const QuadReads& reads)
+        : reads_(reads)
+        , lane_(0) {
+        to_next();
+    }
+    TexelAccess operator*() const {
+        TexelAccess access = reads_.planes_[plane_].at(4 * reads_.quad_ + lane_);
+        access.lane = static_cast<std::uint16_t>(lane_);
+        return access;
+    }
+    Iterator& operator++() {
+        ++plane_;
+        to_next();
+        return *this;
+    }
+    Iterator operator++(int) {
+        const Iterator before = *this;
+        ++*this;
+        return before;
+    }
+    bool operator==(const Iterator& other) const {
+        return lane_ == other.lane_ && plane_ == other.plane_;
+    }
+
+private:
+    static constexpr unsigned Lanes = 4;
+
+    void to_next() {
+        for (; lane_ < Lanes; ++lane_, plane_ = 0)
+            for (; plane_ < reads_.count_; ++plane_)
+                if (reads_.has(plane_, lane_)) return;
+    }
+
+    QuadReads reads_;
+    unsigned lane_ = Lanes;
+    std::size_t plane_ = 0;
+};
+
+inline QuadReads::Iterator QuadReads::begin() const {
+    return Iterator(*this);
+}
+inline QuadReads::Iterator QuadReads::end() const {
+    return {};
+}
+
+// Only live fragments are recorded. A fragment may have several accesses (trilinear: 2,
 // anisotropic: up to 32).
 struct TexelFootprints {
     std::uint8_t unit = 0;
-    std::vector<TexelAccess> accesses;
+    std::pmr::vector<AccessPlane> planes;
+
+    TexelFootprints() = default;
+    explicit TexelFootprints(AccessPlane::Memory memory)
+        : planes(memory) {}
+
+    bool empty() const { return planes.empty(); }
+    QuadReads of_quad(unsigned quad) const { return {planes, quad}; }
+
+    // Behind those of its lane, which is the batch's.
+    void add(const TexelAccess& access) {
+        if (access.lane != last_lane_) next_ = 0;
+        last_lane_ = access.lane;
+        while (next_ < planes.size() && planes[next_].lanes.test(access.lane))
+            ++next_;
+        if (next_ == planes.size()) planes.emplace_back(planes.get_allocator().resource());
+        planes[next_++].set(access);
+    }
+
+    // All of them, quad after quad, with lanes of the batch.
+    std::vector<TexelAccess> accesses() const {
+        std::vector<TexelAccess> all;
+        for (unsigned quad = 0; quad < BatchQuads; ++quad)
+            for (TexelAccess access : of_quad(quad)) {
+                access.lane = static_cast<std::uint16_t>(access.lane + 4 * quad);
+                all.push_back(access);
+            }
+        return all;
+    }
+
+private:
+    unsigned last_lane_ = ~0u; // to which an access was added, and the plane of its next
+    std::size_t next_ = 0;
 };
 
 } // namespace ffgpu

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "model/base/chunk_memory.h"
 #include "model/device/commands.h"
 #include "model/device/registers.h"
 #include "model/packets/fragment_batch.h"
@@ -17,6 +18,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <memory_resource>
 #include <vector>
 
 namespace ffgpu {
@@ -42,14 +44,14 @@ struct WorkQuad {
 
 // A batch of one tile. Quads are in the order of the primitives.
 struct WorkBatch {
-    std::uint32_t draw; // index into WorkBin::draws
-    std::vector<WorkQuad> quads;
-    std::vector<TexelFootprints> textures; // one entry a unit that the draw samples
+    std::uint32_t draw = 0; // index into WorkBin::draws
+    std::pmr::vector<WorkQuad> quads{};
+    std::pmr::vector<TexelFootprints> textures{}; // one entry a unit that the draw samples
     // With WorkDetail::Values: those of quad q are values[value_begin[q]] up to the next quad's
     // (quad_values.h), and the footprints are those of all covered fragments, also of the ones that
     // the early depth test ended. Both empty without.
-    std::vector<std::uint32_t> value_begin;
-    std::vector<std::uint32_t> values;
+    std::pmr::vector<std::uint32_t> value_begin{};
+    std::pmr::vector<std::uint32_t> values{};
 };
 
 struct WorkTile {
@@ -154,6 +156,7 @@ struct SurfaceContent {
 };
 
 struct WorkBin {
+    std::vector<std::shared_ptr<ChunkMemory>> memory; // of the batches; goes after them
     std::vector<WorkDraw> draws;
     std::vector<HostTransfer> transfers;                         // in their order
     std::vector<std::shared_ptr<const SurfaceContent>> contents; // with values; in their order

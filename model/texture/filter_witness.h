@@ -10,7 +10,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 namespace ffgpu {
 
@@ -23,12 +22,12 @@ struct SampledFragment {
 // Where reads and accesses are told; both may be null.
 struct FilterWitness {
     TexelObserver* observer = nullptr;
-    std::vector<TexelAccess>* accesses = nullptr;
+    TexelFootprints* footprints = nullptr;
     unsigned lane = 0;
     std::uint32_t probe_weight = 1; // of the next probe, in the mean of all
 
     FilterWitness weighted(std::uint32_t weight) const {
-        return {observer, accesses, lane, weight};
+        return {observer, footprints, lane, weight};
     }
 
     void begin_probe(const SampledFragment& at, std::uint8_t next_level = 0) const {
@@ -41,7 +40,7 @@ struct FilterWitness {
     }
 
     void tell(const TexelAccess& access, const std::array<AxisTexels, 3>& axes) const {
-        if (accesses) accesses->push_back(access);
+        if (footprints) footprints->add(access);
         if (observer) observer->level(access, axes);
     }
 };

@@ -19,11 +19,6 @@ HWY_BEFORE_NAMESPACE();
 namespace ffgpu::HWY_NAMESPACE {
 namespace {
 
-// An access is four words on a little endian host.
-static_assert(sizeof(TexelAccess) == 16 && offsetof(TexelAccess, level) == 2 &&
-              offsetof(TexelAccess, linear) == 3 && offsetof(TexelAccess, x0) == 4 &&
-              offsetof(TexelAccess, y0) == 8 && offsetof(TexelAccess, layer0) == 12);
-
 // The level and filter of a vector of fragments, and which filters the batch has at all.
 struct Pass {
     VI level;
@@ -54,36 +49,37 @@ HWY_INLINE VI index_word(const TextureUnit& unit, unsigned axis, VF coordinate, 
     return hn::IfThenElse(pass.linear, filter_word<true>(unit, axis, folded, at), nearest);
 }
 
-HWY_INLINE VI head_word(const TextureUnit& unit, unsigned lane, const Pass& pass) {
+// AccessPlane::heads
+HWY_INLINE void record_heads(const TextureUnit& unit, const Pass& pass, std::uint16_t* to) {
     const VI axes = constant((1 << unit.dimensions) - 1);
     const VI linear = hn::IfThenElseZero(pass.linear, axes);
-    const VI lanes = hn::Iota(DI(), static_cast<std::int32_t>(lane));
-    return hn::Or(lanes, hn::Or(hn::ShiftLeft<16>(pass.level), hn::ShiftLeft<24>(linear)));
+    const hn::Rebind<std::uint16_t, DI> d;
+    hn::StoreU(hn::DemoteTo(d, hn::Or(pass.level, hn::ShiftLeft<8>(linear))), d, to);
 }
 
 HWY_INLINE void record(const TextureUnit& unit,
                        const FilterInputs& in,
                        unsigned lane,
                        const Pass& pass,
-                       TexelAccess* out) {
+                       AccessPlane& out) {
+    using Words = AccessPlane::Words;
+    constexpr Words Axes[]{Words::X, Words::Y, Words::Layers};
     const float* planes[3] = {
         in.coordinates->s.data(), in.coordinates->t.data(), in.coordinates->r.data()};
-    VI words[3] = {hn::Zero(DI()), hn::Zero(DI()), hn::Zero(DI())};
+    const auto store = [&](Words which, VI words) {
+        hn::StoreU(hn::BitCast(DU(), words), DU(), out.words(which) + lane);
+    };
     for (unsigned axis = 0; axis < unit.dimensions; ++axis)
-        words[axis] = index_word(unit, axis, hn::Load(DF(), planes[axis] + lane), pass);
+        store(Axes[axis], index_word(unit, axis, hn::Load(DF(), planes[axis] + lane), pass));
+    if (unit.dimensions < 2) store(Words::Y, hn::Zero(DI()));
     if (unit.kind == TextureKind::Cube) {
         const VI face = hn::Load(DI(), in.face + lane);
-        words[2] = hn::Or(face, hn::ShiftLeft<16>(face));
+        store(Words::Layers, hn::Or(face, hn::ShiftLeft<16>(face)));
     }
-    hn::StoreInterleaved4(head_word(unit, lane, pass),
-                          words[0],
-                          words[1],
-                          words[2],
-                          DI(),
-                          reinterpret_cast<std::int32_t*>(out + lane));
+    record_heads(unit, pass, out.heads() + lane);
 }
 
-void record_accesses(const TextureUnit& unit, const FilterInputs& in, AccessBatch& out) {
+void record_accesses(const TextureUnit& unit, const FilterInputs& in, const AccessPlanes& out) {
     const auto step = static_cast<unsigned>(hn::Lanes(DI()));
     const SamplingBatch& sampling = *in.sampling;
     const VI byte = constant(0xff);
@@ -93,10 +89,10 @@ void record_accesses(const TextureUnit& unit, const FilterInputs& in, AccessBatc
                   hn::TestBit(choice, constant(SamplingBatch::LinearBit)),
                   sampling.any_linear(),
                   sampling.any_nearest()};
-        record(unit, in, lane, pass, out.level.data());
-        if (!sampling.any_weight()) continue;
+        record(unit, in, lane, pass, *out.level);
+        if (!out.next_level) continue;
         pass.level = hn::And(hn::ShiftRight<8>(choice), byte);
-        record(unit, in, lane, pass, out.next_level.data());
+        record(unit, in, lane, pass, *out.next_level);
     }
 }
 
@@ -110,7 +106,7 @@ namespace {
 HWY_EXPORT(record_accesses);
 } // namespace
 
-void record_batch(const TextureUnit& unit, const FilterInputs& inputs, AccessBatch& out) {
+void record_batch(const TextureUnit& unit, const FilterInputs& inputs, const AccessPlanes& out) {
     HWY_DYNAMIC_DISPATCH(record_accesses)(unit, inputs, out);
 }
 

@@ -183,9 +183,8 @@ void sample_scalar(const TextureUnit& unit,
         for (unsigned i = 0; i < 4; ++i) {
             const unsigned lane = 4 * q + i;
             const bool told = quads.live.test(lane);
-            const FilterWitness witness{told ? observer : nullptr,
-                                        told && footprints ? &footprints->accesses : nullptr,
-                                        lane};
+            const FilterWitness witness{
+                told ? observer : nullptr, told ? footprints : nullptr, lane};
             store(out, lane, filter_fragment(unit, quad.fragments[i], quad.sampling, witness));
         }
     }

@@ -75,57 +75,61 @@ struct ProbeMean {
     }
 };
 
-// Where one probe's accesses are in memory: batch-sized, so kept apart from the usual case of one.
-struct AccessLog {
-    AccessBatch first;
-    std::vector<AccessBatch> others;
-
-    AccessBatch& probe(unsigned i) {
-        if (i == 0) return first;
-        if (others.size() < i) others.resize(i);
-        return others[i - 1];
-    }
-};
-
-// The accesses of one lane: probe after probe, of each the finer level first.
-TexelAccess*
-append_lane(const SamplingBatch& sampling, AccessLog& log, unsigned lane, TexelAccess* to) {
-    const bool two_levels = (sampling.choice[lane] >> 16 & 0xff) != 0;
-    const unsigned count = sampling.max_probes > 1 ? sampling.probes[lane / 4] : 1;
-    for (unsigned i = 0; i < count; ++i) {
-        const AccessBatch& accesses = log.probe(i);
-        *to++ = accesses.level[lane];
-        if (two_levels) *to++ = accesses.next_level[lane];
-    }
-    return to;
+// Of `live` the lanes whose next level counts.
+FragmentMask
+weighted_lanes(const SamplingBatch& sampling, unsigned quads, const FragmentMask& live) {
+    FragmentMask mask;
+    for (unsigned lane = 0; lane < 4 * quads; ++lane)
+        mask.words[lane / 64] |= std::uint64_t{(sampling.choice[lane] >> 16 & 0xff) != 0}
+                                 << lane % 64;
+    for (std::size_t i = 0; i < mask.words.size(); ++i)
+        mask.words[i] &= live.words[i];
+    return mask;
 }
 
-// Appends the live lanes' accesses in order. The vector is made as long as it can get, filled, and
-// cut.
-void append_accesses(const SamplingBatch& sampling,
-                     AccessLog& log,
-                     const FragmentMask& live,
-                     unsigned quad_count,
-                     std::vector<TexelAccess>& out) {
-    const std::size_t begin = out.size();
-    const unsigned levels = sampling.any_weight() ? 2 : 1;
-    const bool one_each = levels == 1 && sampling.max_probes == 1;
-    out.resize(begin + std::size_t{4} * quad_count * levels * sampling.max_probes);
-    TexelAccess* to = out.data() + begin;
-    for (unsigned quad = 0; quad < quad_count; ++quad) {
-        const unsigned lanes = live.quad(quad);
-        if (one_each && lanes == 0xf) {
-            to = std::copy_n(log.first.level.data() + 4 * quad, 4, to);
-            continue;
-        }
-        for (unsigned i = 0; i < 4; ++i)
-            if (lanes >> i & 1) to = append_lane(sampling, log, 4 * quad + i, to);
+// Of `live` those that have a probe `i`, counted from 0.
+FragmentMask
+probed_lanes(const SamplingBatch& sampling, unsigned i, unsigned quads, const FragmentMask& live) {
+    FragmentMask mask = live;
+    for (unsigned quad = 0; quad < quads; ++quad)
+        if (i >= sampling.probes[quad])
+            mask.words[quad / 16] &= ~(std::uint64_t{0xf} << 4 * (quad % 16));
+    return mask;
+}
+
+// Appends what the batch's live lanes read in their probe `i`, of each the finer level first.
+void append_accesses(const TextureUnit& unit,
+                     const FilterInputs& inputs,
+                     const FragmentMask& alive,
+                     unsigned i,
+                     std::pmr::vector<AccessPlane>& planes) {
+    const SamplingBatch& sampling = *inputs.sampling;
+    const unsigned quads = inputs.quad_count;
+    FragmentMask live = alive;
+    if (sampling.max_probes > 1) live = probed_lanes(sampling, i, quads, alive);
+    if (!live.any()) return;
+    FragmentMask blended;
+    if (sampling.any_weight()) blended = weighted_lanes(sampling, quads, live);
+    const bool has_layers = unit.kind == TextureKind::Cube || unit.dimensions > 2;
+    const std::size_t levels = blended.any() ? 2 : 1;
+    planes.reserve(planes.size() + levels);
+    const AccessPlane::Memory memory = planes.get_allocator().resource();
+    AccessPlanes out;
+    out.level = &planes.emplace_back(grouped_quads(quads), has_layers, memory);
+    out.level->lanes = live;
+    if (levels > 1) {
+        out.next_level = &planes.emplace_back(grouped_quads(quads), has_layers, memory);
+        out.next_level->lanes = blended;
     }
-    out.resize(static_cast<std::size_t>(to - out.data()));
+    record_batch(unit, inputs, out);
 }
 
 // One filter pass for each probe, and the mean of what they give.
-void filter_probes(const TextureUnit& unit, FilterInputs inputs, ColorPlanes& out, AccessLog* log) {
+void filter_probes(const TextureUnit& unit,
+                   FilterInputs inputs,
+                   const FragmentMask& live,
+                   ColorPlanes& out,
+                   TexelFootprints* footprints) {
     const SamplingBatch& sampling = *inputs.sampling;
     const unsigned lanes = 4 * grouped_quads(inputs.quad_count);
     ProbeMean mean;
@@ -136,7 +140,7 @@ void filter_probes(const TextureUnit& unit, FilterInputs inputs, ColorPlanes& ou
         move_batch(unit, middle, sampling, i, lanes, moved);
         filter_batch(unit, inputs, out);
         mean.add(out, sampling, i, lanes);
-        if (log) record_batch(unit, inputs, log->probe(i - 1));
+        if (footprints) append_accesses(unit, inputs, live, i - 1, footprints->planes);
     }
     mean.store(sampling, lanes, out);
 }
@@ -196,14 +200,12 @@ void sample(const TextureUnit& unit,
                               projected.face.data(),
                               &sampling,
                               quads.count};
-    AccessLog log;
     if (sampling.max_probes > 1) {
-        filter_probes(unit, inputs, out, footprints ? &log : nullptr);
+        filter_probes(unit, inputs, quads.live, out, footprints);
     } else {
         filter_batch(unit, inputs, out);
-        if (footprints) record_batch(unit, inputs, log.first);
+        if (footprints) append_accesses(unit, inputs, quads.live, 0, footprints->planes);
     }
-    if (footprints) append_accesses(sampling, log, quads.live, quads.count, footprints->accesses);
 }
 
 } // namespace ffgpu

@@ -79,11 +79,12 @@ bool can_filter_batches();
 // Writes whole groups of quads.
 void filter_batch(const TextureUnit& unit, const FilterInputs& inputs, ColorPlanes& out);
 
-// The accesses that filter_batch makes, one for each lane: to the level, and to the next level,
-// which counts where the choice has a weight.
-struct AccessBatch {
-    alignas(64) std::array<TexelAccess, BatchFragments> level, next_level;
+// The accesses that filter_batch makes, one for each lane of whole groups of quads: to the level,
+// and to the next level, which counts where the choice has a weight; null: for nobody.
+struct AccessPlanes {
+    AccessPlane* level = nullptr;
+    AccessPlane* next_level = nullptr;
 };
-void record_batch(const TextureUnit& unit, const FilterInputs& inputs, AccessBatch& out);
+void record_batch(const TextureUnit& unit, const FilterInputs& inputs, const AccessPlanes& out);
 
 } // namespace ffgpu

@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace ffgpu::work {
 
@@ -51,15 +50,14 @@ inline void put_access(const TexelAccess& access, AccessForecast& forecast, Acce
     forecast.take(access);
 }
 
-// The accesses of some quads: of each quad and unit those from `begin` to the next.
-struct QuadAccesses {
-    const TexelAccess* accesses;
-    std::span<const std::uint32_t> begin; // the last is the end
-    std::span<const std::uint8_t> units;
+// Some quads of a command.
+struct QuadRange {
+    const WholeCommand& command;
+    std::size_t first, count;
 };
 
-// Writes them, and how many each quad has in each unit; returns the ends. There is room for
-// the most that they may take.
-AccessCursors put_accesses(const QuadAccesses& quads, AccessForecast& forecast, AccessCursors to);
+// Writes their accesses, and how many each quad has in each unit; returns the ends. There is room
+// for the most that they may take.
+AccessCursors put_accesses(const QuadRange& quads, AccessForecast& forecast, AccessCursors to);
 
 } // namespace ffgpu::work

@@ -15,6 +15,19 @@ QuadSource source(const WorkQuad& quad, std::uint32_t batch, std::uint32_t numbe
     return {std::uint64_t{quad.piece} << 32 | place, batch, number};
 }
 
+// Calls each(primitive, first, end) for quads of one primitive that stand side by side. Numbers
+// that are counted up in memory quad by quad would each wait for the one before.
+template <class Each>
+void for_each_run(std::span<const WorkQuad> quads, Each&& each) {
+    for (std::size_t first = 0, end = 0; first < quads.size(); first = end) {
+        const std::uint32_t primitive = quads[first].primitive;
+        do
+            ++end;
+        while (end < quads.size() && quads[end].primitive == primitive);
+        each(primitive, first, end);
+    }
+}
+
 void number_image_pieces(std::span<QuadSource> sources) {
     constexpr std::uint64_t OnePiece = std::uint64_t{1} << 32;
     for (std::size_t i = 1; i < sources.size(); ++i)
@@ -34,17 +47,22 @@ std::span<const QuadSource> CanonicalOrder::of(std::span<const WorkBatch* const>
                                                bool is_image) {
     begin_.clear();
     for (const WorkBatch* const batch : batches)
-        for (const WorkQuad& quad : batch->quads) {
-            if (quad.primitive + std::size_t{2} > begin_.size())
-                begin_.resize(quad.primitive + std::size_t{2}, 0);
-            ++begin_[quad.primitive + 1];
-        }
+        for_each_run(batch->quads,
+                     [&](std::uint32_t primitive, std::size_t first, std::size_t end) {
+                         if (primitive + std::size_t{2} > begin_.size())
+                             begin_.resize(primitive + std::size_t{2}, 0);
+                         begin_[primitive + 1] += static_cast<std::uint32_t>(end - first);
+                     });
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     sources_.resize(begin_.empty() ? 0 : begin_.back());
     for (std::uint32_t batch = 0; batch < batches.size(); ++batch) {
-        std::uint32_t number = 0;
-        for (const WorkQuad& quad : batches[batch]->quads)
-            sources_[begin_[quad.primitive]++] = source(quad, batch, number++);
+        const std::span<const WorkQuad> quads = batches[batch]->quads;
+        for_each_run(quads, [&](std::uint32_t primitive, std::size_t first, std::size_t end) {
+            QuadSource* to = sources_.data() + begin_[primitive];
+            for (std::size_t i = first; i < end; ++i)
+                *to++ = source(quads[i], batch, static_cast<std::uint32_t>(i));
+            begin_[primitive] += static_cast<std::uint32_t>(end - first);
+        });
     }
     std::uint32_t first = 0;
     for (const std::uint32_t end : begin_) {

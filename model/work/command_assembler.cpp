@@ -15,43 +15,51 @@ void append_values(const WorkBatch& batch, std::uint32_t quad, WholeCommand& who
     whole.value_begin.push_back(static_cast<std::uint32_t>(whole.values.size()));
 }
 
-std::size_t count_accesses(std::span<const WorkBatch* const> batches) {
-    std::size_t accesses = 0;
-    for (const WorkBatch* const batch : batches)
-        for (const TexelFootprints& unit : batch->textures)
-            accesses += unit.accesses.size();
-    return accesses;
-}
-
 std::vector<std::uint8_t> units_of(std::span<const WorkBatch* const> batches) {
     std::array<bool, TextureUnits> used{};
     for (const WorkBatch* const batch : batches)
         for (const TexelFootprints& unit : batch->textures)
-            used[unit.unit] = used[unit.unit] || !unit.accesses.empty();
+            used[unit.unit] = used[unit.unit] || !unit.empty();
     std::vector<std::uint8_t> units;
     for (std::uint8_t unit = 0; unit < TextureUnits; ++unit)
         if (used[unit]) units.push_back(unit);
     return units;
 }
 
+void add_footprints(std::span<const WorkBatch* const> batches, WholeCommand& whole) {
+    const std::size_t units = whole.units.size();
+    std::array<std::size_t, TextureUnits> place{};
+    for (std::size_t i = 0; i < units; ++i)
+        place[whole.units[i]] = i;
+    whole.footprints.resize(batches.size() * units);
+    const TexelFootprints** of_batch = whole.footprints.data();
+    for (const WorkBatch* const batch : batches) {
+        for (const TexelFootprints& unit : batch->textures)
+            if (!unit.empty()) of_batch[place[unit.unit]] = &unit;
+        of_batch += units;
+    }
+}
+
 } // namespace
 
-void CommandAssembler::draw(const WorkDraw& draw, std::span<const WorkBatch* const> batches) {
+void CommandAssembler::draw(const WorkDraw& draw, const DrawParts& parts) {
+    const auto& batches = parts.batches;
     auto whole = std::make_shared<WholeCommand>();
     whole->draw = draw;
     whole->units = units_of(batches);
     const auto sources = order_.of(batches, draw.kind == WorkKind::Image);
-    whole->quads.resize(sources.size());
-    WorkQuad* quad = whole->quads.data();
-    for (const QuadSource& source : sources) {
-        *quad = batches[source.batch]->quads[source.quad];
-        quad++->piece = source.piece();
-    }
-    whole->access_begin.resize(sources.size() * whole->units.size() + 1);
+    whole->quads.reserve(sources.size());
+    for (const QuadSource& source : sources)
+        whole->quads.push_back(batches[source.batch]->quads[source.quad]);
+    if (draw.kind == WorkKind::Image)
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            whole->quads[i].piece = sources[i].piece();
     if (!whole->units.empty()) {
-        index_.build(batches, whole->units);
-        whole->accesses.resize(count_accesses(batches));
-        copy_accesses(sources, *whole);
+        whole->bins = parts.bins;
+        add_footprints(batches, *whole);
+        whole->sources.reserve(sources.size());
+        for (const QuadSource& source : sources)
+            whole->sources.push_back({source.batch, source.quad});
     }
     if (!sources.empty() && !batches[0]->value_begin.empty()) {
         whole->value_begin.push_back(0);
@@ -59,22 +67,6 @@ void CommandAssembler::draw(const WorkDraw& draw, std::span<const WorkBatch* con
             append_values(*batches[source.batch], source.quad, *whole);
     }
     out_.command(std::move(whole));
-}
-
-// With lanes counted in the quad.
-void CommandAssembler::copy_accesses(std::span<const QuadSource> sources,
-                                     WholeCommand& whole) const {
-    const std::size_t units = whole.units.size();
-    TexelAccess* to = whole.accesses.data();
-    std::uint32_t* begin = whole.access_begin.data() + 1;
-    for (const QuadSource& source : sources)
-        for (std::size_t unit = 0; unit < units; ++unit) {
-            for (TexelAccess access : index_.of(source.batch, source.quad, unit)) {
-                access.lane %= 4;
-                *to++ = access;
-            }
-            *begin++ = static_cast<std::uint32_t>(to - whole.accesses.data());
-        }
 }
 
 } // namespace ffgpu::work

@@ -3,13 +3,11 @@
 
 #pragma once
 
-#include "model/work/access_index.h"
 #include "model/work/canonical_order.h"
 #include "model/work/draw_gatherer.h"
 #include "model/work/whole_command.h"
 
 #include <memory>
-#include <span>
 
 namespace ffgpu::work {
 
@@ -23,17 +21,14 @@ public:
     void end_frame(std::uint32_t frame) override { out_.end_frame(frame); }
 
 private:
-    void draw(const WorkDraw& draw, std::span<const WorkBatch* const> batches) override;
+    void draw(const WorkDraw& draw, const DrawParts& parts) override;
     void content(const std::shared_ptr<const SurfaceContent>& content) override {
         out_.content(content);
     }
     void host_transfer(const HostTransfer& transfer) override { out_.host_transfer(transfer); }
 
-    void copy_accesses(std::span<const QuadSource> sources, WholeCommand& whole) const;
-
     CommandSink& out_;
     CanonicalOrder order_;
-    AccessIndex index_;
     DrawGatherer gatherer_;
 };
 

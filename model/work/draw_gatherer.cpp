@@ -7,7 +7,7 @@
 namespace ffgpu::work {
 
 void DrawGatherer::bin(std::shared_ptr<const WorkBin> bin) {
-    std::vector<Parts> parts(bin->draws.size());
+    std::vector<DrawParts> parts(bin->draws.size());
     if (!begun_.bins.empty()) {
         check(!parts.empty(), "a bin that goes on with a draw holds the draw");
         parts[0] = std::exchange(begun_, {});
@@ -25,12 +25,12 @@ void DrawGatherer::bin(std::shared_ptr<const WorkBin> bin) {
         transfers_before(i);
         for (; content != bin->contents.end() && (*content)->before_draw <= i; ++content)
             out_.content(*content);
+        parts[i].bins.push_back(bin);
         if (bin->last_draw_goes_on && i + 1 == parts.size()) {
             begun_ = std::move(parts[i]);
-            begun_.bins.push_back(bin);
             return;
         }
-        out_.draw(bin->draws[i], parts[i].batches);
+        out_.draw(bin->draws[i], parts[i]);
         parts[i] = {};
     }
     transfers_before(parts.size());

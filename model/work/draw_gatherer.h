@@ -8,17 +8,21 @@
 #include "model/packets/work_stream.h"
 
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace ffgpu::work {
+
+// The batches of one draw, tile after tile of each bin, and the bins, which keep them alive.
+struct DrawParts {
+    std::vector<std::shared_ptr<const WorkBin>> bins;
+    std::vector<const WorkBatch*> batches;
+};
 
 // In the order of the commands, from one thread.
 class DrawSink {
 public:
     virtual ~DrawSink() = default;
-    // The batches are tile after tile, of each bin.
-    virtual void draw(const WorkDraw& draw, std::span<const WorkBatch* const> batches) = 0;
+    virtual void draw(const WorkDraw& draw, const DrawParts& parts) = 0;
     virtual void content(const std::shared_ptr<const SurfaceContent>& content) = 0;
     virtual void host_transfer(const HostTransfer& transfer) = 0;
     virtual void end_frame(std::uint32_t frame) = 0;
@@ -33,14 +37,8 @@ public:
     void end_frame(std::uint32_t frame) override { out_.end_frame(frame); }
 
 private:
-    // The batches of one draw, a bin's after the other; they keep their bins alive.
-    struct Parts {
-        std::vector<std::shared_ptr<const WorkBin>> bins;
-        std::vector<const WorkBatch*> batches;
-    };
-
     DrawSink& out_;
-    Parts begun_; // of the draw that goes on
+    DrawParts begun_; // of the draw that goes on
 };
 
 } // namespace ffgpu::work

@@ -17,8 +17,9 @@ public:
     static constexpr std::size_t MostQuads = 64; // at a time
 
     // The bytes that `count` quads from `first` on take at most.
-    static std::size_t
-    most_bytes(const WholeCommand& command, std::size_t first, std::size_t count);
+    std::size_t most_bytes(const WholeCommand& command, std::size_t first, std::size_t count) const;
+    // Before the first quad of a command.
+    void begin(const WholeCommand& command);
 
     void
     write(const WholeCommand& command, std::size_t first, std::size_t count, ColumnWriter& columns);
@@ -30,6 +31,7 @@ private:
                         ColumnWriter& columns);
 
     AccessForecast forecast_;
+    std::size_t most_accesses_ = 0; // of a quad of the command
     ValueColumnWriter values_;
 };
 

@@ -4,7 +4,9 @@
 
 #include "model/packets/work_stream.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace ffgpu::work {
 
@@ -36,17 +38,19 @@ constexpr std::uint16_t whole_samples(unsigned lanes) {
     return static_cast<std::uint16_t>(bits);
 }
 
-inline bool masks_are(const WorkQuad& quad, std::uint8_t early, std::uint8_t written) {
-    return quad.after_early_depth == early && quad.after_coverage == written &&
-           quad.after_alpha == written && quad.after_stencil == written &&
-           quad.after_depth == written;
-}
-
+// The masks as the lowest bytes of one word: they are compared at once.
 inline QuadFate fate_of(const WorkQuad& quad) {
-    if (masks_are(quad, quad.covered, quad.covered)) return QuadFate::AllWritten;
-    if (masks_are(quad, 0, 0)) return QuadFate::DeadEarly;
-    if (masks_are(quad, quad.after_early_depth, quad.after_early_depth))
-        return QuadFate::SurvivorsWrite;
+    constexpr std::uint64_t Each = 0x010101010101, All = 0xffffffffffff;
+    static_assert(offsetof(WorkQuad, after_depth) == offsetof(WorkQuad, covered) + 5 &&
+                  sizeof(WorkQuad) >= offsetof(WorkQuad, covered) + sizeof(std::uint64_t));
+    std::uint64_t masks;
+    std::memcpy(&masks,
+                reinterpret_cast<const std::byte*>(&quad) + offsetof(WorkQuad, covered),
+                sizeof masks);
+    masks &= All;
+    if (masks == quad.covered * Each) return QuadFate::AllWritten;
+    if (masks >> 8 == 0) return QuadFate::DeadEarly;
+    if (masks >> 8 == (quad.after_early_depth * Each & All) >> 8) return QuadFate::SurvivorsWrite;
     return QuadFate::Other;
 }
 

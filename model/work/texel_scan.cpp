@@ -33,9 +33,9 @@ TexelScan::TexelScan(const WorkConfig& config, LookupSink& out)
 
 // --- The commands --------------------------------------------------------------------------------
 
-void TexelScan::draw(const WorkDraw& draw, std::span<const WorkBatch* const> batches) {
+void TexelScan::draw(const WorkDraw& draw, const DrawParts& parts) {
     if (!begin(draw)) return;
-    for (const WorkBatch* const batch : batches) {
+    for (const WorkBatch* const batch : parts.batches) {
         drawn_texels_.add(batch->quads);
         add(*batch);
     }
@@ -118,18 +118,12 @@ void TexelScan::end_frame(std::uint32_t frame) {
 // --- The quads of a draw -------------------------------------------------------------------------
 
 void TexelScan::add(const WorkBatch& batch) {
-    std::array<const TexelAccess*, TextureUnits> next{};
-    for (std::size_t i = 0; i < batch.textures.size(); ++i)
-        next[i] = batch.textures[i].accesses.data();
-    for (std::size_t number = 0; number < batch.quads.size(); ++number) {
+    for (std::uint32_t number = 0; number < batch.quads.size(); ++number) {
         const unsigned lanes = test_.after_early_test(batch.quads[number]);
         lines_of_quad_.begin_quad();
-        for (std::size_t i = 0; i < batch.textures.size(); ++i) {
-            const TexelFootprints& unit = batch.textures[i];
-            const TexelAccess* const end = unit.accesses.data() + unit.accesses.size();
-            for (; next[i] != end && next[i]->lane / 4u == number; ++next[i])
-                add(*next[i], lanes, *textures_[unit.unit]);
-        }
+        for (const TexelFootprints& unit : batch.textures)
+            for (const TexelAccess& access : unit.of_quad(number))
+                add(access, lanes, *textures_[unit.unit]);
         end_quad(batch.quads[number]);
     }
 }

@@ -31,7 +31,7 @@ public:
 
     TexelScan(const WorkConfig& config, LookupSink& out);
 
-    void draw(const WorkDraw& draw, std::span<const WorkBatch* const> batches) override;
+    void draw(const WorkDraw& draw, const DrawParts& parts) override;
     void command(std::shared_ptr<const WholeCommand> command) override;
     void content(const std::shared_ptr<const SurfaceContent>& content) override;
     void host_transfer(const HostTransfer& transfer) override;
@@ -56,7 +56,7 @@ private:
     void place_others(const WorkDraw& draw);
     void add(const WorkBatch& batch);
     void add(const TexelAccess& access, unsigned lanes, const TextureLines& texture) {
-        if (lanes >> access.lane % 4u & 1) lines_of_quad_.add(texture, access);
+        if (lanes >> access.lane & 1) lines_of_quad_.add(texture, access);
     }
     void end_quad(const WorkQuad& quad);
     void add_to_runs(std::uint32_t quad);

@@ -13,24 +13,36 @@
 
 namespace ffgpu::work {
 
+struct QuadOfBatch {
+    std::uint32_t batch = 0, quad = 0;
+};
+
 struct WholeCommand {
     WorkDraw draw;
     std::vector<WorkQuad> quads;
-    // Texture units in which the quads read, in rising order; and where the accesses of each quad
-    // and unit begin: quads x units places and the end.
+    // Texture units in which the quads read, in rising order; with any, of each quad where among
+    // the batches of the draw its accesses are, and of each batch what it read in each unit.
     std::vector<std::uint8_t> units;
-    std::vector<std::uint32_t> access_begin{0};
-    std::vector<TexelAccess> accesses; // TexelAccess::lane is 0 to 3, within the quad.
+    std::vector<QuadOfBatch> sources;
+    std::vector<const TexelFootprints*> footprints;    // null: nothing
+    std::vector<std::shared_ptr<const WorkBin>> bins;  // of the footprints
+    std::vector<std::shared_ptr<TexelFootprints>> own; // those that are in no bin
     // With WorkDetail::Values, where each quad's values begin, and the end; else empty.
     std::vector<std::uint32_t> value_begin;
     std::vector<std::uint32_t> values; // quad_values.h
 
-    // Of quad `quad` in units[unit].
-    std::span<const TexelAccess> accesses_of(std::size_t quad, std::size_t unit) const {
-        const std::size_t at = quad * units.size() + unit;
-        return std::span(accesses).subspan(access_begin[at],
-                                           access_begin[at + 1] - access_begin[at]);
+    // Of quad `quad` in units[unit]; null: nothing.
+    const TexelFootprints* footprints_of(std::size_t quad, std::size_t unit) const {
+        if (quad >= sources.size()) return nullptr;
+        const std::size_t at = sources[quad].batch * units.size() + unit;
+        return at < footprints.size() ? footprints[at] : nullptr;
     }
+    QuadReads accesses_of(std::size_t quad, std::size_t unit) const {
+        const TexelFootprints* const read = footprints_of(quad, unit);
+        return read ? read->of_quad(sources[quad].quad) : QuadReads();
+    }
+    // Of the last quad, in units[unit], with the quad's lane: for who has no batches.
+    void add_access(std::size_t unit, TexelAccess access);
 
     bool has_values() const { return !value_begin.empty(); }
     std::span<const std::uint32_t> values_of(std::size_t quad) const {

@@ -7,6 +7,7 @@
 #include "model/device/registers.h"
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -52,9 +53,15 @@ std::vector<std::string> field_names() {
 
 template <class Object>
 void field_values(const Object& object, FieldValues& values) {
-    values.clear();
+    static const std::size_t count = [&object] {
+        std::size_t fields = 0;
+        for_each_field(object, [&](const char*, FieldName, const auto&, unsigned) { ++fields; });
+        return fields;
+    }();
+    values.resize(count);
+    std::uint32_t* to = values.data();
     for_each_field(object, [&](const char*, FieldName, const auto& field, unsigned) {
-        values.push_back(field_bits(field));
+        *to++ = field_bits(field);
     });
 }
 

@@ -7,6 +7,9 @@
 namespace ffgpu::work {
 namespace {
 
+// Of a quad in one unit: an elliptic filter takes under 8500.
+constexpr std::uint64_t MostAccesses = 1 << 14;
+
 // `from + by`, in units of two pixels.
 std::uint16_t quad_place(std::int64_t from, std::int64_t by) {
     const std::int64_t place = from + by;
@@ -87,13 +90,11 @@ void WorkFileQuads::read_samples(WorkQuad& quad) {
 }
 
 void WorkFileQuads::read_accesses(WholeCommand& command) {
-    for (const std::uint8_t unit : command.units) {
-        forecast_.begin_quad(unit);
-        const std::uint64_t count = in_.number(Column::AccessCount, Most32);
+    for (std::size_t unit = 0; unit < command.units.size(); ++unit) {
+        forecast_.begin_quad(command.units[unit]);
+        const std::uint64_t count = in_.number(Column::AccessCount, MostAccesses);
         for (std::uint64_t i = 0; i < count; ++i)
-            command.accesses.push_back(read_access());
-        if (command.accesses.size() > Most32) throw DamagedItem("a draw reads too many texels");
-        command.access_begin.push_back(static_cast<std::uint32_t>(command.accesses.size()));
+            command.add_access(unit, read_access());
     }
 }
 

@@ -12,12 +12,23 @@
 namespace ffgpu::work {
 namespace {
 
-constexpr int CompressionLevel = 3;
+constexpr int CompressionLevel = 1;
+
+// What these take at most, in all columns.
+constexpr std::size_t MostOfVertex = 5, MostOfPrimitive = 12, MostOfPiece = 2 * (3 + 10) + 4 * 5;
+
+// As a column holds it, also where a box is none.
+constexpr std::uint64_t number_of(int difference) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(difference));
+}
 
 } // namespace
 
 WorkFileWriter::WorkFileWriter(const std::string& path)
-    : file_(path) {
+    : file_(path)
+    , context_(ZSTD_createCCtx()) {
+    ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_compressionLevel, CompressionLevel);
+    ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_checksumFlag, 1);
     file_.write(std::as_bytes(std::span(WorkFileMagic)));
     file_.write(std::as_bytes(std::span(&WorkFileVersion, 1)));
     field_values(Registers{}, state_values_);
@@ -25,6 +36,10 @@ WorkFileWriter::WorkFileWriter(const std::string& path)
 }
 
 WorkFileWriter::~WorkFileWriter() = default;
+
+void WorkFileWriter::FreeContext::operator()(ZSTD_CCtx* context) const {
+    ZSTD_freeCCtx(context);
+}
 
 // The lists of names by which a reader finds registers' and commands' fields.
 void WorkFileWriter::write_names() {
@@ -119,10 +134,10 @@ void WorkFileWriter::command(std::shared_ptr<const WholeCommand> command) {
 void WorkFileWriter::write_state(const std::shared_ptr<const Registers>& state) {
     columns_.byte(Column::Control, state != nullptr);
     if (!state) return;
-    values_ = state_values_;
-    if (state != state_) field_values(*state, values_);
+    if (state == state_) return columns_.number(Column::Control, 0);
     state_ = state;
-    std::size_t changes = 0;
+    field_values(*state, values_);
+    std::uint32_t changes = 0;
     for (std::size_t i = 0; i < values_.size(); ++i)
         changes += values_[i] != state_values_[i];
     columns_.number(Column::Control, changes);
@@ -134,7 +149,7 @@ void WorkFileWriter::write_state(const std::shared_ptr<const Registers>& state) 
         last = i;
         --changes;
     }
-    state_values_ = values_;
+    std::swap(state_values_, values_);
 }
 
 void WorkFileWriter::write_geometry(const GeometryWork& geometry) {
@@ -142,50 +157,91 @@ void WorkFileWriter::write_geometry(const GeometryWork& geometry) {
         geometry, [this](const auto& value) { columns_.number(Column::Control, value); });
     columns_.number(Column::Control, geometry.vertices.size());
     std::uint32_t last = ~0u; // The first step from here to 0 is 1.
-    for (const std::uint32_t vertex : geometry.vertices) {
+    for (auto rest = std::span(geometry.vertices); !rest.empty();) {
         begin_item(Item::Vertex);
-        columns_.difference(Column::Vertex, static_cast<std::int32_t>(vertex - last - 1u));
-        last = vertex;
+        const std::size_t count = items_of_block(rest.size(), MostOfVertex);
+        std::uint8_t* to = columns_.room(Column::Vertex, count * MostOfVertex);
+        for (const std::uint32_t vertex : rest.first(count)) {
+            to = put_number(to, zigzag(static_cast<std::int32_t>(vertex - last - 1u)));
+            last = vertex;
+        }
+        columns_.written(Column::Vertex, to);
+        items_ += static_cast<std::uint32_t>(count - 1);
+        rest = rest.subspan(count);
     }
     write_primitives(geometry);
+}
+
+// Of `left` items that are at hand, and take so many bytes at most, some that surely belong to the
+// block.
+std::size_t WorkFileWriter::items_of_block(std::size_t left, std::size_t most_bytes) const {
+    const std::size_t count = std::min(left, QuadColumnWriter::MostQuads);
+    return columns_.bytes() + count * most_bytes < BlockBytes ? count : 1;
 }
 
 void WorkFileWriter::write_primitives(const GeometryWork& geometry) {
     columns_.number(Column::Control, geometry.primitives.size());
     PrimitiveWork before{.key = ~0u};
-    auto piece = geometry.pieces.begin();
-    for (const PrimitiveWork& primitive : geometry.primitives) {
-        check(primitive.key - before.key <= 1, "keys count the primitives");
+    const PieceBox* piece = geometry.pieces.data();
+    for (auto rest = std::span(geometry.primitives); !rest.empty();) {
         begin_item(Item::Primitive);
-        columns_.number(Column::Assembly, primitive.last_vertex - before.last_vertex);
-        const bool clipped = primitive.planes != 0;
-        const bool usual = primitive.pieces == (primitive.fate == PrimitiveFate::Drawn ? 1u : 0u);
-        columns_.byte(Column::Outcome,
-                      static_cast<std::uint8_t>(static_cast<unsigned>(primitive.fate) |
-                                                (primitive.key != before.key ? OutcomeNextKey : 0) |
-                                                (clipped ? OutcomeClipped : 0) |
-                                                (usual ? 0 : OutcomePieces)));
-        if (clipped) columns_.byte(Column::Outcome, primitive.planes);
-        if (!usual) columns_.number(Column::Outcome, primitive.pieces);
-        for (std::uint32_t i = 0; i < primitive.pieces; ++i)
-            write_piece(*piece++);
-        before = primitive;
+        std::size_t pieces = 0, count = 0;
+        while (count < std::min(rest.size(), QuadColumnWriter::MostQuads))
+            pieces += rest[count++].pieces;
+        if (columns_.bytes() + count * MostOfPrimitive + pieces * MostOfPiece >= BlockBytes) {
+            count = 1;
+            pieces = rest[0].pieces;
+        }
+        write_assembly(rest.first(count), before);
+        write_pieces({piece, pieces});
+        before = rest[count - 1];
+        piece += pieces;
+        items_ += static_cast<std::uint32_t>(count - 1);
+        rest = rest.subspan(count);
     }
 }
 
-void WorkFileWriter::write_piece(const PieceBox& box) {
-    columns_.difference(Column::PieceX, box.x0 - box_.x0);
-    columns_.number(Column::PieceX, box.x1 - box.x0);
-    columns_.difference(Column::PieceY, box.y0 - box_.y0);
-    columns_.number(Column::PieceY, box.y1 - box.y0);
-    columns_.number(Column::PieceWork, box.touched_blocks);
-    columns_.number(Column::PieceWork, box.planes);
-    columns_.number(Column::PieceWork, box.values);
-    columns_.number(Column::PieceWork, box.divisors * 4u + box.perspective * 2u + box.handed_on);
-    box_ = box;
+void WorkFileWriter::write_assembly(std::span<const PrimitiveWork> primitives,
+                                    PrimitiveWork before) {
+    std::uint8_t* assembly = columns_.room(Column::Assembly, primitives.size() * MostOfPrimitive);
+    std::uint8_t* outcome = columns_.room(Column::Outcome, primitives.size() * MostOfPrimitive);
+    for (const PrimitiveWork& primitive : primitives) {
+        check(primitive.key - before.key <= 1, "keys count the primitives");
+        assembly = put_number(assembly, primitive.last_vertex - before.last_vertex);
+        const bool clipped = primitive.planes != 0;
+        const bool usual = primitive.pieces == (primitive.fate == PrimitiveFate::Drawn ? 1u : 0u);
+        *outcome++ =
+            static_cast<std::uint8_t>(static_cast<unsigned>(primitive.fate) |
+                                      (primitive.key != before.key ? OutcomeNextKey : 0) |
+                                      (clipped ? OutcomeClipped : 0) | (usual ? 0 : OutcomePieces));
+        if (clipped) *outcome++ = primitive.planes;
+        if (!usual) outcome = put_number(outcome, primitive.pieces);
+        before = primitive;
+    }
+    columns_.written(Column::Assembly, assembly);
+    columns_.written(Column::Outcome, outcome);
+}
+
+void WorkFileWriter::write_pieces(std::span<const PieceBox> pieces) {
+    std::uint8_t* x = columns_.room(Column::PieceX, pieces.size() * MostOfPiece);
+    std::uint8_t* y = columns_.room(Column::PieceY, pieces.size() * MostOfPiece);
+    std::uint8_t* work = columns_.room(Column::PieceWork, pieces.size() * MostOfPiece);
+    for (const PieceBox& box : pieces) {
+        x = put_number(put_number(x, zigzag(box.x0 - box_.x0)), number_of(box.x1 - box.x0));
+        y = put_number(put_number(y, zigzag(box.y0 - box_.y0)), number_of(box.y1 - box.y0));
+        work = put_number(work, box.touched_blocks);
+        work = put_number(work, box.planes);
+        work = put_number(work, box.values);
+        work = put_number(work, box.divisors * 4u + box.perspective * 2u + box.handed_on);
+        box_ = box;
+    }
+    columns_.written(Column::PieceX, x);
+    columns_.written(Column::PieceY, y);
+    columns_.written(Column::PieceWork, work);
 }
 
 void WorkFileWriter::write_quads(const WholeCommand& command) {
+    quads_out_.begin(command);
     for (std::size_t i = 0; i < command.quads.size();) {
         begin_item(Item::Quad);
         const std::size_t count = quads_of_block(command, i);
@@ -198,36 +254,32 @@ void WorkFileWriter::write_quads(const WholeCommand& command) {
 // From `first` on, some that surely belong to the block at hand.
 std::size_t WorkFileWriter::quads_of_block(const WholeCommand& command, std::size_t first) const {
     const std::size_t count = std::min(command.quads.size() - first, QuadColumnWriter::MostQuads);
-    const std::size_t most = QuadColumnWriter::most_bytes(command, first, count);
+    const std::size_t most = quads_out_.most_bytes(command, first, count);
     return columns_.bytes() + most < BlockBytes ? count : 1;
 }
 
 void WorkFileWriter::write_block(BlockKind kind) {
-    std::vector<std::uint8_t> raw;
+    raw_.clear();
     for (std::size_t i = 0; i < ColumnCount; ++i) {
         const auto bytes = static_cast<std::uint32_t>(columns_.of(static_cast<Column>(i)).size());
         for (unsigned shift = 0; shift < 32; shift += 8)
-            raw.push_back(static_cast<std::uint8_t>(bytes >> shift));
+            raw_.push_back(static_cast<std::uint8_t>(bytes >> shift));
     }
     for (std::size_t i = 0; i < ColumnCount; ++i) {
         const auto column = columns_.of(static_cast<Column>(i));
-        raw.insert(raw.end(), column.begin(), column.end());
+        raw_.insert(raw_.end(), column.begin(), column.end());
     }
     columns_.clear();
-    const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
-                                                                       &ZSTD_freeCCtx);
-    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, CompressionLevel);
-    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
-    std::vector<std::uint8_t> packed(ZSTD_compressBound(raw.size()));
+    packed_.resize(ZSTD_compressBound(raw_.size()));
     const std::size_t count =
-        ZSTD_compress2(context.get(), packed.data(), packed.size(), raw.data(), raw.size());
+        ZSTD_compress2(context_.get(), packed_.data(), packed_.size(), raw_.data(), raw_.size());
     check(!ZSTD_isError(count), "zstd compresses what fits its bound");
     const BlockHeader header{.kind = static_cast<std::uint32_t>(kind),
                              .items = std::exchange(items_, 0),
-                             .raw_bytes = static_cast<std::uint32_t>(raw.size()),
+                             .raw_bytes = static_cast<std::uint32_t>(raw_.size()),
                              .packed_bytes = static_cast<std::uint32_t>(count)};
     file_.write(std::as_bytes(std::span(&header, 1)));
-    file_.write(std::as_bytes(std::span(packed)).first(count));
+    file_.write(std::as_bytes(std::span(packed_)).first(count));
 }
 
 void WorkFileWriter::finish() {

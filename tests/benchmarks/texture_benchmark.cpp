@@ -59,7 +59,7 @@ void run(benchmark::State& state, const Case& c) {
     TexelFootprints footprints;
     hwy::SetSupportedTargetsForTest(c.instructions);
     for ([[maybe_unused]] auto _ : state) {
-        footprints.accesses.clear();
+        footprints = {};
         sample(unit, *planes, quads, out, c.footprints ? &footprints : nullptr);
         benchmark::DoNotOptimize(out);
     }

@@ -31,7 +31,7 @@ public:
                 for (const WorkQuad& quad : batch.quads)
                     take(quad);
                 for (const TexelFootprints& unit : batch.textures)
-                    accesses += unit.accesses.size();
+                    accesses += unit.accesses().size();
             }
         }
     }

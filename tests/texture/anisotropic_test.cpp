@@ -61,11 +61,11 @@ TEST_CASE("every probe is an access, in order along the longer side") {
     const TextureMemory memory = stripes();
     TexelFootprints footprints;
     sample_stretched(memory.compile(anisotropic(7)), 7, &footprints);
-    REQUIRE(footprints.accesses.size() == 4 * 7);
+    REQUIRE(footprints.accesses().size() == 4 * 7);
     for (unsigned i = 0; i < 7; ++i) {
-        CHECK(footprints.accesses[i].lane == 0);
-        CHECK(footprints.accesses[i].x0 == 13 + i);
-        CHECK(footprints.accesses[i].y0 == 16);
+        CHECK(footprints.accesses()[i].lane == 0);
+        CHECK(footprints.accesses()[i].x0 == 13 + i);
+        CHECK(footprints.accesses()[i].y0 == 16);
     }
 }
 
@@ -160,7 +160,7 @@ TEST_CASE("a nearest filter takes one probe") {
     sampler.minify_linear = false;
     TexelFootprints footprints;
     sample_stretched(memory.compile(sampler), 8, &footprints);
-    CHECK(footprints.accesses.size() == 4);
+    CHECK(footprints.accesses().size() == 4);
 }
 
 } // namespace

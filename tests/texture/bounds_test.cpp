@@ -57,7 +57,7 @@ TEST_CASE("a refused image is opaque black and reads nothing") {
     sample(unit, *planes, all_quads(2), out, &footprints);
     CHECK(color_of(out, 0) == Color{0, 0, 0, 255});
     CHECK(color_of(out, 7) == Color{0, 0, 0, 255});
-    CHECK(footprints.accesses.empty());
+    CHECK(footprints.empty());
 }
 
 // Memory whose slack ends where no page is mapped: a read beyond faults.

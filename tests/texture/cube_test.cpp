@@ -100,8 +100,8 @@ TEST_CASE("quads across a face's edge keep the level of detail of the quads besi
     sample(unit, *planes, all_quads(BatchQuads), out, &footprints);
     unsigned finest = 99, coarsest = 0;
     for (unsigned lane = 96; lane < 160; ++lane) { // Around the edge.
-        finest = std::min<unsigned>(finest, footprints.accesses[lane].level);
-        coarsest = std::max<unsigned>(coarsest, footprints.accesses[lane].level);
+        finest = std::min<unsigned>(finest, footprints.accesses()[lane].level);
+        coarsest = std::max<unsigned>(coarsest, footprints.accesses()[lane].level);
     }
     CHECK(coarsest - finest <= 1);
 }
@@ -122,7 +122,7 @@ TEST_CASE("lanes that are not covered do not choose the face of a quad's derivat
         ColorPlanes out;
         TexelFootprints footprints;
         sample(unit, *planes, {1, covered, live}, out, &footprints);
-        return unsigned{footprints.accesses.back().level};
+        return unsigned{footprints.accesses().back().level};
     };
     FragmentMask last;
     last.set(3);

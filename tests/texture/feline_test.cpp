@@ -149,7 +149,7 @@ TEST_CASE("Feline reads a trilinear sample a probe, and magnifies as ever") {
     const auto reads = [&](const Pixel& pixel) {
         TexelFootprints footprints;
         sample_pixel(unit, pixel, &footprints);
-        return footprints.accesses.size() / 4; // of the quad's four fragments
+        return footprints.accesses().size() / 4; // of the quad's four fragments
     };
     CHECK(reads({8, 8, 12, 0, 0, 3}) == 2 * 7);  // 2 12/3 - 1 probes between levels 1 and 2
     CHECK(reads({8, 8, 0, 12, 3, 0}) == 2 * 7);  // turned

@@ -129,11 +129,6 @@ void expand(const TexelAccess& access, std::vector<Texel>& texels) {
                                     y ? access.y1 : access.y0);
 }
 
-bool same(const TexelAccess& a, const TexelAccess& b) {
-    return std::bit_cast<std::array<std::uint64_t, 2>>(a) ==
-           std::bit_cast<std::array<std::uint64_t, 2>>(b);
-}
-
 void compare_batches(const TextureUnit& unit, Random& random) {
     const unsigned quads = 1 + below(random, BatchQuads);
     const auto planes =
@@ -150,13 +145,9 @@ void compare_batches(const TextureUnit& unit, Random& random) {
         differences += color_of(expected, lane) != color_of(actual, lane);
     CHECK(differences == 0);
 
-    CHECK(std::equal(expected_reads.accesses.begin(),
-                     expected_reads.accesses.end(),
-                     actual_reads.accesses.begin(),
-                     actual_reads.accesses.end(),
-                     same));
+    CHECK((expected_reads.accesses() == actual_reads.accesses()));
     std::vector<Texel> recorded;
-    for (const TexelAccess& access : actual_reads.accesses)
+    for (const TexelAccess& access : actual_reads.accesses())
         expand(access, recorded);
     const bool same_texels = recorded == reads.texels;
     CHECK(same_texels);

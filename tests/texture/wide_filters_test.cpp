@@ -84,10 +84,10 @@ TEST_CASE("A bicubic filter takes sixteen texels by four accesses, and only to m
         memory.compile(sampler_of(TextureFilter::Bicubic, Wrap::ClampToBorder));
     TexelFootprints footprints;
     sample_pixel(unit, {8, 8, 0.5, 0, 0, 0.5}, &footprints);
-    REQUIRE(footprints.accesses.size() == 4 * 4);
+    REQUIRE(footprints.accesses().size() == 4 * 4);
     std::set<std::pair<int, int>> texels;
     for (unsigned i = 0; i < 4; ++i) {
-        const TexelAccess& access = footprints.accesses[i];
+        const TexelAccess access = footprints.accesses()[i];
         for (const auto x : {access.x0, access.x1})
             for (const auto y : {access.y0, access.y1})
                 texels.insert({x, y});
@@ -96,9 +96,9 @@ TEST_CASE("A bicubic filter takes sixteen texels by four accesses, and only to m
     CHECK(*texels.begin() == std::pair{6, 6});
     CHECK(*texels.rbegin() == std::pair{9, 9});
 
-    footprints.accesses.clear();
+    footprints = {};
     sample_pixel(unit, {8, 8, 4, 0, 0, 4}, &footprints);
-    CHECK(footprints.accesses.size() == 4);
+    CHECK(footprints.accesses().size() == 4);
 
     // GL_NEAREST magnifies as it says.
     Sampler nearest = sampler_of(TextureFilter::Bicubic, Wrap::Repeat);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <utility>
 
 namespace ffgpu::timing {
 
@@ -108,10 +109,13 @@ inline WorkBin make_bin(const Scene& scene, std::uint8_t samples = 1) {
     draw.state = registers;
     draw.early_depth = true;
     WorkTile& tile = bin.tiles.emplace_back();
+    WorkBatch batch{.draw = 0};
+    TexelFootprints footprints;
+    const auto end_batch = [&] {
+        batch.textures.push_back(std::exchange(footprints, {}));
+        tile.batches.push_back(std::exchange(batch, {.draw = 0}));
+    };
     for (unsigned y = 0; y < scene.height; y += 2) {
-        WorkBatch batch;
-        batch.draw = 0;
-        TexelFootprints footprints;
         for (unsigned x = 0; x < scene.width; x += 2) {
             WorkQuad quad{.primitive = 0,
                           .piece = 0,
@@ -137,7 +141,7 @@ inline WorkBin make_bin(const Scene& scene, std::uint8_t samples = 1) {
                     const auto wrap = [&](std::int64_t k) {
                         return static_cast<std::uint16_t>(k & (size - 1));
                     };
-                    footprints.accesses.push_back(
+                    footprints.add(
                         {.lane = static_cast<std::uint16_t>(4 * batch.quads.size() + lane),
                          .level = static_cast<std::uint8_t>(level),
                          .linear = 3,
@@ -159,9 +163,9 @@ inline WorkBin make_bin(const Scene& scene, std::uint8_t samples = 1) {
                 quad.after_depth = quad.covered;
             quad.samples_written = quad.samples_covered;
             batch.quads.push_back(quad);
+            if (batch.quads.size() == BatchQuads) end_batch();
         }
-        batch.textures.push_back(std::move(footprints));
-        tile.batches.push_back(std::move(batch));
+        end_batch();
     }
     return bin;
 }

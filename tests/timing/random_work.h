@@ -313,17 +313,17 @@ private:
                 if ((live >> lane & 1) == 0) continue;
                 const auto x = static_cast<std::uint16_t>((u + lane % 2) % TextureSize);
                 const auto y = static_cast<std::uint16_t>((v + lane / 2) % TextureSize);
-                command.accesses.push_back({.lane = lane,
-                                            .level = 0,
-                                            .linear = 3,
-                                            .x0 = x,
-                                            .x1 = next(x),
-                                            .y0 = y,
-                                            .y1 = next(y),
-                                            .layer0 = 0,
-                                            .layer1 = 0});
+                command.add_access(unit,
+                                   {.lane = lane,
+                                    .level = 0,
+                                    .linear = 3,
+                                    .x0 = x,
+                                    .x1 = next(x),
+                                    .y0 = y,
+                                    .y1 = next(y),
+                                    .layer0 = 0,
+                                    .layer1 = 0});
             }
-            command.access_begin.push_back(static_cast<std::uint32_t>(command.accesses.size()));
         }
     }
 

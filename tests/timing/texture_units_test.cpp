@@ -61,14 +61,14 @@ TEST_CASE("An anisotropic texture takes a sample for each probe, trilinear ones 
         for (const unsigned levels : {1u, 2u}) {
             WorkBin bin = textured_draw(1, levels == 1 ? 0 : 0.5);
             for (WorkBatch& batch : bin.tiles[0].batches) {
-                std::vector<TexelAccess> all;
-                const std::vector<TexelAccess>& once = batch.textures[0].accesses;
+                TexelFootprints all;
+                const std::vector<TexelAccess> once = batch.textures[0].accesses();
                 for (std::size_t i = 0; i < once.size(); i += levels) {
                     for (unsigned probe = 0; probe < probes; ++probe)
                         for (unsigned level = 0; level < levels; ++level)
-                            all.push_back(once[i + level]);
+                            all.add(once[i + level]);
                 }
-                batch.textures[0].accesses = all;
+                batch.textures[0] = all;
             }
             check_cycles(units_machine(1, 1, UnitShare::Textures), bin, probes * levels);
             check_cycles(units_machine(1, 4, UnitShare::Samples), bin, (probes * levels + 3) / 4);

@@ -58,7 +58,6 @@ public:
         }
         for (std::uint32_t i = 0; i < count; ++i)
             add_quads(i, boxes[i], *command);
-        command->access_begin = {0};
         commands.push_back(std::move(command));
     }
     void clear(bool color, bool depth, bool stencil = false) {

@@ -3,6 +3,7 @@
 #include "model/work/access_columns.h"
 
 #include <array>
+#include <iterator>
 #include <random>
 #include <vector>
 
@@ -15,9 +16,21 @@ namespace {
 class RandomReads {
 public:
     explicit RandomReads(unsigned seed)
-        : random_(seed) {}
+        : random_(seed) {
+        command.units = {1, 3};
+    }
 
+    // What it reads in each unit.
     void add_quad(unsigned odds) {
+        command.quads.emplace_back();
+        for (std::size_t unit = 0; unit < command.units.size(); ++unit)
+            add_reads(unit, odds);
+    }
+
+    WholeCommand command;
+
+private:
+    void add_reads(std::size_t unit, unsigned odds) {
         const unsigned each = 1 + below(3) % 2; // accesses a lane
         x_ += below(9);
         y_ -= below(3);
@@ -25,15 +38,10 @@ public:
             if (below(odds) == 0) continue; // is not covered
             const unsigned more = below(odds) == 0 ? 1 : 0;
             for (unsigned i = 0; i < each + more; ++i)
-                accesses.push_back(access(lane, i, odds));
+                command.add_access(unit, access(lane, i, odds));
         }
-        begin.push_back(static_cast<std::uint32_t>(accesses.size()));
     }
 
-    std::vector<TexelAccess> accesses;
-    std::vector<std::uint32_t> begin{0};
-
-private:
     unsigned below(unsigned end) { return static_cast<unsigned>(random_() % end); }
 
     TexelAccess access(unsigned lane, unsigned level, unsigned odds) {
@@ -78,23 +86,27 @@ std::vector<std::uint8_t> columns(std::size_t most, Write&& write) {
 }
 
 TEST_CASE("The accesses of quads are told at once as they are one by one") {
-    constexpr std::array<std::uint8_t, 2> Units{1, 3};
+    constexpr std::size_t Quads = 200, Most = 20 * MostOfAccess; // of a quad
     for (unsigned seed = 0; seed < 60; ++seed) {
         RandomReads reads(seed);
-        for (unsigned i = 0; i < 400; ++i)
+        for (std::size_t i = 0; i < Quads; ++i)
             reads.add_quad(seed % 3 == 0 ? 5 : 60);
-        const std::size_t most = MostOfAccess * reads.accesses.size() + MostOfNumber * 400;
+        const WholeCommand& command = reads.command;
         AccessForecast forecast, forecast_one_by_one;
-        const auto at_once = columns(most, [&](AccessCursors to) {
-            return put_accesses({reads.accesses.data(), reads.begin, Units}, forecast, to);
+        const auto at_once = columns(Quads * Most, [&](AccessCursors to) {
+            return put_accesses({command, 0, Quads}, forecast, to);
         });
-        const auto one_by_one = columns(most, [&](AccessCursors to) {
-            for (std::size_t i = 0; i + 1 < reads.begin.size(); ++i) {
-                to.number = put_number(to.number, reads.begin[i + 1] - reads.begin[i]);
-                forecast_one_by_one.begin_quad(Units[i % Units.size()]);
-                for (std::uint32_t at = reads.begin[i]; at < reads.begin[i + 1]; ++at)
-                    put_access(reads.accesses[at], forecast_one_by_one, to);
-            }
+        const auto one_by_one = columns(Quads * Most, [&](AccessCursors to) {
+            for (std::size_t quad = 0; quad < Quads; ++quad)
+                for (std::size_t unit = 0; unit < command.units.size(); ++unit) {
+                    const QuadReads read = command.accesses_of(quad, unit);
+                    to.number = put_number(
+                        to.number,
+                        static_cast<std::uint64_t>(std::distance(read.begin(), read.end())));
+                    forecast_one_by_one.begin_quad(command.units[unit]);
+                    for (const TexelAccess& access : read)
+                        put_access(access, forecast_one_by_one, to);
+                }
             return to;
         });
         CHECK((at_once == one_by_one));

@@ -72,10 +72,8 @@ struct Machine {
                                   .after_depth = 1});
         if (textured) {
             command->units = {0};
-            command->accesses = {TexelAccess{}};
+            command->add_access(0, TexelAccess{});
         }
-        command->access_begin =
-            textured ? std::vector<std::uint32_t>{0, 1} : std::vector<std::uint32_t>{0};
         order.command(std::move(command));
     }
     void whole(WorkKind kind) {

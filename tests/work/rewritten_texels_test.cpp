@@ -222,8 +222,7 @@ struct Machine {
         TexelAccess access{};
         access.x0 = x;
         access.y0 = y;
-        command->accesses = {access};
-        command->access_begin = {0, 1};
+        command->add_access(0, access);
         order.command(std::move(command));
     }
     void write(std::uint32_t x, std::uint32_t y) {

@@ -70,12 +70,13 @@ TEST_CASE("a quad looks up the lines of its texels, each once, in the order of t
         config.texel_cache.line_bytes = 16u << random() % 4;
         WholeCommand command;
         command.units = {0};
+        command.quads.resize(1);
         Read expected;
         for (int lane = 0; lane < 1 + run % 4; ++lane) {
-            command.accesses.push_back(random_access(random, static_cast<std::uint16_t>(lane)));
-            read(level, command.accesses.back(), config.texel_cache.line_bytes, expected);
+            const TexelAccess access = random_access(random, static_cast<std::uint16_t>(lane));
+            command.add_access(0, access);
+            read(level, access, config.texel_cache.line_bytes, expected);
         }
-        command.access_begin.push_back(static_cast<std::uint32_t>(command.accesses.size()));
 
         PreparedScene scene;
         PreparedQuad quad;

@@ -244,9 +244,9 @@ class ScanFanOut final : public DrawReader {
 public:
     void add(work::TexelScan& scan) { scans_.push_back(&scan); }
 
-    void draw(const WorkDraw& draw, std::span<const WorkBatch* const> batches) override {
+    void draw(const WorkDraw& draw, const work::DrawParts& parts) override {
         for (work::TexelScan* const scan : scans_)
-            scan->draw(draw, batches);
+            scan->draw(draw, parts);
     }
     void command(std::shared_ptr<const work::WholeCommand> command) override {
         for (work::TexelScan* const scan : scans_)

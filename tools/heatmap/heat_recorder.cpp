@@ -75,18 +75,17 @@ void HeatRecorder::add_quad(Target& target, const WorkQuad& quad) {
 }
 
 void HeatRecorder::add_accesses(Target& target, const WorkBatch& batch, std::uint32_t texture) {
-    for (const TexelFootprints& unit : batch.textures) {
-        for (const TexelAccess& access : unit.accesses) {
-            const WorkQuad& quad = batch.quads[access.lane / 4u];
-            const unsigned lane = access.lane % 4u;
-            if ((quad.after_early_depth >> lane & 1) == 0) continue; // hidden
-            Pixel* const pixel = target.at(quad, lane);
-            if (!pixel) continue;
-            pixel->level_sum += access.level;
-            ++pixel->level_count;
-            pixel->texture = texture;
-        }
-    }
+    for (const TexelFootprints& unit : batch.textures)
+        for (std::uint32_t number = 0; number < batch.quads.size(); ++number)
+            for (const TexelAccess& access : unit.of_quad(number)) {
+                const WorkQuad& quad = batch.quads[number];
+                if ((quad.after_early_depth >> access.lane & 1) == 0) continue; // hidden
+                Pixel* const pixel = target.at(quad, access.lane);
+                if (!pixel) continue;
+                pixel->level_sum += access.level;
+                ++pixel->level_count;
+                pixel->texture = texture;
+            }
 }
 
 void HeatRecorder::quad_retired(const timing::QuadRetired& quad) {

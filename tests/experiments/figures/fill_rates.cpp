@@ -112,9 +112,7 @@ std::shared_ptr<const work::WholeCommand> full_screen(const Pass& pass) {
                                       .after_depth = 15});
             for (unsigned unit = 0; unit < pass.frame.textures; ++unit) {
                 for (std::uint16_t lane = 0; lane < 4; ++lane)
-                    command->accesses.push_back(bilinear(x + lane % 2u, y + lane / 2u, lane));
-                command->access_begin.push_back(
-                    static_cast<std::uint32_t>(command->accesses.size()));
+                    command->add_access(unit, bilinear(x + lane % 2u, y + lane / 2u, lane));
             }
         }
     return command;
