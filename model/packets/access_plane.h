@@ -107,7 +107,7 @@ private:
         if (has_layers())
             move(LayersAt, End);
         else if (layers)
-            std::fill(larger.words_.begin() + LayersAt * larger.quads_, larger.words_.end(), 0);
+            std::fill_n(larger.words(Words::Layers), (End - LayersAt) * larger.quads_, 0u);
         larger.lanes = lanes;
         *this = std::move(larger);
     }
