@@ -46,22 +46,23 @@ module axis_rule #(
       rule_o.fold = ffgpu_texture_pkg::FoldClamp;
       rule_o.wraps = 1'b0;
       rule_o.border = 1'b0;
-      rule_o.low = Half;
-      rule_o.above = -Half;
+      rule_o.low = 24'd0;
+      rule_o.above = 24'd0;
       unique case (wrap)
         ffgpu_registers_pkg::WrapRepeat: begin
           rule_o.fold = ffgpu_texture_pkg::FoldRepeat;
           rule_o.wraps = 1'b1;
-          rule_o.low = 24'd0;
-          rule_o.above = 24'd0;
         end
-        ffgpu_registers_pkg::WrapMirroredRepeat: rule_o.fold = ffgpu_texture_pkg::FoldMirror;
-        ffgpu_registers_pkg::WrapClamp: begin
-          rule_o.border = is_linear;
-          rule_o.low = 24'd0;
-          rule_o.above = 24'd0;
+        ffgpu_registers_pkg::WrapMirroredRepeat: begin
+          rule_o.fold = ffgpu_texture_pkg::FoldMirror;
+          rule_o.low = Half;
+          rule_o.above = -Half;
         end
-        ffgpu_registers_pkg::WrapClampToEdge: rule_o.fold = ffgpu_texture_pkg::FoldClamp;
+        ffgpu_registers_pkg::WrapClamp: rule_o.border = is_linear;
+        ffgpu_registers_pkg::WrapClampToEdge: begin
+          rule_o.low = Half;
+          rule_o.above = -Half;
+        end
         ffgpu_registers_pkg::WrapClampToBorder: begin
           rule_o.border = 1'b1;
           rule_o.low = -Half;
@@ -70,12 +71,17 @@ module axis_rule #(
         ffgpu_registers_pkg::WrapMirrorClamp: begin
           rule_o.fold = ffgpu_texture_pkg::FoldMirrorClamp;
           rule_o.border = is_linear;
-          rule_o.above = 24'd0;
+          rule_o.low = Half;
         end
-        ffgpu_registers_pkg::WrapMirrorClampToEdge: rule_o.fold = ffgpu_texture_pkg::FoldMirrorClamp;
+        ffgpu_registers_pkg::WrapMirrorClampToEdge: begin
+          rule_o.fold = ffgpu_texture_pkg::FoldMirrorClamp;
+          rule_o.low = Half;
+          rule_o.above = -Half;
+        end
         ffgpu_registers_pkg::WrapMirrorClampToBorder: begin
           rule_o.fold = ffgpu_texture_pkg::FoldMirrorClamp;
           rule_o.border = 1'b1;
+          rule_o.low = Half;
           rule_o.above = Half;
         end
       endcase

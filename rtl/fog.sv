@@ -52,11 +52,10 @@ module fog (
     );
   end
 
-  // The colour: f c + (1 - f) fog colour; alpha stays.
+  // The colour: f c + (255 - f) fog colour over 255; alpha stays.
   ffgpu_pkg::quad_t      quad, faded;
   ffgpu_pkg::fog_curve_t curve;
   logic                  fades;
-  logic [15:0]           factor, product;
   logic [Lanes*32-1:0]   color;
 
   assign last  = data[Width*FactorStages +: Width];
@@ -67,16 +66,13 @@ module fog (
     curve.mode != ffgpu_registers_pkg::FogModeOff;
 
   always_comb begin
-    color   = quad.color;
-    factor  = 16'd0;
-    product = 16'd0;
+    color = quad.color;
     if (fades) begin
       for (int unsigned lane = 0; lane < Lanes; lane++) begin
-        factor = {8'd0, last.values[32*lane +: 8]};
         for (int unsigned channel = 0; channel < 3; channel++) begin
-          product = factor * {8'd0, quad.color[32*lane+8*channel +: 8]} +
-            (16'd255 - factor) * {8'd0, curve.color[8*channel +: 8]};
-          color[32*lane+8*channel +: 8] = ffgpu_pkg::divide_255(product);
+          color[32*lane+8*channel +: 8] = ffgpu_pkg::divide_255(
+            {8'd0, last.values[32*lane +: 8]} * {8'd0, quad.color[32*lane+8*channel +: 8]} +
+            {8'd0, ~last.values[32*lane +: 8]} * {8'd0, curve.color[8*channel +: 8]});
         end
       end
     end

@@ -21,7 +21,7 @@ module level_probes (
 
   logic        x_is_longer;
   logic [17:0] longer, shorter, ratio, square, half, biased, at_least;
-  logic [4:0]  most, probes;
+  logic [4:0]  probes;
   logic [11:0] taken;
 
   // Signed numbers compare as unsigned ones when their signs are turned.
@@ -32,15 +32,11 @@ module level_probes (
   assign ratio   = longer - (shorter[17] ? 18'd0 : shorter);
 
   always_comb begin
-    most = sampler_i.max_anisotropy > 5'd16 ? 5'd16 : sampler_i.max_anisotropy;
-    if (!sampler_i.minify_linear || !one_face_i) begin
-      most = 5'd1;
-    end
     probes = 5'd1;
-    taken  = ProbeLogarithms[11:0];
-    if (enable_i && most > 5'd1) begin
+    taken  = 12'd0;
+    if (enable_i && sampler_i.minify_linear && one_face_i) begin
       for (int unsigned n = 1; n < 16; n++) begin
-        if (n[4:0] < most && !ratio[17] &&
+        if (n[4:0] < sampler_i.max_anisotropy && !ratio[17] &&
             ratio[16:0] > {5'd0, ProbeLogarithms[12*(n-1) +: 12]}) begin
           probes = n[4:0] + 5'd1;
         end

@@ -51,10 +51,10 @@ module level_step #(
       // Of either sign: it is squared next.
       value_o = texels;
       if (texels[30:0] < LeastStep[30:0]) begin
-        value_o = LeastStep;
+        value_o[30:0] = LeastStep[30:0];
       end
       if (texels[30:0] > LargestStep[30:0]) begin
-        value_o = LargestStep;
+        value_o[30:0] = LargestStep[30:0];
       end
     end
   end else if (Stage == 2) begin : g_square

@@ -17,20 +17,18 @@ module texel_axis #(
   localparam logic [31:0] One = 32'h3f80_0000;
   localparam logic [31:0] Two = 32'h4000_0000;
 
-  ffgpu_texture_pkg::texel_walk_t   walk;
-  ffgpu_texture_pkg::texel_header_t header;
-  logic [31:0]              value;
+  ffgpu_texture_pkg::texel_walk_t walk;
+  logic [31:0]                    value;
 
-  assign walk   = operands_i.walk;
-  assign header = walk.header;
-  assign value  = walk.values[32*Axis +: 32];
+  assign walk  = operands_i.walk;
+  assign value = walk.values[32*Axis +: 32];
 
   if (Stage == 0) begin : g_step
     ffgpu_pkg::float_t position;
 
     probe_position u_position (
-      .probes_i  (header.probes),
-      .probe_i   (header.probe),
+      .probes_i  (walk.header.probes),
+      .probe_i   (walk.header.probe),
       .position_o(position)
     );
     float_multiply u_step (
@@ -41,16 +39,16 @@ module texel_axis #(
     );
     assign value_o = value;
   end else if (Stage == 1) begin : g_probe
-    ffgpu_pkg::float_t moved, at;
+    ffgpu_pkg::float_t at;
 
+    // A single probe stands at the coordinate: its step was 0 times.
     float_add u_move (
       .enable_i,
       .a_i  (value),
       .b_i  (walk.others[32*Axis +: 32]),
-      .sum_o(moved)
+      .sum_o(at)
     );
-    // A single probe stands at the coordinate. A mirrored one repeats after two images.
-    assign at = header.probes == 5'd1 ? value : moved;
+    // A mirrored one repeats after two images.
     always_comb begin
       value_o = at;
       if (operands_i.rule.fold == ffgpu_texture_pkg::FoldMirror) begin

@@ -6,6 +6,10 @@ from pathlib import Path
 import mutants
 from ports import Packages, Rtl, ports
 
+Tests = Path(__file__).resolve().parent
+
+# What stands around modules that are mutated together and are no unit.
+Around = {"float": "float_units"}
 Everything = "1'b1"
 # A part's value is taken where it is let to compute, and nowhere else: enable_checker.sv.
 Enable = "enable_i"
@@ -30,7 +34,9 @@ class Mutant:
     """
 
     def __init__(self, unit, number, module, mutated, folder, inside):
-        self.unit, self.number, self.module, self.inside = unit, number, module, inside
+        self.number, self.module = number, module
+        self.unit = Around.get(unit, unit)
+        self.inside = lambda name: [name, *inside(unit)] if name in Around.values() else inside(name)
         self.folder = Path(folder)
         self.folder.mkdir(parents=True, exist_ok=True)
         self.chosen = re.sub(re.escape(f"({mutants.Chosen} == ") + r"(\d+)\)",
@@ -44,17 +50,17 @@ class Mutant:
             is_of_one_kind = self.module in Ranges or not has_parameters(self.module)
             if is_of_one_kind and self.is_equal_in_range():
                 return True
-            if (Rtl / f"{self.unit}.sv").exists() and any(map(self.is_equal_in, self.around())):
+            if any(map(self.is_equal_in, self.around())):
                 return True
         if not has_parameters(self.module) and proves(self.induction(self.module, ""), 120):
             return True
-        if not (Rtl / f"{self.unit}.sv").exists():
+        if is_combinational(self.unit):
             return False
         return (proves(self.induction(self.unit, ""), 120) or
                 proves(self.induction(self.unit, HideAllButRegisters), 900))
 
     def read(self, top, place):
-        files = " ".join(str((self.folder if place and m == self.module else Rtl) / f"{m}.sv")
+        files = " ".join(str(self.folder / f"{m}.sv" if place and m == self.module else source(m))
                          for m in self.inside(top))
         packages = " ".join(str(Rtl / f"{name}.sv") for name in Packages)
         return f"read_verilog -sv {packages} {files}; hierarchy -top {top}; "
@@ -93,8 +99,8 @@ class Mutant:
 
     def around(self):
         """The module and the combinational ones of the unit that it stands in, the least first."""
-        return sorted((m for m in self.inside(self.unit)
-                       if is_combinational(m) and self.module in self.inside(m)),
+        return sorted((m for m in self.inside(self.unit) if m not in Around.values() and
+                       is_combinational(m) and self.module in self.inside(m)),
                       key=lambda m: len(self.inside(m)))
 
     def is_equal_in(self, outer):
@@ -135,7 +141,11 @@ def has_parameters(module):
 
 
 def is_combinational(module):
-    return "clk_i" not in (Rtl / f"{module}.sv").read_text()
+    return "clk_i" not in source(module).read_text()
+
+
+def source(module):
+    return (Tests if module in Around.values() else Rtl) / f"{module}.sv"
 
 
 def proves(script, timeout):

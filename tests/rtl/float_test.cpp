@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include <catch2/catch.hpp>
 #include <verilated.h>
@@ -30,6 +31,23 @@ float random_float(Random& random, int least, int most) {
     const auto exponent = static_cast<std::uint32_t>(127 + least) +
                           random.below(static_cast<std::uint32_t>(most - least + 1));
     return std::bit_cast<float>(random.word() << 31 | exponent << 23 | mantissa);
+}
+
+// A mantissa of 24 bits whose product with an odd one ends in `low` 24 bits, if there is one: the
+// inverse modulo a power of two, whose bits double with each step of Newton's.
+std::optional<std::uint32_t> other_mantissa(std::uint32_t odd, std::uint32_t low) {
+    std::uint32_t inverse = odd;
+    for (unsigned bits = 3; bits < 24; bits *= 2)
+        inverse *= 2 - odd * inverse;
+    const std::uint32_t other = low * inverse & 0xffffff;
+    return (other & 0x800000) != 0 ? std::optional(other) : std::nullopt;
+}
+
+// Whether the lowest bit of a product keeps it from the middle of two numbers of 24 bits.
+bool is_beside_tie(std::uint64_t product) {
+    const std::uint64_t half = std::uint64_t{1} << (std::bit_width(product) - 25);
+    const std::uint64_t rest = product & (2 * half - 1);
+    return rest == half - 1 || rest == half + 1;
 }
 
 // Which way the exact result went: down, up, exact, or from a tie.
@@ -114,6 +132,7 @@ TEST_CASE("products, sums, conversions and clamps of binary32 equal the host's")
     Checker checker;
     Random random(5);
     const std::uint64_t count = std::getenv("FFGPU_RTL_LONG") ? 10000000 : 1000000;
+    std::uint64_t beside_ties = 0;
     for (std::uint64_t i = 0; i < count; ++i) {
         const float a = random_float(random, -60, 60);
         // Sums of near exponents cancel.
@@ -139,11 +158,22 @@ TEST_CASE("products, sums, conversions and clamps of binary32 equal the host's")
         if (random.one_in(64)) checker.check(random.one_in(2) ? 1.0f : 3.0f, a);
         // Products beside a power of two: half of those below are rounded up to it.
         if (a != 0 && random.one_in(4)) checker.check(a, 1 / a);
+        // Products that the lowest of 47 or 48 bits keeps from a tie.
+        if (random.one_in(4)) {
+            const std::uint32_t odd = random.word() >> 8 | 0x800001;
+            const std::uint32_t half = random.one_in(2) ? 0x400000 : 0x800000;
+            const std::uint32_t above = random.word() & ~(2 * half - 1);
+            const auto other = other_mantissa(odd, (above | half) + (random.one_in(2) ? 1 : -1u));
+            if (!other) continue;
+            beside_ties += is_beside_tie(std::uint64_t{odd} * *other);
+            checker.check(static_cast<float>(odd), static_cast<float>(*other));
+        }
     }
     CHECK(checker.wrong == 0);
     CHECK(checker.compared > count);
     CHECK(checker.carries > 0);
     CHECK(checker.halves > 0);
+    CHECK(beside_ties > count / 32);
     for (unsigned way = 0; way < 4; ++way) {
         CHECK(checker.products[way] > 0);
         CHECK(checker.sums[way] > 0);
