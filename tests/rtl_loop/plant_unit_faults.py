@@ -32,12 +32,20 @@ Units = ["tile_walker", "depth_plane", "attribute_plane", "reciprocal", "perspec
 
 def check_places():
     """Each fault has one place in the RTL as it is, and each module a fault."""
-    wrong = [f"{file}: '{expression}' stands {places} times" for file, expression, *_ in Faults
-             if (places := (Rtl / f"{file}.sv").read_text().count(expression)) != 1]
+    places = [(file, expression, len(re.findall(whole(expression),
+                                                (Rtl / f"{file}.sv").read_text())))
+              for file, expression, *_ in Faults]
+    wrong = [f"{file}: '{expression}' stands {count} times"
+             for file, expression, count in places if count != 1]
     modules = {module for unit in Units for module in mutate.inside(unit)}
     wrong += [f"{module}: has no fault" for module in sorted(modules - {f[0] for f in Faults})]
     if wrong:
         sys.exit("\n".join(wrong))
+
+
+def whole(expression):
+    """Its pattern, where no name or selection goes on."""
+    return r"(?<!\w)" * expression[0].isalnum() + re.escape(expression) + r"(?![\w\[])"
 
 
 def planted(expression, mutant, number):
