@@ -64,23 +64,32 @@ def resident_megabytes(command):
     return None if out.returncode else int(out.stderr.split()[-1]) / 1024
 
 
+def ratios_of(first, second, rounds):
+    """Processor time of the second command over that of the first, which run in turn."""
+    pairs = [(processor_seconds(first), processor_seconds(second)) for _ in range(rounds)]
+    return [other / one for one, other in pairs if one and other]
+
+
+def spread(ratios):
+    return f"{min(ratios):6.2f} {statistics.median(ratios):6.2f}x{max(ratios):7.2f}"
+
+
 def bench_recording(options, traces):
-    """Frames drawn with their work kept in a file, beside the same without."""
-    print("\nRecording: processor time of a whole replay without pictures that saves its work, over that of one that only")
-    print(f"draws, one thread. Least, middle, greatest of {options.rounds} rounds; megabytes of the file.")
+    """Frames drawn with their work recorded, for nobody and in a file, beside the same without."""
+    print("\nRecording: processor time of drawing on one thread with its work recorded, over that of drawing alone: the")
+    print("stream itself, which nobody reads, and a whole replay without pictures that saves it (--save-work). Least,")
+    print(f"middle, greatest of {options.rounds} rounds; megabytes of the file.")
+    stream = os.path.join(options.build, "tests", "benchmarks", "work_stream")
     with tempfile.TemporaryDirectory() as folder:
         work = os.path.join(folder, "work.ffw")
-        plain = ["--threads", "1", "--no-images", "-o", folder]
+        replay = ["replay", "--threads", "1", "--no-images", "-o", folder]
         for trace in traces:
-            ratios = []
-            for _ in range(options.rounds):
-                drawn = processor_seconds([options.ffgpu, "replay", trace, *plain])
-                saved = processor_seconds([options.ffgpu, "replay", trace, *plain, "--save-work", work])
-                if drawn and saved:
-                    ratios.append(saved / drawn)
-            if ratios:
-                print(f"{os.path.basename(trace)[:-6]:16s}{min(ratios):6.2f} {statistics.median(ratios):6.2f}x"
-                      f"{max(ratios):7.2f} {os.path.getsize(work) / 1e6:9.1f} MB", flush=True)
+            alone = ratios_of([stream, "draw", trace], [stream, "record", trace], options.rounds)
+            saved = ratios_of([options.ffgpu, *replay, trace], [options.ffgpu, *replay, trace, "--save-work", work],
+                              options.rounds)
+            if alone and saved:
+                print(f"{os.path.basename(trace)[:-6]:16s}{spread(alone)}   {spread(saved)}"
+                      f" {os.path.getsize(work) / 1e6:9.1f} MB", flush=True)
 
 
 def bench_start(options, traces):

@@ -240,6 +240,27 @@ TEST_CASE("Quads that are not in the order of the machine are refused") {
     CHECK_THAT(complaint(file_of(list)), Contains("quads are not in their order"));
 }
 
+TEST_CASE("As many accesses of a quad as a file may hold are read, and one more is refused") {
+    constexpr std::size_t Most = 1 << 14;
+    const auto file_of_one_quad = [](std::size_t accesses) {
+        auto whole = std::make_shared<WholeCommand>();
+        whole->draw.state = std::make_shared<const Registers>();
+        whole->units = {0};
+        WorkQuad quad{};
+        quad.covered = 1;
+        whole->quads.push_back(quad);
+        for (std::size_t i = 0; i < accesses; ++i)
+            whole->add_access(0, {});
+        CommandList list;
+        list.commands.push_back(whole);
+        return file_of(list);
+    };
+    const CommandList read = read_back(file_of_one_quad(Most));
+    REQUIRE(read.commands.size() == 1);
+    CHECK(reads_of(*read.commands[0])[0].size() == Most);
+    CHECK_THAT(complaint(file_of_one_quad(Most + 1)), Contains("damaged"));
+}
+
 TEST_CASE("Fields are found by name: one that is not known here is passed over") {
     Registers registers;
     registers.fog.density = 0.5f;
