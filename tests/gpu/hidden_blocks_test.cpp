@@ -175,6 +175,53 @@ TEST_CASE("Nothing is told of draws that are tested late, otherwise, or for each
         CHECK_FALSE(tells([&](FragmentPipe& pipe) { pipe.stencil_depth.depth.compare = compare; }));
 }
 
+TEST_CASE("Bounds are forgotten where depths may have become farther, and only there") {
+    // Whether a block is hidden still, by a bound of before, behind draws of a changed pipe.
+    const auto still_hidden = [](auto&& change) {
+        BlockBench bench(1, Format::Depth24Stencil8, Compare::Less);
+        for (unsigned y = 0; y < 8; ++y)
+            for (unsigned x = 0; x < 8; ++x)
+                bench.store(x, y, 10);
+        bench.record.depth = {std::int64_t{500} << DepthPlane::FractionBits, 0, 0};
+        bench.record.depth_min = bench.record.depth_max = 500;
+        HiddenBlocks blocks(bench.memory);
+        blocks.begin_tile({0, 0, 64, 64});
+        blocks.begin_draws(bench.pipe);
+        blocks.hides(bench.record, {0, 0, FullBlock});
+        REQUIRE(blocks.hides(bench.record, {0, 0, FullBlock}));
+        FragmentPipe between = bench.pipe;
+        change(blocks, between);
+        blocks.begin_draws(between);
+        blocks.begin_draws(bench.pipe);
+        return blocks.hides(bench.record, {0, 0, FullBlock >> 1}); // Does not look anew.
+    };
+    const auto control = [](FragmentPipe& pipe) -> DepthControl& {
+        return pipe.stencil_depth.depth;
+    };
+    CHECK(still_hidden([](HiddenBlocks&, FragmentPipe&) {}));
+    for (const Compare compare : {Compare::Never, Compare::Equal, Compare::Lequal})
+        CHECK(still_hidden(
+            [&](HiddenBlocks&, FragmentPipe& pipe) { control(pipe).compare = compare; }));
+    for (const Compare compare :
+         {Compare::Greater, Compare::Notequal, Compare::Gequal, Compare::Always}) {
+        CHECK_FALSE(still_hidden(
+            [&](HiddenBlocks&, FragmentPipe& pipe) { control(pipe).compare = compare; }));
+        CHECK(still_hidden([&](HiddenBlocks&, FragmentPipe& pipe) {
+            control(pipe) = {.test_enable = true, .write_enable = false, .compare = compare};
+        }));
+    }
+    CHECK_FALSE(
+        still_hidden([](HiddenBlocks&, FragmentPipe& pipe) { pipe.depth_target.address += 4096; }));
+    CHECK_FALSE(still_hidden([](HiddenBlocks&, FragmentPipe& pipe) { pipe.samples = MaxSamples; }));
+    CHECK_FALSE(still_hidden([](HiddenBlocks&, FragmentPipe& pipe) {
+        pipe.color_targets[0].surface = pipe.depth_target;
+    }));
+    CHECK_FALSE(still_hidden([](HiddenBlocks& blocks, FragmentPipe&) { blocks.forget(); }));
+    CHECK_FALSE(still_hidden([](HiddenBlocks& blocks, FragmentPipe&) {
+        blocks.begin_tile({0, 0, 64, 64});
+    }));
+}
+
 namespace {
 
 // Large triangles, mostly from the front to the back, and what makes depths farther in between.
