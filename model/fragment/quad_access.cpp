@@ -4,6 +4,8 @@
 #include "model/fragment/quad_rows.h"
 #include "model/memory/pixel_format.h"
 
+#include <bit>
+
 namespace ffgpu {
 namespace {
 
@@ -163,6 +165,22 @@ void for_rows(const FragmentBatch& batch, Row&& row, One&& one) {
     }
 }
 
+// Calls visit(q, its lanes) for each quad with a lane in the mask. Which these are no branch could
+// foretell: they are found by their bits. The mask is copied, as those below are.
+template <class Visit>
+void for_live_quads(const FragmentMask& mask, unsigned quads, Visit&& visit) {
+    constexpr std::uint64_t FirstLanes = 0x1111111111111111;
+    constexpr unsigned WordQuads = 16;
+    for (unsigned first = 0; first < quads; first += WordQuads) {
+        const std::uint64_t word = mask.words[first / WordQuads];
+        const std::uint64_t pairs = word | word >> 1;
+        for (std::uint64_t left = (pairs | pairs >> 2) & FirstLanes; left != 0; left &= left - 1) {
+            const auto bit = static_cast<unsigned>(std::countr_zero(left));
+            visit(first + bit / 4, static_cast<unsigned>(word >> bit & 0xf));
+        }
+    }
+}
+
 // The masks are copied: a store of pixels might change them, for all that the compiler knows.
 template <class Pixel>
 void load_sized(const QuadSurface<Pixel, const std::byte>& surface,
@@ -182,16 +200,12 @@ void load_sized(const QuadSurface<Pixel, const std::byte>& surface,
             surface.load(q, pixels + 4 * q);
         return;
     }
-    const FragmentMask live = batch.live;
-    for (unsigned q = 0; q < quads; ++q) {
-        const unsigned lanes = live.quad(q);
-        if (lanes == 0) continue;
-        if (surface.is_whole(q)) {
+    for_live_quads(batch.live, quads, [&](unsigned q, unsigned lanes) {
+        if (surface.is_whole(q))
             surface.load(q, pixels + 4 * q);
-        } else {
+        else
             surface.load_pixels(q, lanes, pixels + 4 * q);
-        }
-    }
+    });
 }
 
 template <class Pixel>
@@ -208,16 +222,12 @@ void store_sized(const QuadSurface<Pixel, std::byte>& surface,
             [&](unsigned q) { surface.store(q, pixels + 4 * q); });
         return;
     }
-    const FragmentMask written = mask;
-    for (unsigned q = 0; q < quads; ++q) {
-        const unsigned lanes = written.quad(q);
-        if (lanes == 0) continue;
-        if (surface.is_whole(q)) {
+    for_live_quads(mask, quads, [&](unsigned q, unsigned lanes) {
+        if (surface.is_whole(q))
             surface.store_masked(q, lanes, pixels + 4 * q);
-        } else {
+        else
             surface.store_pixels(q, lanes, pixels + 4 * q);
-        }
-    }
+    });
 }
 
 } // namespace

@@ -19,6 +19,7 @@ struct FragmentCounts {
     std::uint64_t tiles = 0;
     std::uint64_t samples_covered = 0, samples_written = 0;
     std::uint64_t counted_samples = 0; // that passed while samples were counted
+    std::uint64_t hidden_blocks = 0;
 };
 
 struct FragmentStatistics : StatisticsGroup {
@@ -59,10 +60,12 @@ struct HostStatistics : StatisticsGroup {
     Counter& batches = count("batches", "batches", "of up to 64 quads of one tile and state");
     Counter& tiles = count("tiles_visited", "tiles", "carried out, once for each bin");
     Counter& bins = count("bins", "bins", "carried out");
+    Counter& hidden_blocks = count("hidden_blocks", "blocks", "of hidden fragments, passed over");
 
     void add(const FragmentCounts& counts) {
         batches += counts.batches;
         tiles += counts.tiles;
+        hidden_blocks += counts.hidden_blocks;
     }
 };
 

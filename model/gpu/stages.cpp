@@ -29,6 +29,7 @@ constinit const Stages FastStages{
     .interpolate_directions = interpolate_directions,
     .sample = sample,
     .fragment = &FastFragmentStages,
+    .passes_over_hidden = true,
 };
 
 constinit const Stages ReferenceStages{
@@ -47,6 +48,7 @@ constinit const Stages ReferenceStages{
     .interpolate_directions = interpolate_directions_scalar,
     .sample = sample_without_observer,
     .fragment = &ReferenceFragmentStages,
+    .passes_over_hidden = false,
 };
 
 } // namespace ffgpu

@@ -62,6 +62,10 @@ struct Stages {
         const TextureUnit&, TexCoordPlanes&, const SampleQuads&, ColorPlanes&, TexelFootprints*);
 
     const FragmentStages* fragment;
+
+    // Blocks in which every fragment fails the early depth test are counted and passed over
+    // (hidden_blocks.h).
+    bool passes_over_hidden = false;
 };
 
 extern const Stages FastStages, ReferenceStages;

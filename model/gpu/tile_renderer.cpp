@@ -7,6 +7,7 @@
 #include "model/raster/image_fragments.h"
 #include "model/raster/smooth_coverage.h"
 
+#include <bit>
 #include <cstddef>
 #include <iterator>
 
@@ -70,6 +71,7 @@ void TileRenderer::render(const Bin& bin, std::uint32_t tile, const Recording& r
     pixels_ = nullptr;
     collector_.clear();
     collector_.begin_tile(tile_);
+    hidden_.begin_tile(tile_);
     ++counts_.tiles;
     bin.for_each_step(tile, [&](const Bin::Step& step) {
         if (step.command != command_) {
@@ -91,6 +93,7 @@ void TileRenderer::begin_command(const BinCommand& command) {
     if (command.kind == WorkKind::Draw && pixels == pixels_ && !recording_.tile && !tap_) return;
     flush();
     pixels_ = pixels;
+    hidden_.begin_draws(pixels->pipe);
     if (pixels_->antialias) batch_.antialias.fill(255);
 }
 
@@ -99,12 +102,24 @@ void TileRenderer::draw_record(const SetupRecord& record) {
     if (record.coverage != CoverageKind::Centre) return draw_smooth(record);
     if (record.stipple == StippleKind::None && fits_windows(record)) return draw_small(record);
     stages_.cover_tile(edge_set(record), tile_, coverage_);
+    const bool passes_over = passes_over_hidden();
     for (unsigned i = 0; i < coverage_.count; ++i) {
         BlockCoverage& block = coverage_.blocks[i];
         if (record.stipple != StippleKind::None)
             block.mask &= stipple_mask(record, pixels_->stipple, block.x, block.y);
-        if (block.mask != 0) collector_.add(record, block, nullptr, [this] { flush(); });
+        if (passes_over && hidden_.hides(record, block))
+            count_hidden(block.mask);
+        else if (block.mask != 0)
+            collector_.add(record, block, nullptr, [this] { flush(); });
     }
+}
+
+// Of the primitive whose coverage is known. In meshes of small ones it takes longer to ask than it
+// saves. Who is told of each fragment is told of these, too.
+bool TileRenderer::passes_over_hidden() const {
+    constexpr unsigned FewBlocks = 4;
+    return coverage_.count > FewBlocks && stages_.passes_over_hidden && hidden_.tells() &&
+           !recording_.tile && !tap_;
 }
 
 void TileRenderer::draw_small(const SetupRecord& record) {
@@ -144,9 +159,11 @@ void TileRenderer::whole_command(const BinCommand& command) {
     const Rectangle area = intersect(command.context->setup.clip, tile_);
     switch (command.kind) {
     case WorkKind::Clear:
+        hidden_.forget();
         clear_rectangle(command.clear, registers, area, memory_);
         return;
     case WorkKind::Image:
+        hidden_.forget();
         if (command.image->format == Format::Stencil8)
             draw_stencil_image(*command.image, registers, area, memory_);
         else
@@ -291,6 +308,23 @@ void TileRenderer::count(const FragmentMask& covered, const FragmentMask& early)
     ++counts_.batches;
     if (multisampled()) return count_samples();
     if (pixels_->count_samples) counts_.counted_samples += depth;
+}
+
+// Pixels whose fragments the early depth test would end.
+void TileRenderer::count_hidden(BlockMask mask) {
+    ++counts_.hidden_blocks;
+    if (mask == FullBlock) {
+        counts_.covered += 64;
+        counts_.killed_early_depth += 64;
+        counts_.quads += 16;
+        return;
+    }
+    constexpr BlockMask FirstLanes = 0x1111111111111111;
+    const BlockMask pairs = mask | mask >> 1;
+    const auto fragments = static_cast<unsigned>(std::popcount(mask));
+    counts_.covered += fragments;
+    counts_.killed_early_depth += fragments;
+    counts_.quads += static_cast<unsigned>(std::popcount((pairs | pairs >> 2) & FirstLanes));
 }
 
 void TileRenderer::count_samples() {

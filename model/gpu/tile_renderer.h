@@ -4,6 +4,7 @@
 #pragma once
 
 #include "model/gpu/bin.h"
+#include "model/gpu/hidden_blocks.h"
 #include "model/gpu/raster_statistics.h"
 #include "model/gpu/stage_tap.h"
 #include "model/gpu/stages.h"
@@ -24,7 +25,8 @@ class TileRenderer {
 public:
     TileRenderer(std::span<std::byte> memory, const Stages& stages)
         : memory_(memory)
-        , stages_(stages) {}
+        , stages_(stages)
+        , hidden_(memory) {}
 
     // Where what was done is recorded, and in what memory its lists lie.
     struct Recording {
@@ -45,6 +47,7 @@ private:
     void begin_command(const BinCommand& command);
     void draw_record(const SetupRecord& record);
     void draw_small(const SetupRecord& record);
+    bool passes_over_hidden() const;
     void draw_samples(const SetupRecord& record);
     void draw_smooth(const SetupRecord& record);
     void whole_command(const BinCommand& command);
@@ -60,6 +63,7 @@ private:
     void begin_samples();
     void count(const FragmentMask& covered, const FragmentMask& after_early_depth);
     void count_samples();
+    void count_hidden(BlockMask mask);
     void record(const FragmentMask& covered, const FragmentMask& after_early_depth);
     void record_quads(const FragmentMask& covered,
                       const FragmentMask& early,
@@ -87,6 +91,7 @@ private:
     SampleDepths sample_depths_;
     QuadCollector collector_{batch_, stages_.pack_quads};
     TileCoverage coverage_, windows_;
+    HiddenBlocks hidden_;
     TileSampleCoverage sample_coverage_;
     PerspectivePlanes perspective_;
     TexCoordPlanes coordinates_;

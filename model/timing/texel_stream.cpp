@@ -4,14 +4,14 @@
 
 namespace ffgpu::timing {
 
-// A sample reads a texel at least: the border's, which is in no line.
+// A sample reads a texel at least; the border's take their cycles, and no line.
 void TexelStream::begin(const QuadToken& quad) {
     const PreparedQuad& work = quad.quad();
     current_ = quad;
     comparing_ = true;
     samples_ = TexelRequests::samples_of(work);
     sample_ = 0;
-    texels_ = std::max<std::uint32_t>(work.texel_reads, samples_);
+    texels_ = std::max(std::uint32_t{work.texel_reads} + work.border_texels, samples_);
     texel_ = 0;
     line_ = 0;
     ticket_ = 0;

@@ -31,6 +31,7 @@ struct PreparedQuad {
     std::uint32_t empty_blocks = 0; // walked before that block, since the last that holds quads
     std::uint16_t filter_steps = 0; // bilinear (or simpler) samples a fragment, over all textures
     std::uint16_t texel_reads = 0;
+    std::uint16_t border_texels = 0; // read beside them: the border's colour, which is in no line
     std::uint16_t texel_line_count = 0;
     std::uint32_t texel_lines_begin = 0;   // into PreparedScene::texel_lines
     std::uint32_t texture_parts_begin = 0; // into PreparedScene::texture_parts

@@ -68,7 +68,10 @@ void QuadLines::add_corners(const PlacedLevel& level, const TexelAccess& access)
         const std::uint16_t x = corner & 1 ? access.x1 : access.x0;
         const std::uint16_t y = corner & 2 ? access.y1 : access.y0;
         const std::uint16_t layer = corner & 4 ? access.layer1 : access.layer0;
-        if (x == Border || y == Border || layer == Border) continue;
+        if (x == Border || y == Border || layer == Border) {
+            ++border_reads_;
+            continue;
+        }
         ++reads_;
         const std::uint64_t at =
             level.layer_address(layer) + columns[corner & 1] + rows[corner >> 1 & 1];

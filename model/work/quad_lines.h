@@ -25,7 +25,7 @@ public:
         , lines_(64) {}
 
     void begin_quad() {
-        count_ = reads_ = 0, expands_blocks_ = false;
+        count_ = reads_ = border_reads_ = 0, expands_blocks_ = false;
         last_ = {};
     }
     // What one fragment reads of one level.
@@ -39,8 +39,9 @@ public:
     }
 
     std::span<const std::uint64_t> lines() const { return {lines_.data(), count_}; }
-    std::uint32_t reads() const { return reads_; }          // texels
-    bool expands_blocks() const { return expands_blocks_; } // read from lines of blocks
+    std::uint32_t reads() const { return reads_; }               // texels
+    std::uint32_t border_reads() const { return border_reads_; } // of the border's colour: no line
+    bool expands_blocks() const { return expands_blocks_; }      // read from lines of blocks
 
 private:
     static constexpr std::size_t MostOfAccess = 8;
@@ -71,7 +72,7 @@ private:
     bool merges_, expands_blocks_ = false;
     std::vector<std::uint64_t> lines_; // with room for what an access adds
     std::size_t count_ = 0;
-    std::uint32_t reads_ = 0;
+    std::uint32_t reads_ = 0, border_reads_ = 0;
     std::array<LastRead, 2> last_; // none without merging
 };
 

@@ -36,6 +36,7 @@ void TexelLookups::add(std::uint32_t number, std::uint8_t lanes, PreparedQuad& q
     out_.texel_lines.insert(out_.texel_lines.end(), lines_.lines().begin(), lines_.lines().end());
     quad.texel_line_count = static_cast<std::uint16_t>(lines_.lines().size());
     quad.texel_reads = static_cast<std::uint16_t>(lines_.reads());
+    quad.border_texels = static_cast<std::uint16_t>(lines_.border_reads());
     quad.expands_blocks = lines_.expands_blocks();
 }
 

@@ -73,7 +73,8 @@ void for_each_stage(Visit&& visit) {
     visit.template operator()<&Stages::interpolate_tex_coords>();
     visit.template operator()<&Stages::interpolate_directions>();
     visit.template operator()<&Stages::sample>();
-    static_assert(sizeof(Stages) == 15 * sizeof(void*), "fourteen stages and the fragment's table");
+    static_assert(sizeof(Stages) == 16 * sizeof(void*),
+                  "fourteen stages, the fragment's table, and what is passed over");
     visit.template operator()<&FragmentStages::run_environment>();
     visit.template operator()<&FragmentStages::add_secondary>();
     visit.template operator()<&FragmentStages::apply_fog>();
@@ -101,7 +102,7 @@ std::set<std::string> functions_of_table(const std::string& source, const std::s
     const std::string body = source.substr(begin, source.find("};", begin) - begin);
     const std::regex assignment(R"(\.\w+ = (\w+),)");
     for (std::sregex_iterator i(body.begin(), body.end(), assignment), end; i != end; ++i)
-        names.insert((*i)[1]);
+        if ((*i)[1] != "true" && (*i)[1] != "false") names.insert((*i)[1]);
     return names;
 }
 

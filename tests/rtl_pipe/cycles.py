@@ -20,7 +20,9 @@ from verilated_tree import build_tree
 
 Root = Path(__file__).resolve().parents[2]
 Units = ["raster", "interpolator", "texture", "fragment", "depth", "color"]
-Traces = ["glxgears", "polyhedra", "chromium", "stairs", "corridor", "lattice", "chrome", "light_maps"]
+Traces = ["glxgears", "polyhedra", "chromium", "stairs", "corridor", "lattice", "chrome", "light_maps",
+          "gallery/projective_texture", "gallery/wrap_modes"]
+OnlyFrame = {"gallery/projective_texture": "0-0", "gallery/wrap_modes": "0-0"}  # Others: frame 1.
 Total, Draw, Unit = 0.05, 0.10, 0.05
 Span = re.compile(r'\{"name":"([^"]+)","ph":"X","ts":(\d+),"dur":(\d+),"pid":(\d+),"tid":(\d+)\}')
 Name = re.compile(r'"name":"thread_name","ph":"M","pid":1,"tid":(\d+),"args":\{"name":"([^"]+)"\}')
@@ -200,7 +202,7 @@ def path_of(trace):
 
 
 def those_there():
-    """Of the eight traces some are recordings that may not stand beside the sources."""
+    """Of the ten traces some are recordings that may not stand beside the sources."""
     there = [trace for trace in Traces if path_of(trace).exists()]
     if missing := [trace for trace in Traces if trace not in there]:
         print(f"not here, left out: {', '.join(missing)}")
@@ -210,7 +212,7 @@ def those_there():
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("build", type=Path)
-    parser.add_argument("--frames", default="1-1")
+    parser.add_argument("--frames")
     parser.add_argument("--config", default="preset:rtl_pipe")
     parser.add_argument("--latency", default="20")
     parser.add_argument("--trends", action="store_true")
@@ -220,12 +222,13 @@ def main():
     ffgpu = arguments.build / "tools/ffgpu"
     holds = True
     for trace in arguments.traces or those_there():
-        rtl = rtl_cycles(ffgpu, path_of(trace), arguments.frames, arguments.latency)
-        model = model_cycles(ffgpu, path_of(trace), arguments.frames,
+        frames = arguments.frames or OnlyFrame.get(trace, "1-1")
+        rtl = rtl_cycles(ffgpu, path_of(trace), frames, arguments.latency)
+        model = model_cycles(ffgpu, path_of(trace), frames,
                              [arguments.config, f"memory.latency={arguments.latency}"])
         holds = table(Path(trace).stem, model, rtl) and holds
         if arguments.trends:
-            holds = trends(arguments.build, path_of(trace), arguments.frames,
+            holds = trends(arguments.build, path_of(trace), frames,
                            arguments.config) and holds
         both = sorted(set(model) & set(rtl), key=lambda d: -abs(off(model[d].total, rtl[d].total)))
         for draw in both[:arguments.draws]:

@@ -204,6 +204,27 @@ TexelFootprints as_nearest(const TexelFootprints& read) {
     return nearest;
 }
 
+TEST_CASE("texels of the border's colour take their cycles, and no line") {
+    TimingConfig config = wide_machine(1);
+    config.texture.rate = TexelRate::Texels;
+    WorkBin bin = textured_draw(1);
+    for (WorkBatch& batch : bin.tiles[0].batches)
+        for (TexelFootprints& texture : batch.textures) {
+            TexelFootprints beyond; // The right column of each square is.
+            beyond.unit = texture.unit;
+            for (TexelAccess access : texture.accesses()) {
+                access.x1 = TexelAccess::BorderTexel;
+                beyond.add(access);
+            }
+            texture = beyond;
+        }
+    const Figures figures = run(config, bin);
+    CHECK(figures.at("texture_texel_reads") == 8 * FillQuads);
+    CHECK(figures.at("total_cycles") > 16 * FillQuads);
+    CHECK(figures.at("total_cycles") < 16 * FillQuads + 2000); // the first misses
+    CHECK(run(config, bin, {0, Pace::EveryCycle}) == figures);
+}
+
 TEST_CASE("a sequencer takes a cycle for each texture of a quad, beside those of its samples") {
     TimingConfig config = wide_machine(1);
     config.texture.rate = TexelRate::Texels;
