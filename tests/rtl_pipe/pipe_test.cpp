@@ -282,6 +282,110 @@ TEST_CASE("A bank of the texture unit is another unit's when its last sample has
     }
 }
 
+// The same with a texel a sample, all of a line that has not come: sixty-four samples, of as many
+// quads as may wait for theirs.
+TEST_CASE("A bank of the texture unit waits for all samples that may be on their way") {
+    for (const rtl::PipeOptions& options : {memory(250, 0, 4), memory(250, 30, 5)}) {
+        CloseDraws draws(options);
+        for (int turn = 0; turn < 24; ++turn) {
+            const float at = (static_cast<float>(turn) + 0.5f) / 24;
+            std::vector<test::Vertex> whole;
+            for (const auto& [x, y] : {std::pair{-1.0f, -1.0f}, {3.0f, -1.0f}, {-1.0f, 3.0f}})
+                whole.push_back({x, y, 0, 1, 1, 1, 1, 1, at, at});
+            for (const unsigned units : {1u, 3u}) {
+                Registers& registers = draws.vary(units);
+                const Scissor all = registers.scissor;
+                registers.scissor = {8, 8, 8, 8};
+                registers.depth.test_enable = registers.stencil.enable = false;
+                registers.fragment.alpha_test = false;
+                registers.blend.write_mask = 0xf;
+                if (units == 1) {
+                    registers.images[0].shape = {TextureKind::TwoD, Format::Rgba8, 64, 64, 1, 1, 0};
+                    registers.samplers[0].magnify_linear = registers.samplers[0].minify_linear =
+                        false;
+                    registers.samplers[0].mip_filter = MipFilter::None;
+                }
+                draws.draw_as_set(whole);
+                registers.scissor = all;
+            }
+            // Without a quad: the next but one has its registers at once.
+            for (int empty = 0; empty < 2; ++empty) {
+                draws.vary(0);
+                draws.draw_as_set({});
+            }
+        }
+        const TargetDifference difference = draws.difference();
+        INFO(target_text(difference));
+        CHECK(difference.target.empty());
+    }
+}
+
+// A draw's combiner names a unit that the draw does not sample: black, whatever the one before it,
+// under the other registers, has sampled there.
+TEST_CASE("The pipe has no sample of a unit that only the other draw samples") {
+    for (unsigned first = 0; first < 2; ++first) {
+        PipeComparison comparison(Memories[0]);
+        test::Scene scene(32, 24);
+        comparison.attach(scene.gpu, scene.gpu);
+        scene.into = &comparison;
+        prepare(scene);
+        scene.texture(1, {0}); // its sampler and combiner
+        Registers& registers = scene.registers;
+        registers.images[0].shape = {TextureKind::TwoD, Format::Rgba8, 16, 16, 1, 1, 0};
+        registers.images[1] = registers.images[0];
+        registers.samplers[1] = registers.samplers[0];
+        const Combiner own = registers.combiners[0];
+        test::RandomStates random(3);
+        for (unsigned draw = first; draw < 6; ++draw) {
+            const bool both = draw % 2 == 0;
+            registers.images[1].shape.kind = both ? TextureKind::TwoD : TextureKind::None;
+            registers.combiners[1] = own;
+            registers.combiners[1].enable = true;
+            for (CombineHalf* half : {&registers.combiners[1].rgb, &registers.combiners[1].alpha}) {
+                half->op = CombineOp::Replace;
+                half->arguments[0].source = CombineSource::Texture1;
+            }
+            scene.clear(0x40302010);
+            scene.draw(PrimitiveType::Triangles, triangles(random, 4));
+            INFO(told(comparison, draw));
+            CHECK(comparison.equal());
+        }
+        CHECK(comparison.fragments().at("") > 500);
+    }
+}
+
+// Of eight units that are sampled each is shown once, alone: no bit of its samples may be lost.
+TEST_CASE("The pipe shades with the sample of each unit at each lane") {
+    PipeComparison comparison(Memories[0]);
+    test::Scene scene(32, 24);
+    comparison.attach(scene.gpu, scene.gpu);
+    scene.into = &comparison;
+    prepare(scene);
+    scene.texture(1, {0}); // its sampler and combiner
+    Registers& registers = scene.registers;
+    registers.images[0].shape = {TextureKind::TwoD, Format::Rgba8, 16, 16, 1, 1, 0};
+    registers.images.fill(registers.images[0]);
+    registers.samplers.fill(registers.samplers[0]);
+    registers.combiners[0].enable = true;
+    registers.combiners.fill(registers.combiners[0]);
+    for (unsigned unit = 0; unit < TextureUnits; ++unit)
+        registers.images[unit].address += 0x4000 * unit;
+    Combiner& last = registers.combiners[TextureUnits - 1];
+    test::RandomStates random(4);
+    for (unsigned unit = 0; unit < TextureUnits; ++unit) {
+        for (CombineHalf* half : {&last.rgb, &last.alpha}) {
+            half->op = CombineOp::Replace;
+            half->arguments[0].source =
+                static_cast<CombineSource>(static_cast<unsigned>(CombineSource::Texture0) + unit);
+        }
+        scene.clear(0);
+        scene.draw(PrimitiveType::Triangles, triangles(random, 12));
+        INFO(told(comparison, unit));
+        CHECK(comparison.equal());
+        CHECK(scene.colors() > 16);
+    }
+}
+
 // Who waits for the pipe would wait too long, or not long enough: no picture tells.
 TEST_CASE("A pipe that has ended its draws stays idle") {
     CloseDraws draws(Memories[0]);
