@@ -31,6 +31,7 @@ int replay_and_compare(RtlDevice& comparison, ReplayOptions& options) {
     options.rtl = &comparison;
     std::fputs(replay(options).c_str(), stderr);
     std::fputs(comparison.summary().c_str(), stderr);
+    comparison.commit();
     return comparison.equal() ? 0 : 1;
 }
 
