@@ -106,6 +106,20 @@ bool is_unit(const std::string& name) {
     return name == "all" || std::ranges::find(Units, name) != Units.end();
 }
 
+// Empty: nothing.
+std::string what_is_wrong_with(const LoopOptions& options) {
+    const auto unknown = std::ranges::find_if_not(options.units, is_unit);
+    if (unknown == options.units.end() && !options.units.empty()) return {};
+    const bool names_none = unknown == options.units.end() || unknown->empty();
+    std::string why =
+        "--rtl: " + (names_none ? "no unit is named" : "there is no unit " + *unknown);
+    why += "; there are all";
+    for (const std::string_view unit : Units)
+        why.append(", ").append(unit);
+    if (!options.other_names.empty()) why += ", " + options.other_names;
+    return why;
+}
+
 } // namespace
 } // namespace ffgpu::rtl
 
@@ -116,12 +130,7 @@ ffgpu_open_rtl_stages(const ffgpu::rtl::LoopOptions& options, std::string& why) 
         why = NoWaves;
         return nullptr;
     }
-    for (const std::string& name : options.units)
-        if (!is_unit(name)) {
-            why = "--rtl: there is no unit " + name + "; there are all";
-            for (const std::string_view unit : Units)
-                why.append(", ").append(unit);
-            return nullptr;
-        }
+    why = what_is_wrong_with(options);
+    if (!why.empty()) return nullptr;
     return new Loop(options);
 }

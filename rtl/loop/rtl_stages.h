@@ -29,6 +29,8 @@ struct LoopOptions {
     std::optional<PlantedFault> fault{};
     std::string waves{}; // those of each unit go to FOLDER/UNIT.fst; empty: none
     WaveCycles wave_cycles{};
+    // What the caller takes in a unit's place, named where one does not exist; empty: nothing.
+    std::string other_names{};
 };
 
 // Fragments that a stage has seen, by who worked on them.

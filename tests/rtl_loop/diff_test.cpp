@@ -15,6 +15,7 @@ namespace ffgpu::tools {
 namespace {
 
 using Catch::Contains;
+using Catch::EndsWith;
 
 // A unit's field that is wrong from its N-th output on, and the stage's field that it shows in.
 // What of it does not change a value at once shows later: there the place is not the unit's first.
@@ -137,8 +138,14 @@ TEST_CASE("diff --backend-b rtl draws with all units, rtl:UNIT with these") {
     CHECK(status == 0);
     CHECK_THAT(diff("rtl:fog,blend"), Contains("Equal: every command"));
     CHECK(status == 0);
-    diff("rtl:bland");
-    CHECK(status == 2);
+    for (const char* const backend : {"rtl:bland", "rtl:fragment_pipe", "rtl:", "rtl:,"}) {
+        INFO(backend);
+        std::string differences;
+        const std::string text = printed(stderr, [&] { differences = diff(backend); });
+        CHECK(status == 2);
+        CHECK_THAT(text, Contains("; there are all, tile_walker") && EndsWith(", blend\n"));
+        CHECK_THAT(differences, !Contains("Equal"));
+    }
     for (const char* const cycles : {"9-3", "some"}) {
         status = run({"diff",
                       capture.path(),

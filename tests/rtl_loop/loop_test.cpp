@@ -2,6 +2,7 @@
 // told with the draw and the unit, and a build without Verilator says that it is one.
 
 #include "tests/gpu/busy_scene.h"
+#include "tests/support/temporary_file.h"
 #include "tests/tools/tool.h"
 #include "tools/rtl/rtl_comparison.h"
 
@@ -14,6 +15,7 @@ namespace ffgpu::tools {
 namespace {
 
 using Catch::Contains;
+using Catch::EndsWith;
 using rtl::StageShare;
 
 struct UnitField {
@@ -115,23 +117,59 @@ TEST_CASE("A wrong pixel is told with its place and both values") {
     CHECK(scene.pixel(4, 4) == 0xffffffff);
 }
 
+struct Told {
+    int status;
+    std::string text;
+};
+
+// Of two frames, a draw each.
+Told replay_by(const std::string& units, std::vector<std::string> more = {}) {
+    const TemporaryFile trace(trace::in_snappy(clears(2, true)));
+    more.insert(more.begin(), {"replay", trace.path(), "--rtl", units});
+    Told told{};
+    told.text = printed(stderr, [&] { told.status = run(more); });
+    return told;
+}
+
 TEST_CASE("replay --rtl draws a trace by units, and says what it compared") {
-    const std::string path = "/tmp/ffgpu_loop_test_" + std::to_string(::getpid()) + ".trace";
-    std::ofstream(path, std::ios::binary) << trace::in_snappy(clears(2, true));
-    int status = -1;
-    const std::string text = printed(stderr, [&] {
-        status = run({"replay", path, "--rtl", "tile_walker,blend"});
-    });
+    const auto [status, text] = replay_by("tile_walker,blend");
+    INFO(text);
     CHECK(status == 0);
     CHECK_THAT(text, Contains("rtl: 2 draws, target bytes equal"));
     CHECK_THAT(text, Contains("rtl: blend: 32 fragments, 100.00 %"));
-    CHECK_THAT(printed(stderr,
-                       [&] {
-                           status = run({"replay", path, "--rtl", "bland"});
-                       }),
-               Contains("there is no unit bland; there are all, tile_walker"));
-    CHECK(status == 2);
-    std::remove(path.c_str());
+    CHECK_THAT(text, !Contains("in frames before"));
+}
+
+TEST_CASE("replay --rtl says that it counts frames before the first of --frames as well") {
+    const auto [status, text] = replay_by("blend", {"--frames", "1-1"});
+    INFO(text);
+    CHECK(status == 0);
+    CHECK_THAT(
+        text,
+        Contains("\nrtl: of all that was drawn, in frames before 1 as well:\nrtl: blend: 32"));
+    CHECK_THAT(text, Contains("rtl: 2 draws, target bytes equal"));
+}
+
+TEST_CASE("replay --rtl refuses names that are no unit's, and lists all") {
+    const Told other = replay_by("bland");
+    CHECK(other.status == 2);
+    CHECK_THAT(other.text,
+               Contains("there is no unit bland; there are all, tile_walker") &&
+                   EndsWith(", blend, fragment_pipe\n"));
+    const Told none = replay_by("");
+    CHECK(none.status == 2);
+    CHECK_THAT(none.text, Contains("--rtl: no unit is named; there are all, tile_walker"));
+}
+
+TEST_CASE("replay --rtl UNIT refuses what fragment_pipe alone has") {
+    const TemporaryFile cycles("older", ".csv");
+    const Told with_cycles = replay_by("fog", {"--rtl-cycles", cycles.path()});
+    CHECK(with_cycles.status == 2);
+    CHECK(with_cycles.text == "ffgpu: --rtl-cycles: only fragment_pipe has cycles of draws\n");
+    CHECK(content(cycles.path()) == "older");
+    const Told with_latency = replay_by("fog", {"--rtl-latency", "5"});
+    CHECK(with_latency.status == 2);
+    CHECK(with_latency.text == "ffgpu: --rtl-latency: only fragment_pipe has a memory\n");
 }
 
 } // namespace

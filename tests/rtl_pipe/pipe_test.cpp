@@ -2,82 +2,13 @@
 // latency that stall at random; draws behind each other in the pipe; what is left to the model.
 
 #include "tests/gpu/busy_scene.h"
-#include "tests/rtl_pipe/random_draws.h"
+#include "tests/rtl_pipe/close_draws.h"
 #include "tests/tools/tool.h"
-#include "tools/rtl/pipe_comparison.h"
-
-#include <algorithm>
-#include <map>
-#include <random>
-#include <set>
-
-#include <catch2/catch.hpp>
-#include <fmt/format.h>
 
 namespace ffgpu::tools {
 namespace {
 
 using Catch::Contains;
-
-constexpr rtl::PipeOptions memory(unsigned latency, unsigned stall_percent, std::uint64_t seed) {
-    return {
-        .latency = latency, .stall_percent = stall_percent, .seed = seed, .quiet_cycles = 1 << 14};
-}
-
-const std::array Memories{memory(1, 0, 1), memory(20, 25, 2), memory(90, 60, 3)};
-
-std::vector<test::Vertex> triangles(test::RandomStates& random, unsigned count) {
-    const auto unit = [&] { return static_cast<float>(random.below(65536)) / 32768.0f - 1.0f; };
-    const float size = random.chance(3) ? 1.5f : 0.3f;
-    const bool flat = random.chance(3);
-    std::vector<test::Vertex> vertices;
-    for (unsigned i = 0; i < count; ++i) {
-        const float x = unit(), y = unit();
-        for (int corner = 0; corner < 3; ++corner) {
-            const float w = flat ? 1.0f : 1.5f + unit();
-            vertices.push_back({(x + size * unit()) * w,
-                                (y + size * unit()) * w,
-                                unit() * w * 0.7f,
-                                w,
-                                unit(),
-                                unit(),
-                                unit(),
-                                unit(),
-                                unit() * 4,
-                                unit() * 4});
-        }
-    }
-    return vertices;
-}
-
-// Noise under the textures; coordinates for all units, those of four words divided by q.
-void prepare(test::Scene& scene) {
-    std::mt19937 random(5);
-    std::vector<std::uint32_t> noise(0x40000);
-    std::ranges::generate(noise, random);
-    scene.into->write_memory(test::TextureAt, std::as_bytes(std::span(noise)));
-    auto& elements = scene.registers.vertex_format.elements;
-    constexpr std::array<VertexElement, TextureUnits> Coordinates{
-        {{2, 8}, {4, 6}, {3, 7}, {4, 4}, {2, 6}, {4, 5}, {3, 5}, {4, 6}}};
-    std::ranges::copy(Coordinates, &elements[static_cast<unsigned>(Attribute::TexCoord0)]);
-    elements[static_cast<unsigned>(Attribute::SecondaryColor)] = {3, 5};
-    elements[static_cast<unsigned>(Attribute::FogCoordinate)] = {1, 8};
-    scene.clear(0x80402010);
-}
-
-// Rows of an odd number of pairs: in small formats the two of a quad begin at different bytes.
-void space_rows(Surface& surface) {
-    surface.stride = format_info(surface.format).block_bytes * (surface.width + 2u);
-}
-
-// Up to three in most draws, up to all in some.
-unsigned textured_units(test::RandomStates& random) {
-    return random.chance(4) ? random.below(TextureUnits + 1) : random.below(4);
-}
-
-std::string told(const PipeComparison& comparison, unsigned draw) {
-    return fmt::format("draw {}\n{}", draw, comparison.summary());
-}
 
 TEST_CASE("The pipe draws a busy scene as the model does, however memory answers") {
     for (const rtl::PipeOptions& options : Memories) {
@@ -127,124 +58,6 @@ TEST_CASE("The pipe draws random states as the model does") {
     }
 }
 
-// Many blocks wide and high, a texel a pixel: none lies where another one does.
-TEST_CASE("The pipe finds each texel of images of every format") {
-    constexpr std::uint32_t Width = 64, Height = 32;
-    PipeComparison comparison(Memories[0]);
-    test::Scene scene(Width, Height);
-    comparison.attach(scene.gpu, scene.gpu);
-    scene.into = &comparison;
-    prepare(scene);
-    scene.texture(1, {0}); // its sampler
-    const auto corner = [](float x, float y) {
-        return test::Vertex{x, y, 0, 1, 1, 1, 1, 1, 0.5f + x / 2, 0.5f + y / 2};
-    };
-    for (auto format = static_cast<unsigned>(Format::Rgba8);
-         format <= static_cast<unsigned>(Format::Depth24Stencil8);
-         ++format) {
-        INFO(format_info(static_cast<Format>(format)).name);
-        scene.clear(0);
-        scene.registers.images[0].shape = {
-            TextureKind::TwoD, static_cast<Format>(format), Width, Height, 1, 1, 0};
-        scene.draw(PrimitiveType::TriangleFan,
-                   {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)});
-        INFO(comparison.summary());
-        REQUIRE(comparison.equal());
-        const std::vector<std::uint32_t> picture = scene.picture();
-        CHECK(std::set(picture.begin(), picture.end()).size() > 8);
-    }
-    CHECK(comparison.fragments() ==
-          std::map<std::string, std::uint64_t>{{"", 17 * Width * Height}});
-}
-
-// Draws for a pipe without a gap between them, and the model's.
-class CloseDraws {
-public:
-    explicit CloseDraws(const rtl::PipeOptions& options)
-        : pipe_(open_rtl_pipe(options)) {
-        targets_.fill(model_.registers.targets);
-        targets_[1].color[0] = beside(targets_[1].color[0], Format::Rgb565);
-        targets_[1].depth = beside(targets_[1].depth, Format::Depth16);
-        targets_[2].depth.format = Format::None; // Its quads wait for no pixels between others.
-        for (test::Scene* scene : {&model_, &drawn_})
-            for (const Targets& targets : targets_) {
-                scene->registers.targets = targets;
-                prepare(*scene);
-            }
-        drawn_.gpu.settled_memory(); // The clear is in it.
-        pipe_->set_memory(bytes_);
-    }
-
-    rtl::Pipe& pipe() { return *pipe_; }
-
-    // The pipe's part of one may be given up after some records.
-    void draw(std::size_t most_records = SIZE_MAX) {
-        draw_textured(textured_units(random_), most_records);
-    }
-    void draw_textured(unsigned units, std::size_t most_records = SIZE_MAX) {
-        vary(units);
-        draw_as_set(triangles(random_, 1 + random_.below(3)), most_records);
-    }
-    // The registers of the next draw.
-    Registers& vary(unsigned units) {
-        random_.vary(model_.registers, units);
-        model_.registers.targets = targets_[random_.below(3)];
-        return model_.registers;
-    }
-    void draw_as_set(const std::vector<test::Vertex>& vertices,
-                     std::size_t most_records = SIZE_MAX) {
-        model_.draw(PrimitiveType::Triangles, vertices);
-        // Behind everything that a draw reads.
-        constexpr DeviceAddress At = test::VerticesAt;
-        std::memcpy(bytes_.data() + At, vertices.data(), vertices.size() * sizeof vertices[0]);
-        DrawCommand command;
-        command.primitive = PrimitiveType::Triangles;
-        command.count = command.vertex_count = static_cast<std::uint32_t>(vertices.size());
-        command.vertex_address = At;
-        records_.make(model_.registers, number_, command);
-        pipe_->begin_draw(records_.context(), number_++);
-        std::size_t added = 0;
-        records_.for_each([&](const SetupRecord& record) {
-            if (added++ < most_records) pipe_->add(record);
-        });
-    }
-
-    // Draws are numbered anew, too: nothing may be known by a number of before.
-    void reset() {
-        pipe_->reset();
-        number_ = 0;
-    }
-
-    // What the pipe draws on becomes what the model has.
-    void equalize() { std::ranges::copy(model_.gpu.settled_memory(), bytes_.begin()); }
-
-    TargetDifference difference() {
-        REQUIRE(pipe_->finish());
-        TargetDifference found;
-        for (const Targets& targets : targets_)
-            if (found.target.empty())
-                found = TargetComparison().compare(targets, model_.gpu, drawn_.gpu);
-        return found;
-    }
-
-private:
-    // Another target behind this one, in another format.
-    static Surface beside(Surface surface, Format format) {
-        surface.address += 0x100000;
-        surface.format = format;
-        space_rows(surface);
-        return surface;
-    }
-
-    std::unique_ptr<rtl::Pipe> pipe_;
-    test::Scene model_{40, 36}, drawn_{40, 36};
-    std::array<Targets, 3> targets_;
-    std::span<std::byte> bytes_ = drawn_.gpu.settled_memory();
-    PipeRecords records_{bytes_};
-    test::RandomStates random_{11};
-    std::uint32_t number_ = 0;
-};
-
 // Draws close behind each other, two at a time inside: each is under registers of its own.
 TEST_CASE("Draws follow each other through the pipe without a gap") {
     for (const rtl::PipeOptions& options : Memories) {
@@ -254,28 +67,6 @@ TEST_CASE("Draws follow each other through the pipe without a gap") {
         // As fast as targets are slow: quads of two draws stand in the queues before them.
         for (int draw = 0; draw < 300; ++draw)
             draws.draw_textured(0);
-        const TargetDifference difference = draws.difference();
-        INFO(target_text(difference));
-        CHECK(difference.target.empty());
-    }
-}
-
-// Of a draw many samples are on their way, sixteen texels each, when the next one's second and
-// third unit want the bank that those are under.
-TEST_CASE("A bank of the texture unit is another unit's when its last sample has come") {
-    for (const rtl::PipeOptions& options : Memories) {
-        CloseDraws draws(options);
-        for (int turn = 0; turn < 8; ++turn) {
-            Registers& registers = draws.vary(1);
-            registers.images[0].shape = {TextureKind::ThreeD, Format::Rgba8, 16, 16, 8, 3, 0};
-            registers.samplers[0].magnify_linear = registers.samplers[0].minify_linear = true;
-            registers.samplers[0].mip_filter = MipFilter::Linear;
-            std::vector<test::Vertex> whole;
-            for (const auto& [x, y] : {std::pair{-1.0f, -1.0f}, {3.0f, -1.0f}, {-1.0f, 3.0f}})
-                whole.push_back({x, y, 0, 1, 1, 1, 1, 1, 6 * x, 5 * y});
-            draws.draw_as_set(whole);
-            draws.draw_textured(3);
-        }
         const TargetDifference difference = draws.difference();
         INFO(target_text(difference));
         CHECK(difference.target.empty());

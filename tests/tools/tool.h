@@ -2,10 +2,10 @@
 
 #pragma once
 
+#include "tests/support/printed.h"
 #include "tests/trace/trace_writer.h"
 #include "tools/commands/command_line.h"
 
-#include <cstdio>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -66,24 +66,6 @@ inline std::string clears(unsigned frames, bool with_edge = false) {
         writer.call(5, "glXSwapBuffers", {"dpy", "drawable"}, Values{integer(0), integer(5)});
     }
     return writer.bytes;
-}
-
-// What a call prints on a stream of this process.
-inline std::string printed(std::FILE* stream, const std::function<void()>& call) {
-    std::FILE* const file = std::tmpfile();
-    std::fflush(stream);
-    const int kept = ::dup(::fileno(stream));
-    ::dup2(::fileno(file), ::fileno(stream));
-    call();
-    std::fflush(stream);
-    ::dup2(kept, ::fileno(stream));
-    ::close(kept);
-    std::rewind(file);
-    std::string text;
-    for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file))
-        text += static_cast<char>(c);
-    std::fclose(file);
-    return text;
 }
 
 } // namespace ffgpu::tools

@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 namespace ffgpu::tools {
 namespace {
@@ -22,32 +24,49 @@ struct Arguments {
     ReplayOptions replay;
     std::vector<std::string> rtl;
     std::string rtl_cycles;
+    std::optional<unsigned> rtl_latency;
     std::string fst, fst_cycles;
-    unsigned rtl_latency = rtl::PipeOptions{}.latency;
 };
 
 // 1: what the units drew is not what the model draws.
 int replay_and_compare(RtlDevice& comparison, ReplayOptions& options) {
     options.rtl = &comparison;
     std::fputs(replay(options).c_str(), stderr);
+    if (options.frames.first > 0)
+        fmt::print(stderr,
+                   "rtl: of all that was drawn, in frames before {} as well:\n",
+                   options.frames.first);
     std::fputs(comparison.summary().c_str(), stderr);
+    comparison.commit();
     return comparison.equal() ? 0 : 1;
+}
+
+int replay_by_units(const Arguments& arguments,
+                    const rtl::WaveCycles& wave_cycles,
+                    ReplayOptions& options) {
+    if (!arguments.rtl_cycles.empty())
+        throw InputError("--rtl-cycles: only fragment_pipe has cycles of draws");
+    if (arguments.rtl_latency) throw InputError("--rtl-latency: only fragment_pipe has a memory");
+    RtlComparison comparison({.units = arguments.rtl,
+                              .waves = arguments.fst,
+                              .wave_cycles = wave_cycles,
+                              .other_names = "fragment_pipe"});
+    options.stages = &comparison.stages();
+    return replay_and_compare(comparison, options);
 }
 
 int replay_by_rtl(const Arguments& arguments, ReplayOptions& options) {
     const std::vector<std::string>& units = arguments.rtl;
     const rtl::WaveCycles cycles = parse_wave_cycles(arguments.fst_cycles);
-    if (std::ranges::find(units, "fragment_pipe") == units.end()) {
-        RtlComparison comparison({.units = units, .waves = arguments.fst, .wave_cycles = cycles});
-        options.stages = &comparison.stages();
-        return replay_and_compare(comparison, options);
-    }
+    if (std::ranges::find(units, "fragment_pipe") == units.end())
+        return replay_by_units(arguments, cycles, options);
     if (units.size() != 1) throw InputError("--rtl: fragment_pipe has all units, and stands alone");
-    PipeComparison comparison({.latency = arguments.rtl_latency,
-                               .jitters = arguments.rtl_cycles.empty(),
-                               .waves = arguments.fst,
-                               .wave_cycles = cycles},
-                              arguments.rtl_cycles);
+    PipeComparison comparison(
+        {.latency = arguments.rtl_latency.value_or(rtl::PipeOptions{}.latency),
+         .jitters = arguments.rtl_cycles.empty(),
+         .waves = arguments.fst,
+         .wave_cycles = cycles},
+        arguments.rtl_cycles);
     return replay_and_compare(comparison, options);
 }
 

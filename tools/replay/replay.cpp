@@ -63,6 +63,10 @@ private:
             recording_.finish();
         } catch (const std::runtime_error&) {
         }
+        try {
+            if (options_.rtl) options_.rtl->commit();
+        } catch (const std::runtime_error&) {
+        }
     }
 
     void play() {

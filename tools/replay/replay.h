@@ -17,7 +17,7 @@ struct ReplayOptions : RecordingOptions {
     bool player_only = false; // Nothing is drawn: what is timed is the player and the driver.
     unsigned samples = 1;     // of a pixel of a trace's windows
     gl::SwapMode swap = gl::SwapMode::Copy;
-    RtlDevice* rtl = nullptr; // draws and compares
+    RtlDevice* rtl = nullptr; // draws and compares; whoever has it commits it behind
 };
 
 // Returns a summary for people. Throws InputError; what was finished before is written.

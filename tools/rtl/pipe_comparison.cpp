@@ -74,6 +74,7 @@ void PipeComparison::submit(const CommandStream& commands) {
         }
     });
     submit_part();
+    if (cycles_) cycles_->write(); // Not above: a full disk is no command's fault.
 }
 
 // What the pipe has not drawn for this reason, the GPU that it draws on does.
@@ -142,6 +143,10 @@ std::string PipeComparison::share_text() const {
                                 100 * static_cast<double>(fragments) / static_cast<double>(all),
                                 reason.empty() ? "" : " by the model: " + reason);
     return text;
+}
+
+void PipeComparison::commit() {
+    if (cycles_) cycles_->commit();
 }
 
 std::string PipeComparison::summary() const {

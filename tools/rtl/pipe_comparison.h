@@ -37,6 +37,7 @@ public:
 
     bool equal() const override { return !difference_; }
     std::string summary() const override;
+    void commit() override;
     const std::optional<PipeDifference>& difference() const { return difference_; }
     // Fragments by the reason for which the pipe did not draw them; of none, those that it did.
     const std::map<std::string, std::uint64_t>& fragments() const { return fragments_; }

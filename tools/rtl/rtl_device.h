@@ -18,6 +18,8 @@ public:
     virtual bool equal() const = 0;
     // Lines for people.
     virtual std::string summary() const = 0;
+    // What it writes itself has its name. Throws InputError.
+    virtual void commit() {}
 };
 
 } // namespace ffgpu::tools

@@ -1,5 +1,7 @@
 // What holds for every unit. Included by its test, which has named it `Unit` in this namespace.
 
+#include "tests/support/printed.h"
+
 namespace ffgpu::rtl {
 namespace {
 
@@ -132,10 +134,19 @@ TEST_CASE("the bench sees one wrong bit") {
         put(bits, at, 1, take(bits, at, 1) ^ 1);
         ++corrupted;
     };
-    bench.run(random_source(unit, random, 500), Stall::Never, 14);
+    const std::string text =
+        printed(stderr, [&] { bench.run(random_source(unit, random, 500), Stall::Never, 14); });
     CHECK(corrupted > 0);
     CHECK(bench.mismatches == corrupted);
-    CHECK(bench.report.find("again: FFGPU_RTL_VECTOR=") != std::string::npos);
+    // The first of the lines that run a vector again is whole: eight digits a word.
+    const std::string line = text.substr(0, text.find('\n')), begin = "FFGPU_RTL_VECTOR=";
+    const std::string end = std::string(" build/tests/rtl/rtl_") + Unit::Name + "_test '[again]'";
+    const unsigned words = Bits{.count = bits_of<Unit::State>()}.word_count() +
+                           Bits{.count = bits_of<Unit::Input>()}.word_count();
+    INFO(line);
+    CHECK(line.starts_with(begin));
+    CHECK(line.ends_with(end));
+    CHECK(line.size() == begin.size() + 8 * words + 1 + end.size());
 }
 
 // One vector, as a failure printed it: STATE/INPUT in hexadecimal.
