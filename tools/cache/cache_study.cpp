@@ -343,6 +343,7 @@ void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
         const WorkPlayOptions play{.input = options.input,
                                    .frames = options.frames,
                                    .gpu = options.configuration.gpu,
+                                   .machine = options.configuration.timing,
                                    .warn = options.warn};
         texels_alone ? play_work(play, scans, on_frame) : play_work(play, readers, on_frame);
     } catch (const InputError&) {

@@ -18,11 +18,10 @@ namespace ffgpu::tools {
 namespace {
 
 WorkPlayOptions play_options(const ExportOptions& options) {
-    const bool values = !options.configuration.timing.needs_values().empty();
     return {.input = options.input,
             .frames = options.frames,
             .gpu = options.configuration.gpu,
-            .detail = values ? WorkDetail::Values : WorkDetail::Masks,
+            .machine = options.configuration.timing,
             .warn = options.warn};
 }
 
