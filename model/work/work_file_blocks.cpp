@@ -65,7 +65,12 @@ bool WorkFileBlocks::next() {
     read_bytes(packed.data(), packed.size());
     unpack(packed);
     divide();
+    // What no checksum covers.
+    if (kind() != BlockKind::Items && header_.items != 0)
+        fail("the block is damaged: it can have no items, but tells of " +
+             std::to_string(header_.items));
     if (kind() != BlockKind::End) return true;
+    if (!columns_.at_end()) fail("the block is damaged: the last one holds nothing");
     if (at_ != size_) {
         block_at_ = at_;
         fail("expected the end of the file");

@@ -34,6 +34,7 @@ WorkFileReader::WorkFileReader(const std::string& path)
         clear_places_ = read_names(field_names<ClearCommand>());
         copy_places_ = read_names(field_names<CopyRectangleCommand>());
         surface_places_ = read_names(field_names<Surface>());
+        if (!in_.at_end()) throw DamagedItem("the block is damaged: it holds more than names");
     } catch (const DamagedItem& error) {
         blocks_.fail(error.what());
     }
@@ -60,6 +61,8 @@ WorkFileReader::Places WorkFileReader::read_names(const std::vector<std::string>
 
 bool WorkFileReader::begin_item() {
     while (items_left_ == 0) {
+        // No checksum covers the number of items: one that is too small leaves some.
+        if (!in_.at_end()) throw DamagedItem("it holds more than its items");
         if (over_ || !blocks_.next()) {
             over_ = true;
             return false;

@@ -98,6 +98,31 @@ class TableTest(SweepCase):
         self.assertEqual([row["cycles"] for row in self.rows("both")][:len(POINTS)], cycles)
         self.assertEqual({row["trace"] for row in self.rows("both")}, {"corridor", "chrome"})
 
+    def test_a_trace_is_drawn_with_values_where_a_point_needs_them(self):
+        tour = SOURCE / "traces/tour.trace"
+        usual = '[grid]\ndepth.test = ["as_gl_allows"]\n'
+        space = ('[grid]\ndepth.test = ["as_gl_allows", "late"]\n'
+                 'hierarchical_depth.keeps = ["off", "max"]\n')
+        self.swept("out", space=usual, traces=[tour])
+        before = self.results("out")
+        cycles = self.rows("out")[0]["cycles"]
+        # The work that is there has no values: it is drawn once more, and results stay.
+        self.swept("out", space=space, traces=[tour])
+        self.assertEqual({file: self.results("out")[file] for file in before}, before)
+        rows = self.rows("out")
+        self.assertEqual(len(rows), 4)
+        self.assertEqual(rows[0]["cycles"], cycles)
+        work = self.folder / "work.ffw"
+        subprocess.run([FFGPU, "replay", tour, *FRAMES, "--save-work", work, "--work-values"],
+                       check=True, stderr=subprocess.DEVNULL)
+        for row in rows:
+            keys = ["depth.test", "hierarchical_depth.keeps"]
+            totals = timed(work, [f"{key}={row[key]}" for key in keys])
+            self.assertEqual(int(row["cycles"]), totals["total_cycles"])
+        self.swept("at_once", space=space, traces=[tour])
+        self.assertEqual(self.rows("at_once"), rows)
+        self.assertEqual(len(list((self.folder / "at_once/work").iterdir())), 1)
+
 
 def process_of(name, folder):
     """Processes of this program that work in the folder."""
@@ -212,6 +237,15 @@ class RefusalTest(SweepCase):
                             "results are missing")
         self.assertEqual({file: self.results("out")[file] for file in before}, before)
         self.assertEqual(self.swept("out"), table)
+
+    def test_a_work_file_without_the_values_that_a_point_needs(self):
+        work = self.folder / "masks.ffw"
+        subprocess.run([FFGPU, "replay", TRACE, *FRAMES, "--save-work", work], check=True,
+                       stderr=subprocess.DEVNULL)
+        space = '[grid]\ndepth.test = ["as_gl_allows", "late"]\n'
+        self.assert_refused(self.sweep("out", space=space, traces=[work], frames=[]),
+                            "1 of 2 results are missing", "--work-values")
+        self.assertEqual(len(self.rows("out")), 1)
 
     def test_a_full_disk_is_one_line_and_loses_nothing(self):
         small = self.folder / "small"

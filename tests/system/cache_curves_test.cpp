@@ -1,11 +1,14 @@
 // The curves of whole traces, against caches simulated one by one, and against the machine in time.
 
 #include "model/work/lookup_walk.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/system/trace_run.h"
+#include "tests/tools/tool.h"
 #include "tests/work/plain_cache.h"
 #include "tools/cache/cache_study.h"
 #include "tools/work/work_player.h"
 
+#include <algorithm>
 #include <random>
 
 #include <catch2/catch.hpp>
@@ -166,6 +169,70 @@ TEST_CASE("the curves hold what the machine in time counts", "[cache]") {
             check_timed(run.timed, result, {"depth_cache", LookupClient::Depth, {64, 4, 64}});
         check_timed(run.timed, result, {"color_cache", LookupClient::Color, {64, 4, 64}});
         check_timed(run.timed, result, {"vertex_cache", LookupClient::Vertex, {16, 4, 64}});
+    }
+}
+
+// The work of the trace, with `option` for replay; nothing: none.
+std::string saved_work(const std::string& trace, const std::string& path, const char* option) {
+    std::vector<std::string> arguments{
+        "replay", trace, "--no-images", "--save-work", path, "-o", path + ".out"};
+    if (option) arguments.emplace_back(option);
+    printed(stderr, [&] { REQUIRE(run(arguments) == 0); });
+    return path;
+}
+
+TEST_CASE("curves of a machine that tests depth late are of all fragments", "[cache]") {
+    timing::TimingConfig config = whole_line_writes();
+    config.depth.test = work::DepthTest::Late;
+    const TemporaryFolder folder;
+    const std::string trace = own_trace("tour");
+    const Run run = run_trace(trace, {.timing = config});
+    REQUIRE(run.timed.at("texel_cache_accesses") >
+            run_trace(trace, {.timing = whole_line_writes()}).timed.at("texel_cache_accesses"));
+    for (const std::string& input :
+         {trace, saved_work(trace, folder / "values.ffw", "--work-values")}) {
+        INFO(input);
+        const CacheStudyResult all = study(input, config, {.clients = AllClients});
+        check_timed(run.timed, all, {"texel_cache", LookupClient::Texel, {64, 4, 64}});
+        check_timed(run.timed, all, {"depth_cache", LookupClient::Depth, {64, 4, 64}});
+        check_timed(run.timed, all, {"color_cache", LookupClient::Color, {64, 4, 64}});
+        check_timed(run.timed, all, {"vertex_cache", LookupClient::Vertex, {16, 4, 64}});
+        const CacheStudyResult texels = study(input, config, {}); // as they were drawn
+        check_timed(run.timed, texels, {"texel_cache", LookupClient::Texel, {64, 4, 64}});
+    }
+}
+
+TEST_CASE("values that the machine does not need move no look-up", "[cache]") {
+    const TemporaryFolder folder;
+    const std::string trace = own_trace("tour");
+    const timing::TimingConfig config = whole_line_writes();
+    const Run run = run_trace(trace, {.timing = config});
+    const std::string work = saved_work(trace, folder / "values.ffw", "--work-values");
+    const CacheStudyResult result = study(work, config, {.clients = AllClients});
+    check_timed(run.timed, result, {"texel_cache", LookupClient::Texel, {64, 4, 64}});
+    check_timed(run.timed, result, {"depth_cache", LookupClient::Depth, {64, 4, 64}});
+    check_timed(run.timed, result, {"color_cache", LookupClient::Color, {64, 4, 64}});
+}
+
+TEST_CASE("look-ups of work without the values that they depend on are refused", "[cache]") {
+    const TemporaryFolder folder;
+    const std::string work = saved_work(own_trace("tour"), folder / "masks.ffw", nullptr);
+    const auto refusal = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), {"--set", "depth.test=late"});
+        int status = 0;
+        std::string line = printed(stderr, [&] { status = run(arguments); });
+        CHECK(status == 2);
+        CHECK(std::count(line.begin(), line.end(), '\n') == 1);
+        return line;
+    };
+    const std::string by_time = refusal({"time", work, "-o", folder / "timed"});
+    CHECK_THAT(by_time, Catch::Matchers::Contains("--work-values"));
+    CHECK(refusal({"cache", work}) == by_time);
+    CHECK(refusal({"cache", work, "--client", "texel,depth"}) == by_time);
+    for (const char* const format : {"din", "xdin"}) {
+        const std::string file = folder / "lookups";
+        CHECK(refusal({"export", work, "--format", format, "-o", file}) == by_time);
+        CHECK_FALSE(std::filesystem::exists(file));
     }
 }
 

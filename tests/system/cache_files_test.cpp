@@ -109,6 +109,65 @@ TEST_CASE("what curves do not follow of the configured machine is told", "[cache
     CHECK_THAT(lines[1], Contains("texel_cache.per_pipe: not followed"));
 }
 
+// The warnings of a call.
+std::vector<std::string> warnings_of(const std::vector<std::string>& arguments) {
+    std::istringstream text(printed(stderr, [&] { CHECK(run(arguments) == 0); }));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);)
+        if (line.starts_with("ffgpu: warning: ")) lines.push_back(line);
+    return lines;
+}
+
+TEST_CASE("what look-ups do not follow is told by cache and by din", "[cache]") {
+    const TemporaryFolder folder;
+    struct Case {
+        std::string client, setting, warning; // empty: none
+    };
+    for (const Case& of : {
+             Case{"texel", "texel_cache.forgets=true", "texel_cache.forgets: not followed"},
+             Case{"depth", "texel_cache.forgets=true", ""},
+             Case{"texel", "hierarchical_depth.keeps=max", "hierarchical_depth.keeps: not follow"},
+             Case{"depth", "hierarchical_depth.keeps=max", "hierarchical_depth.keeps: not follow"},
+             Case{"color", "hierarchical_depth.keeps=max", ""},
+             Case{"depth", "depth_cache.enable=false", "depth_cache.enable=false: not followed"},
+             Case{"color", "color_cache.enable=false", "color_cache.enable=false: not followed"},
+             Case{"texel", "color_cache.enable=false", ""},
+         }) {
+        INFO(of.client << ", " << of.setting);
+        const std::vector<std::string> common{
+            own_trace("corridor"), "--frames", "0", "--client", of.client, "--set", of.setting};
+        std::vector<std::string> curves{"cache", "--most-sets", "1", "-o", folder.path()};
+        std::vector<std::string> lookups{"export", "--format", "xdin", "-o", folder / "lookups"};
+        curves.insert(curves.end(), common.begin(), common.end());
+        lookups.insert(lookups.end(), common.begin(), common.end());
+        std::vector<std::string> lines;
+        printed(stdout, [&] { lines = warnings_of(curves); });
+        CHECK(warnings_of(lookups) == lines);
+        REQUIRE(lines.size() == !of.warning.empty());
+        if (!lines.empty()) CHECK_THAT(lines[0], Contains(of.warning));
+    }
+}
+
+TEST_CASE("the machine of the RTL pipe is told to be another than the curves'", "[cache]") {
+    std::vector<std::string> lines;
+    printed(stdout, [&] {
+        lines = warnings_of({"cache",
+                             own_trace("corridor"),
+                             "--frames",
+                             "0",
+                             "--most-sets",
+                             "1",
+                             "--client",
+                             "texel,depth,color",
+                             "--config",
+                             "preset:rtl_pipe"});
+    });
+    REQUIRE(lines.size() == 3);
+    CHECK_THAT(lines[0], Contains("texel_cache.forgets"));
+    CHECK_THAT(lines[1], Contains("depth_cache.enable=false"));
+    CHECK_THAT(lines[2], Contains("color_cache.enable=false"));
+}
+
 // Misses of a plain cache, by quad.
 class QuadMisses final : public work::LookupSink {
 public:

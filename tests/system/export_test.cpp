@@ -90,6 +90,19 @@ TEST_CASE("din in another program's cache has the misses and write-backs of the 
     }
 }
 
+TEST_CASE("a machine that tests depth late looks up the texels of hidden fragments", "[export]") {
+    const std::string trace = own_trace("tour");
+    timing::TimingConfig timing;
+    timing.depth.test = work::DepthTest::Late;
+    const Run run = run_trace(trace, {.timing = timing, .last_frame = Frames.last});
+    ExportOptions options{.input = trace, .format = ExportFormat::Xdin};
+    options.configuration.timing = timing;
+    test::PlainCache cache(64, 4);
+    test::play_xdin(exported(options), cache);
+    CHECK(cache.counts.accesses == run.timed.at("texel_cache_accesses"));
+    CHECK(cache.counts.misses == run.timed.at("texel_cache_misses"));
+}
+
 TEST_CASE("csv holds the bytes of each client that the machine in time counts", "[export]") {
     timing::TimingConfig timing;
     timing.scan_out.refresh_cycles = 200000;

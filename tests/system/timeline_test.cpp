@@ -2,17 +2,20 @@
 
 #include "model/timing/memory_request.h"
 #include "tests/support/temporary_file.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/system/trace_run.h"
 #include "tests/tools/tool.h"
 #include "tools/export/export.h"
 
 #include <array>
+#include <filesystem>
 #include <map>
 #include <sstream>
 #include <string>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 #ifdef FFGPU_WITH_FST
 #include <fstapi.h>
@@ -231,6 +234,29 @@ TEST_CASE("equal work gives an equal FST", "[export]") {
     export_to(b.path(), ExportFormat::Fst);
     CHECK(content(a.path()) == content(b.path()));
     CHECK(content(a.path()).size() > 1000);
+}
+
+TEST_CASE("an FST goes to no pipe, device or folder, which stay what they are", "[export]") {
+    const TemporaryFolder folder;
+    const std::string pipe = folder / "pipe", link = folder / "link.fst";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    std::filesystem::create_symlink(pipe, link);
+    for (const std::string& output : {pipe, link, folder.path()}) {
+        INFO(output);
+        int status = 0;
+        // No input is there: the output is looked at first.
+        const std::string line = printed(stderr, [&] {
+            status = run({"export", folder / "none.trace", "--format", "fst", "-o", output});
+        });
+        CHECK(status == 2);
+        CHECK(line == "ffgpu: " + output +
+                          ": is no regular file, as --format fst needs: it is not "
+                          "written in order\n");
+    }
+    CHECK(std::filesystem::is_fifo(pipe));
+    CHECK(std::filesystem::is_symlink(link));
+    const std::filesystem::directory_iterator files(folder.path());
+    CHECK(std::distance(begin(files), end(files)) == 2);
 }
 #endif
 

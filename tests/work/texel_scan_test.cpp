@@ -49,9 +49,9 @@ private:
 };
 
 // Two frames; the second meets textures that were rewritten.
-void draw(WorkSink& sink, const FunctionalGpu::Config& host) {
+void draw(WorkSink& sink, const FunctionalGpu::Config& host, WorkDetail detail) {
     test::Scene scene(150, 100, host);
-    scene.gpu.set_work_sink(&sink);
+    scene.gpu.set_work_sink(&sink, detail);
     for (int frame = 0; frame < 2; ++frame) {
         draw_varied(scene);
         end_frame(scene);
@@ -59,29 +59,32 @@ void draw(WorkSink& sink, const FunctionalGpu::Config& host) {
     scene.gpu.set_work_sink(nullptr);
 }
 
-std::vector<Told> by_walk(const WorkConfig& config) {
+std::vector<Told> by_walk(const WorkConfig& config, WorkDetail detail = WorkDetail::Masks) {
     TexelList list;
     LookupWalk walk(config, {}, list);
     MachineOrder order(config, walk);
     CommandAssembler assembler(order);
-    draw(assembler, {.threads = 1});
+    draw(assembler, {.threads = 1}, detail);
     CHECK(list.rewrites > 0);
     return list.all;
 }
 
-std::vector<Told> by_scan(const WorkConfig& config, const FunctionalGpu::Config& host) {
+std::vector<Told> by_scan(const WorkConfig& config,
+                          const FunctionalGpu::Config& host,
+                          WorkDetail detail = WorkDetail::Masks) {
     TexelList list;
     TexelScan scan(config, list);
     DrawGatherer gatherer(scan);
-    draw(gatherer, host);
+    draw(gatherer, host, detail);
     return list.all;
 }
 
-std::vector<Told> by_scan_of_commands(const WorkConfig& config) {
+std::vector<Told> by_scan_of_commands(const WorkConfig& config,
+                                      WorkDetail detail = WorkDetail::Masks) {
     TexelList list;
     TexelScan scan(config, list);
     CommandAssembler assembler(scan);
-    draw(assembler, {.threads = 1});
+    draw(assembler, {.threads = 1}, detail);
     return list.all;
 }
 
@@ -108,6 +111,24 @@ TEST_CASE("a scan of what was drawn tells the look-ups of the machine's order", 
             CHECK(by_scan(config, {.threads = 2, .tile_size = 16, .bin_bytes = 20000}) == expected);
             CHECK(by_scan_of_commands(config) == expected);
         }
+}
+
+TEST_CASE("a scan of work with values leaves out what the machine's tests end", "[scan]") {
+    WorkConfig config;
+    config.depth_test = DepthTest::Late;
+    const std::vector<Told> without = by_walk(config);
+    for (const DepthTest test :
+         {DepthTest::AsGlAllows, DepthTest::EarlyWhereExact, DepthTest::Late}) {
+        INFO("test " << static_cast<int>(test));
+        config.depth_test = test;
+        const std::vector<Told> expected = by_walk(config, WorkDetail::Values);
+        CHECK(by_scan(config, {.threads = 1}, WorkDetail::Values) == expected);
+        CHECK(by_scan(config,
+                      {.threads = 2, .tile_size = 16, .bin_bytes = 20000},
+                      WorkDetail::Values) == expected);
+        CHECK(by_scan_of_commands(config, WorkDetail::Values) == expected);
+        if (test == DepthTest::Late) CHECK(expected.size() > without.size());
+    }
 }
 
 TEST_CASE("machines that a scan does not read are named", "[scan]") {

@@ -183,6 +183,49 @@ TEST_CASE("A file in which a byte was changed is refused, or says the same") {
     CHECK(refused > 290); // A bit that zstd does not use may be either.
 }
 
+// Where the blocks' headers are.
+std::vector<std::size_t> headers_of(const std::string& bytes) {
+    std::vector<std::size_t> places;
+    for (std::size_t at = 12; at < bytes.size();) {
+        BlockHeader header;
+        std::memcpy(&header, bytes.data() + at, sizeof header);
+        places.push_back(at);
+        at += sizeof header + header.packed_bytes;
+    }
+    return places;
+}
+
+TEST_CASE("A file in which a bit of a block's header was changed is refused") {
+    const std::string bytes = file_of(recorded({}));
+    REQUIRE(complaint(bytes).empty());
+    const std::vector<std::size_t> headers = headers_of(bytes);
+    REQUIRE(headers.size() >= 3);
+    for (const std::size_t header : headers)
+        for (std::size_t bit = 0; bit < 8 * sizeof(BlockHeader); ++bit) {
+            std::string damaged = bytes;
+            damaged[header + bit / 8] = static_cast<char>(damaged[header + bit / 8] ^ 1 << bit % 8);
+            INFO("bit " << bit << " of the header at byte " << header);
+            CHECK_THAT(complaint(damaged), Contains(": byte "));
+        }
+}
+
+TEST_CASE("A block of fewer items than it holds is refused, also the last") {
+    const std::string bytes = file_of(recorded({}));
+    for (const std::size_t at : headers_of(bytes)) {
+        BlockHeader header;
+        std::memcpy(&header, bytes.data() + at, sizeof header);
+        if (header.kind != static_cast<std::uint32_t>(BlockKind::Items)) continue;
+        for (std::uint32_t fewer = 1; fewer <= 2; ++fewer) {
+            std::string damaged = bytes;
+            BlockHeader changed = header;
+            changed.items -= fewer;
+            std::memcpy(damaged.data() + at, &changed, sizeof changed);
+            INFO(fewer << " fewer in the block at byte " << at);
+            CHECK_THAT(complaint(damaged), Contains("damaged"));
+        }
+    }
+}
+
 TEST_CASE("A block that claims to be large is refused before memory is taken for it") {
     std::string bytes = file_of(CommandList{});
     const std::uint32_t large = 0xfffffff0;

@@ -7,6 +7,7 @@
 #include "model/work/texel_scan.h"
 #include "tools/cache/lookup_chunks.h"
 #include "tools/cache/miss_map.h"
+#include "tools/cache/not_followed.h"
 #include "tools/record/work_fan_out.h"
 #include "tools/work/work_player.h"
 
@@ -278,25 +279,6 @@ void check_options(const CacheStudyOptions& options) {
                                          options.first_level->line_bytes));
 }
 
-// Curves are of one cache whose sets are the lowest bits: of another machine they are not.
-void warn_of_what_is_not_followed(const CacheStudyOptions& options) {
-    const timing::TimingConfig& timing = options.configuration.timing;
-    const auto warn_of_hash = [&](LookupClient client, const work::CachePolicy& policy) {
-        if (follows(options, client) && policy.index_hash != work::IndexHash::Modulo)
-            options.warn(
-                fmt::format("{}_cache.index_hash: not followed: in all curves a line's set "
-                            "is the lowest bits of its number",
-                            work::LookupClientNames[static_cast<std::size_t>(client)]));
-    };
-    warn_of_hash(LookupClient::Texel, timing.texel_cache);
-    warn_of_hash(LookupClient::Depth, timing.depth_cache);
-    warn_of_hash(LookupClient::Color, timing.color_cache);
-    if (follows(options, LookupClient::Texel) && timing.texel_cache.per_pipe &&
-        timing.raster.quads_per_cycle > 1)
-        options.warn("texel_cache.per_pipe: not followed: curves are of one cache that all pipes "
-                     "share");
-}
-
 std::vector<CacheVariant> variants_of(const CacheStudyOptions& options) {
     const timing::TimingConfig& timing = options.configuration.timing;
     const work::RasterOrder& raster = timing.raster;
@@ -315,7 +297,9 @@ std::vector<CacheVariant> variants_of(const CacheStudyOptions& options) {
 
 void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
     check_options(options);
-    warn_of_what_is_not_followed(options);
+    for (const std::string& line :
+         not_followed_by_curves(options.configuration.timing, options.clients))
+        options.warn(line);
     std::deque<Variant> variants;
     CurveThreads threads(std::max(1u, std::thread::hardware_concurrency())); // use the variants
     CommandFanOut readers;
@@ -343,6 +327,7 @@ void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
         const WorkPlayOptions play{.input = options.input,
                                    .frames = options.frames,
                                    .gpu = options.configuration.gpu,
+                                   .machine = options.configuration.timing,
                                    .warn = options.warn};
         texels_alone ? play_work(play, scans, on_frame) : play_work(play, readers, on_frame);
     } catch (const InputError&) {

@@ -3,6 +3,7 @@
 #include "model/base/input_error.h"
 #include "model/timing/gpu_timing.h"
 #include "model/work/lookup_walk.h"
+#include "tools/cache/not_followed.h"
 #include "tools/config/nearest_name.h"
 #include "tools/export/command_trace.h"
 #include "tools/export/din_writer.h"
@@ -13,16 +14,16 @@
 
 #include <algorithm>
 #include <exception>
+#include <span>
 
 namespace ffgpu::tools {
 namespace {
 
 WorkPlayOptions play_options(const ExportOptions& options) {
-    const bool values = !options.configuration.timing.needs_values().empty();
     return {.input = options.input,
             .frames = options.frames,
             .gpu = options.configuration.gpu,
-            .detail = values ? WorkDetail::Values : WorkDetail::Masks,
+            .machine = options.configuration.timing,
             .warn = options.warn};
 }
 
@@ -74,6 +75,8 @@ std::string export_lookups(const ExportOptions& options) {
         options.format == ExportFormat::Din ? DinWriter::Form::Din : DinWriter::Form::Extended;
     const std::uint32_t line_bytes = line_bytes_of(timing, options.client);
     DinWriter writer(form, options.client, line_bytes, text);
+    for (const std::string& line : not_followed_by_lookups(timing, std::span(&options.client, 1)))
+        options.warn(line);
     work::LookupWalk walk(timing.work(),
                           {.line_bytes = timing.vertex.line_bytes,
                            .reuse_entries = timing.vertex.reuse_entries,

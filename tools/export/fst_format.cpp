@@ -114,6 +114,10 @@ private:
 
 std::unique_ptr<TimelineFormat> make_fst(const std::string& path) {
     if (path == "-") throw InputError("--format fst: expected -o FILE: it is not written in order");
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
+        throw InputError(path + ": is no regular file, as --format fst needs: it is not written in "
+                                "order");
     return std::make_unique<Fst>(path);
 }
 

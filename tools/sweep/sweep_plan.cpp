@@ -8,6 +8,7 @@
 #include "tools/report/statistics_file.h"
 #include "tools/sweep/text_hash.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <set>
@@ -63,8 +64,16 @@ void check_version(const fs::path& plan, const std::string& version) {
 
 } // namespace
 
+bool SweepPlan::needs_values() const {
+    return std::any_of(space.points.begin(), space.points.end(), [](const DesignPoint& point) {
+        return !point.configuration.timing.needs_values().empty();
+    });
+}
+
+// A larger space may need values where the work that is there has none.
 fs::path SweepPlan::work(const SweepTrace& trace) const {
-    return trace.is_work ? trace.path : folder / "work" / (trace.id + ".ffw");
+    if (trace.is_work) return trace.path;
+    return folder / "work" / (trace.id + (needs_values() ? ".values.ffw" : ".ffw"));
 }
 
 fs::path SweepPlan::point_file(const DesignPoint& point) const {
@@ -106,6 +115,7 @@ std::size_t write_plan(const SweepPlan& plan, const std::string& version) {
     json["ffgpu"] = version;
     json["program"] = this_program().string();
     json["frames"] = plan.frames_text;
+    json["values"] = plan.needs_values();
     json["traces"] = Json::object();
     json["missing"] = Json::array();
     for (const DesignPoint& point : plan.space.points)
@@ -113,7 +123,9 @@ std::size_t write_plan(const SweepPlan& plan, const std::string& version) {
             write_whole(plan.point_file(point), compact_toml(point.configuration));
     for (const SweepTrace& trace : plan.traces) {
         make_folder((plan.folder / "results" / trace.id).string());
-        json["traces"][trace.id] = {{"input", trace.path.string()}, {"is_work", trace.is_work}};
+        json["traces"][trace.id] = {{"input", trace.path.string()},
+                                    {"is_work", trace.is_work},
+                                    {"work", plan.work(trace).string()}};
         for (const DesignPoint& point : plan.space.points)
             if (!fs::exists(plan.result(trace, point)))
                 json["missing"].push_back(trace.id + '/' + point.id);

@@ -2,7 +2,7 @@
 // whole is done: files are written under other names and renamed.
 //
 //     plan.json              what Snakemake's rules read
-//     work/TRACE.ffw         the work of a trace, drawn once
+//     work/TRACE.ffw         the work of a trace, drawn once; TRACE.values.ffw: with values
 //     points/POINT.toml      a machine, every parameter
 //     results/TRACE/POINT.json   the totals of one job
 //     results.csv, pareto_*.svg  the table, when all is done
@@ -32,6 +32,8 @@ struct SweepPlan {
     DesignSpace space;
     std::vector<SweepTrace> traces;
 
+    // Whether some point needs work with values, which the others are timed by, too.
+    bool needs_values() const;
     std::filesystem::path work(const SweepTrace& trace) const;
     std::filesystem::path point_file(const DesignPoint& point) const;
     std::filesystem::path result(const SweepTrace& trace, const DesignPoint& point) const;

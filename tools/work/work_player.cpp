@@ -2,6 +2,7 @@
 
 #include "model/base/input_error.h"
 #include "model/gpu/functional_gpu.h"
+#include "model/timing/target_blocks.h"
 #include "model/work/command_assembler.h"
 #include "model/work/sink_thread.h"
 #include "model/work/work_file_reader.h"
@@ -53,7 +54,8 @@ private:
         gpu_.number_from(static_cast<std::uint32_t>(next), source_->prepare());
         while (next <= options_.frames.last && Interruption::signal() == 0) {
             if (!recording_ && next >= options_.frames.first) {
-                gpu_.set_work_sink(&thread_, options_.detail);
+                const bool values = !options_.machine.needs_values().empty();
+                gpu_.set_work_sink(&thread_, values ? WorkDetail::Values : WorkDetail::Masks);
                 recording_ = true;
             }
             const std::optional<Frame> frame = source_->next();
@@ -93,13 +95,39 @@ private:
     bool recording_ = false;
 };
 
+// A file's work as the machine in time takes it: refused where values that it needs are missing;
+// values that it does not need move nothing.
+class WorkOfMachine final : public work::CommandSink {
+public:
+    WorkOfMachine(const timing::TimingConfig& machine, work::CommandSink& out)
+        : machine_(machine)
+        , out_(out) {}
+
+    void command(std::shared_ptr<const work::WholeCommand> command) override {
+        timing::check_values(machine_, *command, contents_told_);
+        out_.command(std::move(command));
+    }
+    void content(const std::shared_ptr<const SurfaceContent>& content) override {
+        contents_told_ = true;
+        if (!machine_.needs_values().empty()) out_.content(content);
+    }
+    void host_transfer(const HostTransfer& transfer) override { out_.host_transfer(transfer); }
+    void end_frame(std::uint32_t frame) override { out_.end_frame(frame); }
+
+private:
+    const timing::TimingConfig& machine_;
+    work::CommandSink& out_;
+    bool contents_told_ = false;
+};
+
 void play_file(const WorkPlayOptions& options, work::CommandSink& sink, const OnFrame& on_frame) {
     if (!(options.frames == FrameRange{}))
         throw InputError("--frames: a work file is played whole: " + options.input);
     if (options.gpu.forces()) options.warn(forces_nothing(options.input));
     work::WorkFileReader file(options.input);
     Progress progress(std::nullopt);
-    file.play(sink, [&](const work::FrameFigures& figures) {
+    WorkOfMachine of_machine(options.machine, sink);
+    file.play(of_machine, [&](const work::FrameFigures& figures) {
         on_frame(figures);
         progress.show(figures.number);
         if (Interruption::signal() != 0) file.stop();

@@ -21,7 +21,8 @@ struct WorkPlayOptions {
     std::string input{};
     FrameRange frames{}; // A work file is played whole.
     GpuParameters gpu{};
-    WorkDetail detail = WorkDetail::Masks; // A work file has what it was recorded with.
+    // Whose work it is: work with values where it needs them, which a file may lack.
+    timing::TimingConfig machine{};
     std::function<void(const std::string& line)> warn = [](const std::string&) {};
 };
 

@@ -21,8 +21,7 @@ def trace_of(wildcards):
     return plan["traces"][wildcards.trace]
 
 def work_of(wildcards):
-    trace = trace_of(wildcards)
-    return trace["input"] if trace["is_work"] else "work/%s.ffw" % wildcards.trace
+    return trace_of(wildcards)["work"]
 
 # Whoever waits for a work file waits for its mark.
 def work_or_mark(wildcards):
@@ -38,9 +37,10 @@ rule work:
         work=work_of,
         trace=lambda wildcards: trace_of(wildcards)["input"],
         frames=["--frames", plan["frames"]] if plan["frames"] else [],
+        values=["--work-values"] if plan["values"] else [],
     shell:
         "{params.once:q} {params.work:q} {params.program:q} replay {params.trace:q}"
-        " {params.frames:q} --save-work && touch {output:q}"
+        " {params.frames:q} {params.values:q} --save-work && touch {output:q}"
 
 # A machine that is stuck is a result, too; `ffgpu time --totals` writes it.
 rule time:
