@@ -117,15 +117,23 @@ void prepare_textured(test::Scene& scene) {
     scene.registers.images[0].shape = {TextureKind::TwoD, Format::Rgba8, 16, 16, 1, 1, 0};
 }
 
+struct TexturedPipe {
+    PipeComparison comparison{Memories[0]};
+    test::Scene scene{32, 24};
+
+    TexturedPipe() {
+        comparison.attach(scene.gpu, scene.gpu);
+        scene.into = &comparison;
+        prepare_textured(scene);
+    }
+};
+
 // A draw's combiner names a unit that the draw does not sample: black, whatever the one before it,
 // under the other registers, has sampled there.
 TEST_CASE("The pipe has no sample of a unit that only the other draw samples") {
     const unsigned first = GENERATE(0u, 1u); // Each kind of draw is under either tag.
-    PipeComparison comparison(Memories[0]);
-    test::Scene scene(32, 24);
-    comparison.attach(scene.gpu, scene.gpu);
-    scene.into = &comparison;
-    prepare_textured(scene);
+    TexturedPipe pipe;
+    auto& [comparison, scene] = pipe;
     Registers& registers = scene.registers;
     registers.images[1] = registers.images[0];
     registers.samplers[1] = registers.samplers[0];
@@ -144,11 +152,8 @@ TEST_CASE("The pipe has no sample of a unit that only the other draw samples") {
 
 // Of eight units that are sampled each is shown once, alone: no bit of its samples may be lost.
 TEST_CASE("The pipe shades with the sample of each unit at each lane") {
-    PipeComparison comparison(Memories[0]);
-    test::Scene scene(32, 24);
-    comparison.attach(scene.gpu, scene.gpu);
-    scene.into = &comparison;
-    prepare_textured(scene);
+    TexturedPipe pipe;
+    auto& [comparison, scene] = pipe;
     Registers& registers = scene.registers;
     registers.images.fill(registers.images[0]);
     registers.samplers.fill(registers.samplers[0]);
