@@ -22,6 +22,7 @@ struct ParameterInfo {
     std::int64_t minimum = 0;
     std::int64_t maximum = 0;
     bool power_of_two = false;
+    bool or_zero = false; // beside that range
     std::string_view meaning{};
     std::span<const std::string_view> choices = {}; // not empty: an enumeration, value = index
 };

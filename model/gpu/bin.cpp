@@ -5,15 +5,23 @@
 #include <algorithm>
 
 namespace ffgpu {
+namespace {
+
+// Those that are small enough for several threads to share a small picture.
+int tile_size_for(int width, int height) {
+    constexpr int Large = 1 << 19; // pixels
+    return width * height > Large ? 128 : 64;
+}
+
+} // namespace
 
 Bin::Bin(int tile_size, std::size_t arena_bytes)
-    : tile_size_(tile_size)
+    : asked_tile_size_(tile_size)
     , arena_bytes_(std::max(arena_bytes, MaxSetupRecordBytes))
     , arena_(new Line[(arena_bytes_ + sizeof(Line) - 1) / sizeof(Line)]) {
-    check(tile_size >= 16 && tile_size <= MaxTileSize && tile_size % BlockSize == 0,
+    check(tile_size == 0 ||
+              (tile_size >= 16 && tile_size <= MaxTileSize && tile_size % BlockSize == 0),
           "a tile is 16 to 128 pixels, in steps of 8");
-    const auto size = static_cast<unsigned>(tile_size);
-    per_tile_size_ = ((1u << TileShift) + size - 1) / size;
 }
 
 void Bin::reset(int width, int height) {
@@ -25,10 +33,13 @@ void Bin::reset(int width, int height) {
     commands_.clear();
     used_ = 0;
     word_count_ = 0;
+    cleared_ = {};
+    tile_size_ = asked_tile_size_ ? asked_tile_size_ : tile_size_for(width, height);
+    const auto size = static_cast<unsigned>(tile_size_);
+    per_tile_size_ = ((1u << TileShift) + size - 1) / size;
     columns_ = (width + tile_size_ - 1) / tile_size_;
     rows_ = (height + tile_size_ - 1) / tile_size_;
-    const auto count = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-    if (tiles_.size() < count) tiles_.resize(count);
+    if (tiles_.size() < tile_count()) tiles_.resize(tile_count());
 }
 
 bool Bin::full() const {

@@ -2,9 +2,13 @@
 // set-up records of their primitives in one arena, and for each tile what to do there, in order.
 //
 // Its memory is bounded: when it is full(), it must be carried out before more is added.
+//
+// Tiles cost their lists and the primitives that lie in several of them: large targets are cut into
+// large ones.
 
 #pragma once
 
+#include "model/gpu/cleared_tiles.h"
 #include "model/gpu/draw_context.h"
 #include "model/packets/work_stream.h"
 #include "model/raster/coverage.h"
@@ -12,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace ffgpu {
@@ -36,11 +41,21 @@ public:
         const SetupRecord* record; // null: the whole command
     };
 
+    // `tile_size`: pixels, a multiple of 8 from 16 to 128; 0: by the targets.
     // `arena_bytes`: for set-up records; one more fits always.
     Bin(int tile_size, std::size_t arena_bytes);
 
     // Begins anew, for targets of at most `width` by `height` pixels.
     void reset(int width, int height);
+
+    // What of the targets' tiles is clear, for who carries the bin out.
+    void set_cleared(ClearedOfTargets cleared) { cleared_ = std::move(cleared); }
+    const ClearedOfTargets& cleared() const { return cleared_; }
+
+    int tile_size() const { return tile_size_; }
+    std::size_t tile_count() const {
+        return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+    }
 
     bool empty() const { return commands_.empty(); }
     bool full() const;
@@ -89,13 +104,15 @@ private:
     Rectangle tiles_under(const Rectangle& area) const;
     void add_word(std::uint32_t tile, std::uint32_t word);
 
-    int tile_size_;
+    int asked_tile_size_;
+    int tile_size_ = 0;
     unsigned per_tile_size_ = 0; // 2^TileShift / tile_size, rounded up: its product is exact
     std::size_t arena_bytes_;
     int columns_ = 0, rows_ = 0;
     std::vector<Tile> tiles_;
     std::vector<std::uint32_t> busy_;
     std::vector<BinCommand> commands_;
+    ClearedOfTargets cleared_;
     struct alignas(64) Line {
         std::byte bytes[64];
     };

@@ -68,6 +68,7 @@ void FunctionalGpu::reset() {
     context_.reset();
     context_valid_ = pixels_valid_ = false;
     journal_.clear();
+    cleared_.clear();
     frame_ = draw_number_ = 0;
     samples_ = 0;
     samples_pending_ = false;
@@ -93,6 +94,7 @@ void FunctionalGpu::read_memory(DeviceAddress at, std::span<std::byte> bytes) {
 
 std::span<std::byte> FunctionalGpu::settled_memory() {
     flush();
+    cleared_.clear();
     return memory_.bytes();
 }
 
@@ -171,7 +173,7 @@ void FunctionalGpu::copy(const CopyRectangleCommand& command) {
     validate(command, memory_.size());
     flush();
     copy_rectangle(command, memory_.bytes());
-    journal_.forget(command.destination.address, command.destination.bytes());
+    forget_contents(command.destination.address, command.destination.bytes());
     if (!sink_) return;
     auto work = std::make_shared<WorkBin>();
     const auto [writes, words] = std::exchange(registers_sent_, {});

@@ -15,6 +15,7 @@
 #include "model/device/register_file.h"
 #include "model/geometry/geometry_unit.h"
 #include "model/gpu/bin_under_way.h"
+#include "model/gpu/cleared_tiles.h"
 #include "model/gpu/range_set.h"
 #include "model/gpu/raster_statistics.h"
 #include "model/gpu/stages.h"
@@ -34,8 +35,8 @@ namespace ffgpu {
 class FunctionalGpu final : public Device, private PrimitiveSink {
 public:
     struct Config {
-        unsigned threads = 1;    // that carry out tiles, the caller's included
-        unsigned tile_size = 64; // pixels: a multiple of 8 from 16 to 128
+        unsigned threads = 1;   // that carry out tiles, the caller's included
+        unsigned tile_size = 0; // pixels: a multiple of 8 from 16 to 128; 0: by the targets
         std::uint64_t memory_bytes = DeviceMemory::DefaultBytes;
         std::size_t bin_bytes = std::size_t{512} << 10; // of records: they stay in a level-2 cache
         const Stages* stages = &FastStages;             // or &ReferenceStages: the same frames
@@ -107,6 +108,7 @@ private:
     // Bins.
     void before_read(std::uint64_t at, std::uint64_t bytes); // of memory by anybody but a bin
     void before_write(std::uint64_t at, std::uint64_t bytes);
+    void forget_contents(std::uint64_t at, std::uint64_t bytes);
     void flush(); // All that was submitted is in memory.
     bool bin_is_full() const;
     void carry_out(); // The bin at hand is drawn, perhaps while the next one is filled.
@@ -134,6 +136,7 @@ private:
     Bin bin_;
     Targets bin_targets_; // what the bin draws into
     RangeSet bin_reads_, bin_writes_;
+    ClearedTargets cleared_;
     BinUnderWay under_way_;
     bool bin_serial_ = false; // A draw reads what it writes: one thread, so that it repeats.
     PixelContexts pixel_contexts_;

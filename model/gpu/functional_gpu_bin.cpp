@@ -166,6 +166,8 @@ void FunctionalGpu::open_bin(const Targets& targets) {
     });
     bin_targets_ = targets;
     bin_.reset(width, height);
+    if (config_.stages->remembers_clears)
+        bin_.set_cleared(cleared_.of(targets, bin_.tile_size(), bin_.tile_count()));
     if (records_values()) tell_contents(targets);
 }
 
@@ -288,9 +290,15 @@ void FunctionalGpu::before_read(std::uint64_t at, std::uint64_t bytes) {
 }
 
 void FunctionalGpu::before_write(std::uint64_t at, std::uint64_t bytes) {
-    journal_.forget(at, bytes);
+    forget_contents(at, bytes);
     if (bin_writes_.overlaps(at, bytes) || bin_reads_.overlaps(at, bytes)) flush();
     if (under_way_.uses(at, bytes)) finish_carrying();
+}
+
+// Somebody else than a bin writes there.
+void FunctionalGpu::forget_contents(std::uint64_t at, std::uint64_t bytes) {
+    journal_.forget(at, bytes);
+    cleared_.forget(at, bytes);
 }
 
 void FunctionalGpu::note_transfer(bool is_write, std::uint64_t at, std::uint64_t bytes) {

@@ -20,6 +20,7 @@ struct FragmentCounts {
     std::uint64_t samples_covered = 0, samples_written = 0;
     std::uint64_t counted_samples = 0; // that passed while samples were counted
     std::uint64_t hidden_blocks = 0;
+    std::uint64_t kept_clears = 0;
 };
 
 struct FragmentStatistics : StatisticsGroup {
@@ -61,11 +62,14 @@ struct HostStatistics : StatisticsGroup {
     Counter& tiles = count("tiles_visited", "tiles", "carried out, once for each bin");
     Counter& bins = count("bins", "bins", "carried out");
     Counter& hidden_blocks = count("hidden_blocks", "blocks", "of hidden fragments, passed over");
+    Counter& kept_clears =
+        count("kept_clears", "pixels", "of cleared targets that held the value already");
 
     void add(const FragmentCounts& counts) {
         batches += counts.batches;
         tiles += counts.tiles;
         hidden_blocks += counts.hidden_blocks;
+        kept_clears += counts.kept_clears;
     }
 };
 

@@ -30,6 +30,7 @@ constinit const Stages FastStages{
     .sample = sample,
     .fragment = &FastFragmentStages,
     .passes_over_hidden = true,
+    .remembers_clears = true,
 };
 
 constinit const Stages ReferenceStages{
@@ -49,6 +50,7 @@ constinit const Stages ReferenceStages{
     .sample = sample_without_observer,
     .fragment = &ReferenceFragmentStages,
     .passes_over_hidden = false,
+    .remembers_clears = false,
 };
 
 } // namespace ffgpu

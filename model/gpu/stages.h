@@ -66,6 +66,8 @@ struct Stages {
     // Blocks in which every fragment fails the early depth test are counted and passed over
     // (hidden_blocks.h).
     bool passes_over_hidden = false;
+    // Clears leave alone what holds their value already (cleared_tiles.h).
+    bool remembers_clears = false;
 };
 
 extern const Stages FastStages, ReferenceStages;

@@ -20,6 +20,12 @@ TexCoordPlanes constant_coordinates(const std::array<float, 4>& value, bool cube
     return planes;
 }
 
+std::uint64_t area_of(const Rectangle& rectangle) {
+    if (rectangle.empty()) return 0;
+    return static_cast<std::uint64_t>(rectangle.width()) *
+           static_cast<std::uint64_t>(rectangle.height());
+}
+
 } // namespace
 
 void TileRenderer::set_probe(StageProbe* probe) {
@@ -28,6 +34,8 @@ void TileRenderer::set_probe(StageProbe* probe) {
 
 void TileRenderer::render(const Bin& bin, std::uint32_t tile, const Recording& recording) {
     tile_ = bin.tile_rectangle(tile);
+    tile_number_ = tile;
+    cleared_ = &bin.cleared();
     if (recording.tile) {
         recording.tile->x = static_cast<std::uint16_t>(tile_.x0);
         recording.tile->y = static_cast<std::uint16_t>(tile_.y0);
@@ -51,6 +59,7 @@ void TileRenderer::render(const Bin& bin, std::uint32_t tile, const Recording& r
             whole_command(bin.commands()[command_]);
     });
     flush();
+    tell_drawn();
 }
 
 // Draws whose pixels are made alike share batches, unless they are to be told apart.
@@ -58,12 +67,26 @@ void TileRenderer::begin_command(const BinCommand& command) {
     const PixelContext* const pixels = command.pixels.get();
     if (command.kind == WorkKind::Draw && pixels == pixels_ && !recording_.tile && !tap_) return;
     flush();
+    tell_drawn();
     pixels_ = pixels;
     hidden_.begin_draws(pixels->pipe);
     if (pixels_->antialias) batch_.antialias.fill(255);
 }
 
+// To those of the targets that pixels_ writes.
+void TileRenderer::tell_drawn() {
+    if (drawn_.empty()) return;
+    const Rectangle area = intersect(std::exchange(drawn_, {}), tile_);
+    const FragmentPipe& pipe = pixels_->pipe;
+    for (unsigned i = 0; i < cleared_->size(); ++i) {
+        const bool writes =
+            i < ColorTargets ? pipe.color_targets[i].write_mask != 0 : pipe.stencil_depth.writes();
+        if (writes && (*cleared_)[i]) (*cleared_)[i]->draw(tile_number_, area);
+    }
+}
+
 void TileRenderer::draw_record(const SetupRecord& record) {
+    drawn_ = unite(drawn_, record.box);
     if (pixels_->multisample) return draw_samples(record);
     if (record.coverage != CoverageKind::Centre) return draw_smooth(record);
     if (record.stipple == StippleKind::None && fits_windows(record)) return draw_small(record);
@@ -126,19 +149,40 @@ void TileRenderer::whole_command(const BinCommand& command) {
     switch (command.kind) {
     case WorkKind::Clear:
         hidden_.forget();
-        clear_rectangle(command.clear, registers, area, memory_);
-        return;
+        return clear(command, area);
     case WorkKind::Image:
         hidden_.forget();
-        if (command.image->format == Format::Stencil8)
-            draw_stencil_image(*command.image, registers, area, memory_);
-        else
-            draw_image(command);
-        return;
+        if (command.image->format != Format::Stencil8) {
+            drawn_ = unite(drawn_, area);
+            return draw_image(command);
+        }
+        if (ClearedTiles* const depth = cleared_->back().get()) depth->draw(tile_number_, area);
+        return draw_stencil_image(*command.image, registers, area, memory_);
     case WorkKind::Draw:
     case WorkKind::Copy:
         return;
     }
+}
+
+// `area`: of the tile. Values that differ from pixel to pixel are as if they were drawn.
+void TileRenderer::clear(const BinCommand& command, const Rectangle& area) {
+    const Registers& registers = command.context->regs();
+    const auto fills = target_fills(command.clear, registers);
+    std::size_t place = 0;
+    Targets::for_each(registers.targets, [&](const Surface& target) {
+        const PixelFill& fill = fills[place];
+        ClearedTiles* const cleared = (*cleared_)[place++].get();
+        if (fill.mask == 0) return;
+        Rectangle changed = area;
+        if (cleared && fill.dithered != Format::None) {
+            cleared->draw(tile_number_, area);
+        } else if (cleared) {
+            const bool whole = area == intersect(tile_, {0, 0, target.width, target.height});
+            changed = cleared->clear(tile_number_, area, whole, fill.value, fill.mask);
+            counts_.kept_clears += area_of(area) - area_of(changed);
+        }
+        fill_target(target, fill, changed, memory_);
+    });
 }
 
 void TileRenderer::draw_image(const BinCommand& command) {

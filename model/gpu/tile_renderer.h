@@ -51,6 +51,8 @@ private:
     void draw_samples(const SetupRecord& record);
     void draw_smooth(const SetupRecord& record);
     void whole_command(const BinCommand& command);
+    void clear(const BinCommand& command, const Rectangle& area);
+    void tell_drawn();
     void draw_image(const BinCommand& command);
 
     void flush();
@@ -79,6 +81,9 @@ private:
 
     // Of the tile in work.
     Rectangle tile_;
+    std::uint32_t tile_number_ = 0;
+    const ClearedOfTargets* cleared_ = nullptr;
+    Rectangle drawn_; // by draws of pixels_, and perhaps beside the tile
     Recording recording_;
     bool values_ = false;
     std::uint32_t command_ = 0;

@@ -20,4 +20,11 @@ inline Rectangle intersect(const Rectangle& a, const Rectangle& b) {
     return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
+// The least that holds both; an empty one holds nothing.
+inline Rectangle unite(const Rectangle& a, const Rectangle& b) {
+    if (a.empty()) return b;
+    if (b.empty()) return a;
+    return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
 } // namespace ffgpu

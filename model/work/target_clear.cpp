@@ -25,21 +25,20 @@ std::vector<TargetClear> target_clears(const WorkDraw& draw) {
         clears.back().fill.rectangle = rectangle;
         return &clears.back();
     };
+    const auto fill = [](TargetClear& target) -> PixelFill& { return target.fill; };
     for (unsigned i = 0; i < ColorTargets; ++i) {
         const Surface& target = state.targets.color[i];
         TargetClear* const color = add(target, false);
         if (!color || !draw.clear.color) continue;
         color->bytes = written_color_bytes(target.format, state.blend.write_mask);
-        color->fill = color_fill(
+        fill(*color) = color_fill(
             state, target.format, cleared_color(state.fragment, i, draw.clear.color_value));
-        color->fill.rectangle = rectangle;
     }
     const Format format = state.targets.depth.format;
     TargetClear* const depth = add(state.targets.depth, true);
     if (!depth || !(draw.clear.depth || draw.clear.stencil)) return clears;
     depth->bytes = cleared_depth_bytes(format, draw.clear, state.stencil.front.write_mask);
-    depth->fill = depth_fill(state, format, draw.clear);
-    depth->fill.rectangle = rectangle;
+    fill(*depth) = depth_fill(state, format, draw.clear);
     return clears;
 }
 

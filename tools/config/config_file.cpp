@@ -28,8 +28,11 @@ std::string choices(const ParameterInfo& info) {
 
 std::string range(const ParameterInfo& info) {
     if (!info.choices.empty()) return choices(info);
-    return fmt::format(
-        "{} to {}{}", info.minimum, info.maximum, info.power_of_two ? ", a power of two" : "");
+    return fmt::format("{}{} to {}{}",
+                       info.or_zero ? "0, or " : "",
+                       info.minimum,
+                       info.maximum,
+                       info.power_of_two ? ", a power of two" : "");
 }
 
 template <class Field>
@@ -40,8 +43,10 @@ void set_number(Field& field,
     const auto* const value = node.as_integer();
     if (!value) throw InputError(fmt::format("{}: expected an integer, {}", where, range(info)));
     const std::int64_t number = value->get();
-    if (number < info.minimum || number > info.maximum ||
-        (info.power_of_two && !std::has_single_bit(static_cast<std::uint64_t>(number))))
+    const bool in_range =
+        number >= info.minimum && number <= info.maximum &&
+        (!info.power_of_two || std::has_single_bit(static_cast<std::uint64_t>(number)));
+    if (!in_range && !(info.or_zero && number == 0))
         throw InputError(fmt::format("{}: expected {}, found {}", where, range(info), number));
     field = static_cast<Field>(number);
 }

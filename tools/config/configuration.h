@@ -16,7 +16,7 @@ namespace ffgpu::tools {
 struct GpuParameters {
     static constexpr std::string_view Name = "gpu";
     std::uint32_t threads = 0;
-    std::uint32_t tile_size = 64;
+    std::uint32_t tile_size = 0;
     gl::ForcedFilter texture_filter = gl::ForcedFilter::AsAsked;
     std::uint32_t supersampling = 1;
 
@@ -37,7 +37,9 @@ struct GpuParameters {
                .minimum = 16,
                .maximum = 128,
                .power_of_two = true,
-               .meaning = "side of the squares that are drawn one by one"});
+               .or_zero = true,
+               .meaning = "side of the squares that are drawn one by one; 0: 64, of large targets "
+                          "128"});
         field("texture_filter",
               self.texture_filter,
               {.meaning = "of GL_FFGPU_texture_filter, forced on each texture whose minification "
