@@ -5,6 +5,7 @@
 #include "driver/raster_position/host_vertex.h"
 #include "driver/vertex/draw_path.h"
 #include "driver/vertex/face_draw.h"
+#include "driver/vertex/tracked_draw.h"
 #include "driver/vertex/vertex_context.h"
 
 #include <algorithm>
@@ -116,6 +117,8 @@ private:
 void draw_lit(VertexContext& context,
               const VertexRun& run,
               std::span<const MaterialChange> changes) {
+    if (!context.state.lighting.enable) return context.draw_path().draw(run);
+    if (draw_tracked(context, run, changes)) return;
     LitDraw(context, run, changes).draw();
 }
 

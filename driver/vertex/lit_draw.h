@@ -1,6 +1,7 @@
 // Draws a run whose vertices have materials of their own: glMaterial came between glBegin and
-// glEnd. The device has one material a face and draw, so that such vertices are lit here, by the
-// code of the raster position, and drawn without lighting: exact to float rounding.
+// glEnd. The device has one material a face and draw. Where that does not do, and a colour that
+// materials track does not either, such vertices are lit here, by the code of the raster position,
+// and drawn without lighting: exact to float rounding.
 
 #pragma once
 

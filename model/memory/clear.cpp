@@ -2,7 +2,8 @@
 
 #include "model/memory/pixel_format.h"
 
-#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 namespace ffgpu {
 namespace {
@@ -22,6 +23,15 @@ struct MaskedFill {
     }
 };
 
+// A tile's rows lie in pages of their own: a host that foresees loads and stores foresees none of
+// the next row. That one's bytes may lie outside of the memory; nothing is done with them.
+void fetch_row_ahead(const std::byte* at, std::size_t stride, std::size_t bytes) {
+    constexpr std::size_t Ahead = 6, CacheLine = 64;
+    const auto first = reinterpret_cast<std::uintptr_t>(at) + Ahead * stride;
+    for (std::size_t i = 0; i < bytes; i += CacheLine)
+        __builtin_prefetch(reinterpret_cast<const void*>(first + i), 1);
+}
+
 // `rectangle` is a part of the surface.
 template <class Word>
 void fill_words(const Surface& surface,
@@ -31,11 +41,13 @@ void fill_words(const Surface& surface,
     const auto filling = [&fill](std::uint32_t value) {
         return MaskedFill<Word>{static_cast<Word>(value), static_cast<Word>(fill.mask)};
     };
+    const std::size_t row_bytes = static_cast<std::size_t>(rectangle.width()) * sizeof(Word);
     const auto x0 = static_cast<std::uint32_t>(rectangle.x0);
     for (auto y = static_cast<std::uint32_t>(rectangle.y0); static_cast<int>(y) < rectangle.y1;
          ++y) {
         std::byte* at = pixel_address(surface, memory, x0, y);
         if (fill.dithered == Format::None) {
+            fetch_row_ahead(at, surface.stride, row_bytes);
             filling(fill.value).row(at, rectangle.width());
             continue;
         }
