@@ -1,4 +1,4 @@
-// The SIMD form of pack_quads: 4 to 16 quads at once, and no branch that hangs on the mask.
+// The SIMD form of pack_quads: 8 or 16 quads at once, and no branch that hangs on the mask.
 
 #include "model/base/simd_targets.h"
 
@@ -13,15 +13,14 @@
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// clang-format off: after foreach_target.h
-#include "model/arith/lanes/mask_bits-inl.h"
-// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace ffgpu {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET == HWY_AVX3
 using Quads = hn::CappedTag<std::uint32_t, BlockQuads>; // a lane a quad
 using V = hn::Vec<Quads>;
 
@@ -42,41 +41,7 @@ alignas(64) constexpr std::uint32_t Places[BlockQuads] = {0x00000,
                                                           0x60002,
                                                           0x60004,
                                                           0x60006};
-alignas(64) constexpr std::uint32_t Shifts[BlockQuads] = {
-    0, 4, 8, 12, 16, 20, 24, 28, 0, 4, 8, 12, 16, 20, 24, 28};
 
-// The bits of quads from `first` on.
-HWY_INLINE V lanes_of(BlockMask mask, std::size_t first) {
-    const Quads d;
-    const V shifts = hn::Load(d, Shifts + first);
-    const auto half = [&](std::size_t quad) HWY_ATTR {
-        return static_cast<std::uint32_t>(mask >> (quad < 8 ? 0 : 32));
-    };
-    const V words = [&]() HWY_ATTR {
-        if constexpr (hn::MaxLanes(d) > 8) {
-            const hn::Half<Quads> eight;
-            return hn::Combine(d, hn::Set(eight, half(8)), hn::Set(eight, half(0)));
-        } else {
-            return hn::Set(d, half(first));
-        }
-    }();
-    return hn::And(hn::Shr(words, shifts), hn::Set(d, 0xf));
-}
-
-// Four bits of each lane in one word.
-HWY_INLINE BlockMask join(V lanes) {
-    const hn::Rebind<std::uint8_t, Quads> bytes;
-    const hn::Repartition<std::uint16_t, decltype(bytes)> pairs;
-    const hn::Rebind<std::uint8_t, decltype(pairs)> joined;
-    const auto pair = hn::BitCast(pairs, hn::TruncateTo(bytes, lanes));
-    std::array<std::uint8_t, hn::MaxLanes(joined)> bits;
-    hn::StoreU(hn::TruncateTo(joined, hn::Or(pair, hn::ShiftRight<4>(pair))), joined, bits.data());
-    BlockMask mask = 0;
-    std::memcpy(&mask, bits.data(), bits.size());
-    return mask;
-}
-
-#if HWY_TARGET == HWY_AVX3
 // All quads in one vector, and their bits by one instruction, which where AVX-512 is takes no
 // longer than a shift.
 PackedQuads Pack(const BlockCoverage& block, std::uint16_t* x, std::uint16_t* y) {
@@ -96,21 +61,66 @@ PackedQuads Pack(const BlockCoverage& block, std::uint16_t* x, std::uint16_t* y)
     return {static_cast<unsigned>(std::popcount(covered)), _pext_u64(block.mask, covered * 0xf)};
 }
 #else
+// Of half a block, which of its eight quads are covered, first to last; after them Nowhere.
+constexpr std::size_t HalfQuads = BlockQuads / 2;
+constexpr std::uint8_t Nowhere = 0x80; // A shuffle makes it 0.
+struct alignas(8) Order {
+    std::uint8_t quads[HalfQuads];
+};
+constexpr std::array<Order, 1 << HalfQuads> Orders = [] {
+    std::array<Order, 1 << HalfQuads> all{};
+    for (unsigned covered = 0; covered < all.size(); ++covered) {
+        std::size_t count = 0;
+        for (std::uint8_t& quad : all[covered].quads)
+            quad = Nowhere;
+        for (unsigned quad = 0; quad < HalfQuads; ++quad)
+            if ((covered >> quad & 1) != 0)
+                all[covered].quads[count++] = static_cast<std::uint8_t>(quad);
+    }
+    return all;
+}();
+
+// Which quads of each half have a covered lane: bits 0 to 7, and 32 to 39.
+HWY_INLINE std::uint64_t covered_quads(BlockMask mask) {
+    const BlockMask pairs = mask | mask >> 1;
+    std::uint64_t bits = (pairs | pairs >> 2) & 0x1111111111111111;
+    bits = (bits | bits >> 3) & 0x0303030303030303;
+    bits = (bits | bits >> 6) & 0x000f000f000f000f;
+    return (bits | bits >> 12) & 0x000000ff000000ff;
+}
+
+// The lower four bits of eight bytes in one word.
+HWY_INLINE std::uint32_t join(std::uint64_t bytes) {
+    bytes = (bytes | bytes >> 4) & 0x00ff00ff00ff00ff;
+    bytes = (bytes | bytes >> 8) & 0x0000ffff0000ffff;
+    return static_cast<std::uint32_t>(bytes | bytes >> 16);
+}
+
 PackedQuads Pack(const BlockCoverage& block, std::uint16_t* x, std::uint16_t* y) {
-    const Quads d;
-    const hn::Rebind<std::uint16_t, Quads> halves;
-    const V corner = hn::Set(d, block.x | std::uint32_t{block.y} << 16);
+    const hn::FixedTag<std::uint16_t, HalfQuads> d;
+    const hn::FixedTag<std::uint8_t, HalfQuads> bytes;
+    const hn::FixedTag<std::uint32_t, HalfQuads / 4> words;
+    const hn::FixedTag<std::uint64_t, HalfQuads / 8> whole;
+    const std::uint64_t covered = covered_quads(block.mask);
     PackedQuads packed;
-    for (std::size_t first = 0; first < BlockQuads; first += hn::Lanes(d)) {
-        const V lanes = lanes_of(block.mask, first);
-        const auto covered = hn::Ne(lanes, hn::Zero(d));
-        const auto count = static_cast<std::size_t>(std::popcount(bits_from_mask(d, covered)));
-        const V places = hn::Compress(hn::Add(corner, hn::Load(d, Places + first)), covered);
-        hn::StoreU(hn::TruncateTo(halves, places), halves, x + packed.count);
-        hn::StoreU(hn::TruncateTo(halves, hn::ShiftRight<16>(places)), halves, y + packed.count);
-        const V inside = hn::IfThenElseZero(hn::FirstN(d, count), hn::Compress(lanes, covered));
-        packed.lanes |= join(inside) << (4 * packed.count);
-        packed.count += static_cast<unsigned>(count);
+    for (unsigned half = 0; half < 2; ++half) {
+        const auto lanes = static_cast<std::uint32_t>(block.mask >> 32 * half);
+        const auto mask = static_cast<std::uint8_t>(covered >> 32 * half);
+        const auto order = hn::Load(bytes, Orders[mask].quads);
+        const auto quad = hn::PromoteTo(d, order);
+        const auto column = hn::ShiftLeft<1>(hn::And(quad, hn::Set(d, 3)));
+        const auto row = hn::ShiftLeft<1>(hn::ShiftRight<2>(quad));
+        const auto top = static_cast<std::uint16_t>(block.y + BlockSize / 2 * half);
+        hn::StoreU(hn::Add(column, hn::Set(d, block.x)), d, x + packed.count);
+        hn::StoreU(hn::Add(row, hn::Set(d, top)), d, y + packed.count);
+
+        constexpr std::uint32_t Lower = 0x0f0f0f0f;
+        const auto even = hn::BitCast(bytes, hn::Set(words, lanes & Lower));
+        const auto odd = hn::BitCast(bytes, hn::Set(words, lanes >> 4 & Lower));
+        const auto inside = hn::TableLookupBytesOr0(hn::InterleaveLower(bytes, even, odd), order);
+        packed.lanes |= BlockMask{join(hn::GetLane(hn::BitCast(whole, inside)))}
+                        << (4 * packed.count);
+        packed.count += static_cast<unsigned>(std::popcount(mask));
     }
     return packed;
 }
