@@ -1,6 +1,6 @@
 #include "model/gpu/hidden_blocks.h"
 
-#include "model/memory/pixel_format.h"
+#include "model/gpu/block_depths.h"
 
 #include <algorithm>
 
@@ -35,16 +35,6 @@ std::uint32_t nearest_in(const SetupRecord& record, const BlockCoverage& block) 
                                          block.y + (plane.dy < 0 ? Last : 0) - record.y_reference);
     return static_cast<std::uint32_t>(std::clamp<std::int64_t>(
         (corner + Half) >> DepthPlane::FractionBits, record.depth_min, record.depth_max));
-}
-
-// Of a block's pixels.
-template <class Word>
-Word greatest(const std::byte* row, std::size_t stride) {
-    Word most = 0;
-    for (int y = 0; y < BlockSize; ++y, row += stride)
-        for (std::size_t x = 0; x < BlockSize; ++x)
-            most = std::max(most, load_word<Word>(row + x * sizeof(Word)));
-    return most;
 }
 
 } // namespace
@@ -87,7 +77,7 @@ bool HiddenBlocks::hides(const SetupRecord& record, const BlockCoverage& block) 
         --bound.wait;
         return false;
     }
-    bound.farthest = farthest_in(block);
+    bound.farthest = farthest_depth(target_, block.x, block.y, memory_); // All are covered.
     if (all_fail()) {
         bound.failures = 0;
         return true;
@@ -96,15 +86,6 @@ bool HiddenBlocks::hides(const SetupRecord& record, const BlockCoverage& block) 
     bound.wait = static_cast<std::uint8_t>((1u << bound.failures) - 1);
     bound.failures = std::min<std::uint8_t>(bound.failures + 1, MostFailures);
     return false;
-}
-
-// In units of the target, in which the block lies: its pixels are all covered.
-std::uint32_t HiddenBlocks::farthest_in(const BlockCoverage& block) const {
-    const std::size_t pixel_bytes = format_info(target_.format).block_bytes;
-    const std::byte* const first = memory_.data() + target_.address +
-                                   std::size_t{block.y} * target_.stride + block.x * pixel_bytes;
-    if (target_.format == Format::Depth16) return greatest<std::uint16_t>(first, target_.stride);
-    return greatest<std::uint32_t>(first, target_.stride) >> 8;
 }
 
 } // namespace ffgpu

@@ -50,8 +50,6 @@ private:
 
     static constexpr unsigned BlocksAcross = MaxTileSize / BlockSize;
 
-    std::uint32_t farthest_in(const BlockCoverage& block) const;
-
     std::span<const std::byte> memory_;
     Rectangle tile_;
     Surface target_;

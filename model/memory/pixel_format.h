@@ -89,12 +89,16 @@ void store_depth24(Format format, std::span<const std::uint32_t> depths, std::by
 // --- Surfaces ---------------------------------------------------------------------------------
 
 // Nobody touches a surface that surface_fits() (model/device/extents.h) was not asked about.
+inline std::uint64_t pixel_place(const Surface& surface, std::uint32_t x, std::uint32_t y) {
+    return surface.address + std::uint64_t{y} * surface.stride +
+           std::uint64_t{x} * format_info(surface.format).block_bytes;
+}
+
 inline std::byte* pixel_address(const Surface& surface,
                                 std::span<std::byte> memory,
                                 std::uint32_t x,
                                 std::uint32_t y) {
-    return memory.data() + surface.address + std::uint64_t{y} * surface.stride +
-           std::uint64_t{x} * format_info(surface.format).block_bytes;
+    return memory.data() + pixel_place(surface, x, y);
 }
 
 } // namespace ffgpu
