@@ -65,15 +65,18 @@ bool draw_tracked(VertexContext& context,
 
     const VertexFormat format = widen(run.format, Attribute::Color, 4);
     const std::size_t color_at = format.elements[attribute_index(Attribute::Color)].offset;
+    const std::size_t old_components =
+        run.format.elements[attribute_index(Attribute::Color)].components;
     std::vector<float> words(std::size_t{run.vertex_count()} * format.stride);
     for (std::size_t i = 0; i < run.vertex_count(); ++i) {
         while (changes.size() > 1 && changes[1].vertex <= i)
             changes = changes.subspan(1);
         const Vec4* const color = shared_color(changes.front().materials, *bits);
         if (!color) return false;
-        float* const vertex = words.data() + i * format.stride;
-        convert_vertex(run.format, format, run.words.data() + i * run.format.stride, vertex);
-        std::copy(color->begin(), color->end(), vertex + color_at);
+        const float* const source = run.words.data() + i * run.format.stride;
+        float* to = std::copy_n(source, color_at, words.data() + i * format.stride);
+        to = std::copy(color->begin(), color->end(), to);
+        std::copy(source + color_at + old_components, source + run.format.stride, to);
     }
     // All but the tracked colours are the same at all vertices, the last one's too.
     for (std::size_t face = 0; face < 2; ++face)

@@ -19,11 +19,17 @@ class Arguments {
 public:
     // Prepares for one call. `array_size`: the command's rule or null. `takes_offsets`: a buffer
     // object is bound where the command looks for one, so that an address is an offset into it.
-    void begin(Call& call, const gl::Context& context, ArraySize array_size, bool takes_offsets) {
+    // `again`: the call will be played again, in the same way, and by nobody else.
+    void begin(Call& call,
+               const gl::Context& context,
+               ArraySize array_size,
+               bool takes_offsets,
+               bool again) {
         call_ = &call;
         context_ = &context;
         array_size_ = array_size;
         takes_offsets_ = takes_offsets;
+        again_ = again;
         refused_ = false;
         next_scratch_ = 0;
     }
@@ -77,6 +83,8 @@ private:
     const Element* array(const Value& value) {
         // Bytes are images: null and offsets are legal.
         constexpr bool IsImage = sizeof(Element) == 1;
+        if (value.kind == ValueKind::Numbers)
+            return static_cast<const Element*>(Call::numbers(value));
         if (value.kind == ValueKind::Blob || value.kind == ValueKind::String)
             return static_cast<const Element*>(bytes(value, needed() * sizeof(Element)));
         if (value.kind == ValueKind::Pointer && takes_offsets_)
@@ -94,6 +102,9 @@ private:
             append(value);
         }
         scratch.pad(needed() * sizeof(Element));
+        if (again_ && !refused_ && value.kind == ValueKind::Array &&
+            scratch.size() <= Call::room_for_numbers(value))
+            call_->become_numbers(value, scratch.bytes());
         return reinterpret_cast<const Element*>(scratch.data());
     }
 
@@ -121,6 +132,7 @@ private:
     const gl::Context* context_ = nullptr;
     ArraySize array_size_ = nullptr;
     bool takes_offsets_ = false;
+    bool again_ = false;
     bool refused_ = false;
     std::array<Blob, 4> scratch_; // No command has more arrays.
     std::size_t next_scratch_ = 0;

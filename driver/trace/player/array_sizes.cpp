@@ -92,6 +92,18 @@ std::uint64_t map2_size(const Call& call, const Context&) {
            product(size_of(call, 7), size_of(call, 8)) + UsualArraySize;
 }
 
+// No vertex's attribute has more components.
+std::uint64_t components(const Call&, const Context&) {
+    return 4;
+}
+
+// Vertex3fv, Color4ubv, Normal3fVertex3fv, ..: a number of components, their type, and a v.
+bool reads_components(std::string_view name) {
+    const std::size_t digit = name.find_last_of("1234");
+    return name.ends_with("v") && digit != std::string_view::npos &&
+           name.find_first_not_of("bdfisu", digit + 1) == name.size() - 1;
+}
+
 struct Rule {
     std::string_view name; // without a vendor's suffix
     ArraySize size;
@@ -155,7 +167,7 @@ ArraySize find_array_size(std::string_view name) {
     const std::string_view base = without_vendor(name);
     for (const Rule& rule : Rules)
         if (rule.name == base) return rule.size;
-    return nullptr;
+    return reads_components(base) ? components : nullptr;
 }
 
 } // namespace ffgpu::trace

@@ -121,7 +121,7 @@ void TracePlayer::play(Call& call) {
         if (!gl::current_context()) return lose(call);
         had_context_ = true;
         if (action.kind == Action::Kind::Plain) {
-            play_plain(*action.command, call);
+            play_plain(*action.command, call, repeats_);
         } else {
             (this->*action.special)(action.command, call);
         }
@@ -129,9 +129,10 @@ void TracePlayer::play(Call& call) {
     }
 }
 
-std::uint64_t TracePlayer::play_plain(const GlCommand& command, Call& call) {
+std::uint64_t TracePlayer::play_plain(const GlCommand& command, Call& call, bool again) {
     const gl::Context& context = *gl::current_context();
-    arguments_.begin(call, context, command.array_size, has_buffer(command.offset_into, context));
+    arguments_.begin(
+        call, context, command.array_size, has_buffer(command.offset_into, context), again);
     const std::uint64_t result = command.call(command.function, arguments_);
     if (arguments_.refused())
         warn_once(call.name(),

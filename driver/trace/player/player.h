@@ -75,7 +75,7 @@ private:
     Action make_action(const std::string& name);
     static Special find_special(std::string_view name);
     void play(Call& call);
-    std::uint64_t play_plain(const GlCommand& command, Call& call);
+    std::uint64_t play_plain(const GlCommand& command, Call& call, bool again = false);
     void lose(const Call& call);
     void report_end();
     void report_error(const Call& call);

@@ -7,7 +7,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,6 +58,19 @@ public:
     // The caller may swap() the blob away.
     Blob& blob(const Value& blob) { return *blobs_[blob.bits]; }
     const Blob& blob(const Value& blob) const { return *blobs_[blob.bits]; }
+
+    // An array becomes Numbers, which take no more room than its elements did: the call is to be
+    // played again, and nobody asks for its elements.
+    void become_numbers(const Value& array, std::span<const std::byte> numbers) {
+        Value& value = values_[static_cast<std::size_t>(&array - values_.data())];
+        std::memcpy(&value + 1, numbers.data(), numbers.size());
+        value.kind = ValueKind::Numbers;
+        value.bits = numbers.size();
+    }
+    static const void* numbers(const Value& value) { return &value + 1; }
+    static std::size_t room_for_numbers(const Value& array) {
+        return (array.extent - 1) * sizeof(Value);
+    }
 
     // Brings it into the processor's caches, for whoever plays it soon: first itself, then its
     // values.

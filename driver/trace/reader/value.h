@@ -28,12 +28,14 @@ enum class ValueKind : std::uint8_t {
     Pointer,    // an address in the traced program, or an offset into a buffer object
     Repr,       // two values follow: one for humans, one for machines
     WideString, // read and dropped: OpenGL has none
+    Numbers,    // was an Array: numbers as its command reads them stand where its elements stood
 };
 
 struct Value {
     ValueKind kind = ValueKind::Null;
     std::uint32_t extent = 1; // Values in this one's tree, itself included.
-    std::uint64_t bits = 0;   // The number; the element count; or where the text or blob is.
+    // The number; the element count; how many bytes of Numbers; or where the text or blob is.
+    std::uint64_t bits = 0;
 
     bool is_null() const { return kind == ValueKind::Null; }
     std::uint32_t count() const { return static_cast<std::uint32_t>(bits); } // Array, Struct
