@@ -68,6 +68,13 @@ private:
     void add(GlEnum value) {
         values_.emplace_back([this, value] { writer_.enumeration(0, value.value); });
     }
+    void add(const std::vector<float>& values) {
+        values_.emplace_back([this, values] {
+            writer_.array(values.size());
+            for (const float value : values)
+                writer_.float32(value);
+        });
+    }
     void add(std::string blob) {
         values_.emplace_back([this, blob] { writer_.blob(blob); });
     }
