@@ -51,13 +51,10 @@ public:
     void connect(std::string name, Unit& producer, Unit& consumer) {
         name_ = std::move(name);
         producer_ = &producer;
-        consumer_ = woken_ = &consumer;
+        consumer_ = &consumer;
         producer.add_output(*this);
         consumer.add_input(*this, latency_);
     }
-
-    // The consumer sees to itself when something comes.
-    void leave_asleep() { woken_ = nullptr; }
 
     // At least n places. Who is refused is woken when there is one more.
     bool can_push(std::size_t n = 1) const {
@@ -77,7 +74,7 @@ public:
         pushed_at_ = now;
         ++pushed_;
         if (count_++ == 0) arrival_ = ready_at;
-        if (woken_) woken_->wake(ready_at);
+        if (consumer_) consumer_->wake(ready_at);
     }
 
     bool can_pop() const { return arrival_ <= clock_.now(); }
@@ -92,9 +89,8 @@ public:
         return value;
     }
     // The same without a copy of front().
-    void drop() { drop(clock_.now()); }
-    // Where the consumer makes up for a cycle that is over: its place is free since then.
-    void drop(Cycle at) {
+    void drop() {
+        const Cycle at = clock_.now();
         check(arrival_ <= at, "an item taken from an empty channel");
         if (++first_ == places_) first_ = 0;
         count_before(at);

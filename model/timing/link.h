@@ -73,7 +73,6 @@ protected:
     std::string name_;
     Unit* producer_ = nullptr;
     Unit* consumer_ = nullptr;
-    Unit* woken_ = nullptr; // when an item arrives
     Cycle arrival_ = Never;
     std::size_t count_ = 0;
     std::uint64_t pushed_ = 0;

@@ -25,23 +25,21 @@ MemoryController::MemoryController(sc_core::sc_module_name name,
     : Unit(name, clock)
     , config_(config)
     , statistics_(config_)
-    , lanes_(config.channels)
-    , plainly_(clock.pace() == Pace::EveryCycle) {
+    , lanes_(config.channels) {
     const Cycle there = 1 + config.latency / 2;
     for (std::uint32_t number = 0; number < config.channels; ++number) {
         lanes_[number].arrivals = std::make_unique<Channel<tlm::tlm_generic_payload*>>(
             clock, config.queue + (arrivals > 0 ? arrivals : there), there);
-        lanes_[number].dram = std::make_unique<DramChannel>(config_, number, statistics_, plainly_);
+        lanes_[number].dram = std::make_unique<DramChannel>(
+            config_, number, statistics_, clock.pace() == Pace::EveryCycle);
     }
     socket_.register_nb_transport_fw(this, &MemoryController::on_forward);
 }
 
 void MemoryController::connect(Unit& arbiter) {
-    for (std::size_t number = 0; number < lanes_.size(); ++number) {
+    for (std::size_t number = 0; number < lanes_.size(); ++number)
         lanes_[number].arrivals->connect(
             "memory_channel" + std::to_string(number) + "_arrivals", arbiter, *this);
-        lanes_[number].arrivals->leave_asleep();
-    }
 }
 
 // Nor does the unit account for the cycles in which a bus carries data.
@@ -62,7 +60,6 @@ tlm::tlm_sync_enum MemoryController::on_forward(tlm::tlm_generic_payload& payloa
                                                 sc_core::sc_time&) {
     check(phase == tlm::BEGIN_REQ, "the arbiter only begins requests");
     Lane& lane = lanes_[memory_channel(config_, payload.get_address())];
-    if (lane.arrivals->is_full() && !is_in_time(lane)) accept_arrivals(lane, now() - 1);
     if (!lane.arrivals->can_push()) {
         lane.refused = &payload;
         lane.due = std::min(lane.due, now() + 1);
@@ -76,10 +73,10 @@ tlm::tlm_sync_enum MemoryController::on_forward(tlm::tlm_generic_payload& payloa
 
 void MemoryController::send(Lane& lane, tlm::tlm_generic_payload& payload) {
     lane.arrivals->push(&payload);
-    const Cycle arrives = now() + lane.arrivals->latency();
-    if (is_in_time(lane)) return wake(arrives);
-    lane.due = std::min(lane.due, std::max(arrives, first_answer(memory_time(arrives - 1))));
-    wake(lane.due);
+}
+
+void MemoryController::start(Lane& lane, MemoryCycle at) {
+    lane.dram->push(to_dram(config_, *lane.arrivals->pop()), at);
 }
 
 // When a column has gone out all is known of its request: when the bus carries its data, and when
@@ -102,32 +99,17 @@ void MemoryController::carry(Lane& lane, const Carrying& carrying) {
         lane.carryings.back().last = carrying.last;
 }
 
-// Each in the cycle in which it comes, or in the one behind that in which the queue has room.
-void MemoryController::accept_arrivals(Lane& lane, Cycle until) {
-    while (lane.arrivals->arrival() <= until) {
-        const Cycle at = std::max(lane.arrivals->arrival(), lane.room_at);
-        if (at > until) return;
-        const MemoryCycle begin = memory_time(at - 1);
-        lane.dram->advance(begin);
-        if (!lane.dram->has_room()) {
-            const MemoryCycle freed = lane.dram->advance_to_room(memory_time(until));
-            if (!lane.dram->has_room()) return;
-            lane.room_at = core_time(freed) + 1;
-            continue;
-        }
-        lane.dram->push(to_dram(config_, *lane.arrivals->front()), begin);
-        lane.arrivals->drop(at);
+void MemoryController::accept_arrivals(Lane& lane, MemoryCycle at) {
+    while (lane.arrivals->can_pop() && lane.dram->has_room())
+        start(lane, at);
+    if (lane.refused && lane.arrivals->can_push()) {
+        tlm::tlm_generic_payload& payload = *lane.refused;
+        lane.refused = nullptr;
+        send(lane, payload);
+        tlm::tlm_phase phase = tlm::END_REQ;
+        sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
+        socket_->nb_transport_bw(payload, phase, delay);
     }
-}
-
-void MemoryController::accept_refused(Lane& lane) {
-    if (!lane.refused || !lane.arrivals->can_push()) return;
-    tlm::tlm_generic_payload& payload = *lane.refused;
-    lane.refused = nullptr;
-    send(lane, payload);
-    tlm::tlm_phase phase = tlm::END_REQ;
-    sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
-    socket_->nb_transport_bw(payload, phase, delay);
 }
 
 void MemoryController::deliver(Lane& lane) {
@@ -142,9 +124,11 @@ void MemoryController::deliver(Lane& lane) {
 }
 
 void MemoryController::step(Lane& lane) {
-    accept_arrivals(lane, now());
-    accept_refused(lane);
-    lane.dram->advance(memory_time(now()));
+    const MemoryCycle begin = memory_time(now() - 1), end = memory_time(now());
+    lane.dram->advance(begin); // What went by while asleep: refreshes.
+    if (lane.refused || (lane.arrivals->can_pop() && lane.dram->has_room()))
+        accept_arrivals(lane, begin);
+    lane.dram->advance(end);
     if (!lane.dram->served().empty()) answer(lane);
     while (!lane.carryings.empty() && lane.carryings.front().last < now())
         lane.carryings.pop_front();
@@ -152,11 +136,7 @@ void MemoryController::step(Lane& lane) {
     lane.waits = lane.dram->has_waiting() || !lane.carryings.empty() || lane.arrivals->can_pop();
     if (!lane.responses.empty() && lane.responses.front().at <= now()) deliver(lane);
     lane.due = next_work(lane);
-}
-
-bool MemoryController::is_due(const Lane& lane) const {
-    return lane.due <= now() ||
-           (is_in_time(lane) && lane.arrivals->can_pop() && lane.dram->has_room());
+    lane.is_behind = lane.dram->has_waiting() && lane.due > core_time(lane.dram->next_work() + 1);
 }
 
 // Busy while a bus carries data; all else that it does for a request is a stall.
@@ -164,7 +144,7 @@ Activity MemoryController::step() {
     bool moving = false, waiting = false;
     next_work_ = Never;
     for (Lane& lane : lanes_) {
-        if (is_due(lane)) step(lane);
+        if (lane.is_due(now())) step(lane);
         moving |= lane.moves;
         waiting |= lane.waits;
         next_work_ = std::min(next_work_, lane.due);
@@ -176,30 +156,26 @@ void MemoryController::settle() {
     Unit::settle();
     const MemoryCycle end = memory_time(now());
     for (Lane& lane : lanes_)
-        if (is_in_time(lane)) lane.dram->settle(end);
+        lane.dram->settle(end);
     statistics_.set_bus_cycles(end * config_.channels);
 }
 
-// When the channel has to be looked at for its next command: in the cycle in which that goes out,
-// or before its answer could be back.
+// When the channel has to be looked at for its next command: in the cycle in which that goes out;
+// but where nobody asks what the bus does, and nothing waits for a place, it is enough to be there
+// before an answer could be back. What went out until then is made up for, then or when something
+// arrives.
 Cycle MemoryController::next_command(const Lane& lane) const {
     const MemoryCycle command = lane.dram->next_work();
-    return is_in_time(lane) ? core_time(command + 1)
-                            : std::max(core_time(command + 1), first_answer(command));
+    if (tells_carrying() || lane.refused || lane.arrivals->can_pop()) return core_time(command + 1);
+    const MemoryCycle least = std::min(config_.column_cycles, config_.write_column_cycles);
+    return std::max(core_time(command + 1), core_time(command + least + 1) + way_back());
 }
 
 // Refreshes of a channel that nobody waits for are made up for when somebody does.
 Cycle MemoryController::next_work(const Lane& lane) const {
+    if (lane.arrivals->can_pop() && lane.dram->has_room()) return now() + 1;
+    if (lane.refused && !lane.arrivals->is_full()) return now() + 1;
     Cycle next = lane.responses.empty() ? Never : lane.responses.front().at;
-    const Cycle arrival = lane.arrivals->arrival();
-    if (is_in_time(lane)) {
-        if (arrival <= now() && lane.dram->has_room()) return now() + 1;
-        if (lane.refused && !lane.arrivals->is_full()) return now() + 1;
-        if (arrival > now()) next = std::min(next, arrival);
-    } else if (arrival != Never) {
-        const Cycle taken = std::max(arrival, now() + 1);
-        next = std::min(next, std::max(taken, first_answer(memory_time(taken - 1))));
-    }
     if (lane.dram->has_waiting()) next = std::min(next, next_command(lane));
     if (!lane.carryings.empty()) { // to say that it carries data, or not any more
         const Carrying& carrying = lane.carryings.front();

@@ -60,37 +60,29 @@ private:
         bool moves = false, waits = false;
         Cycle due = 0;
 
-        Cycle room_at = 0; // The queue had none before.
+        bool is_behind = false; // Commands went out that were not looked at yet.
+
+        bool is_due(Cycle now) const {
+            return due <= now || (arrivals->can_pop() && (is_behind || dram->has_room()));
+        }
     };
 
     Activity step() override;
     Cycle next_work(Activity) const override { return next_work_; }
     void step(Lane& lane);
-    bool is_due(const Lane& lane) const;
     Cycle next_command(const Lane& lane) const;
     Cycle next_work(const Lane& lane) const;
     tlm::tlm_sync_enum
     on_forward(tlm::tlm_generic_payload& payload, tlm::tlm_phase& phase, sc_core::sc_time& delay);
     void send(Lane& lane, tlm::tlm_generic_payload& payload);
+    void start(Lane& lane, MemoryCycle at);
     // Else nobody sees whether a bus carries data. Commands of several channels come as mixed as
     // with that: looks at a channel make up for its refreshes.
-    bool tells_carrying() const {
-        return counts_ || is_observed() || commands_are_observed_ || plainly_;
-    }
-    // Whether the channel is looked at whenever something happens in it: then, and where somebody
-    // waits for a place. Else it is enough to be there before an answer could be back; what came
-    // and went out until then is made up for, each in its own cycle.
-    bool is_in_time(const Lane& lane) const { return tells_carrying() || lane.refused; }
-    // The first cycle in which a request could be answered whose column goes out at `column`.
-    Cycle first_answer(MemoryCycle column) const {
-        const MemoryCycle least = std::min(config_.column_cycles, config_.write_column_cycles);
-        return core_time(column + least + config_.burst_cycles) + way_back();
-    }
+    bool tells_carrying() const { return counts_ || is_observed() || commands_are_observed_; }
     void answer(Lane& lane);
     Cycle way_back() const { return config_.latency - config_.latency / 2; }
     static void carry(Lane& lane, const Carrying& carrying);
-    void accept_arrivals(Lane& lane, Cycle until);
-    void accept_refused(Lane& lane);
+    void accept_arrivals(Lane& lane, MemoryCycle at);
     void deliver(Lane& lane);
     // Memory cycles that are over when core cycle `now` is.
     MemoryCycle memory_time(Cycle now) const {
@@ -110,7 +102,6 @@ private:
     Cycle next_work_ = 0; // of all lanes
     bool counts_ = true;
     bool commands_are_observed_ = false;
-    const bool plainly_;
 };
 
 } // namespace ffgpu::timing

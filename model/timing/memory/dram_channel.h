@@ -42,16 +42,6 @@ public:
         while (next_work_ < end)
             work(next_work_);
     }
-    // Works through cycles before `end` until the queue has room; returns the cycle behind the
-    // command that made it.
-    MemoryCycle advance_to_room(MemoryCycle end) {
-        MemoryCycle at = 0;
-        while (!has_room() && next_work_ < end) {
-            at = next_work_;
-            work(at);
-        }
-        return at + 1;
-    }
     // In the order of their data; the owner takes them out.
     Ring<ServedRequest>& served() { return served_; }
     const Ring<ServedRequest>& served() const { return served_; }
