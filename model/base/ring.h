@@ -25,7 +25,7 @@ public:
     const T& back() const { return items_[place(count_ - 1)]; }
 
     void push_back(T item) {
-        if (count_ == items_.size()) grow();
+        if (count_ == mask_ + 1) grow();
         items_[place(count_++)] = std::move(item);
     }
     void pop_front() {
@@ -40,17 +40,19 @@ public:
 
 private:
     // The size is a power of two, or nothing.
-    std::size_t place(std::size_t i) const { return (first_ + i) & (items_.size() - 1); }
+    std::size_t place(std::size_t i) const { return (first_ + i) & mask_; }
 
     void grow() {
         std::vector<T> more(items_.empty() ? 8 : 2 * items_.size());
         for (std::size_t i = 0; i < count_; ++i)
             more[i] = std::move((*this)[i]);
         items_ = std::move(more);
+        mask_ = items_.size() - 1;
         first_ = 0;
     }
 
     std::vector<T> items_;
+    std::size_t mask_ = ~std::size_t{0}; // its size less one: of a vector that is a division
     std::size_t first_ = 0, count_ = 0;
 };
 

@@ -74,7 +74,7 @@ void Bottlenecks::go_through_steps(Place& place, const Moved& moved) {
     const bool asks = std::ranges::any_of(
         place.asked, [](const Way* way) { return way->pushed != way->seen_pushed; });
     // A request that has waited for a place goes before anything is looked up.
-    if (place.request_waits) ask(place);
+    if (asks && place.request_waits) ask(place);
     for (StepPlace& step : place.steps)
         if (acts(place, step, moved, asks)) act(place, step, moved_by(place, step.told, moved));
     for (std::uint64_t left = place.changed.came | place.changed.went; left != 0;
@@ -90,7 +90,7 @@ void Bottlenecks::go_through_steps(Place& place, const Moved& moved) {
         way->pushed = way->seen_pushed;
     for (Way* const way : place.in)
         way->popped = way->seen_popped;
-    if (place.is_last) ask(place);
+    if (asks && place.is_last) ask(place);
 }
 
 Bottlenecks::StepMoved
@@ -246,14 +246,18 @@ void Bottlenecks::pass_on(Place& place, const StepPlace& step, const StepMoved& 
                 way->freed[item] = step.last;
     if (moved.given == 0) return;
     // Several may give in a cycle: what comes next takes all of it.
-    Moment given = step.last;
+    Moment merged;
+    const Moment* given = &step.last;
     for (Way* const way : place.out) {
         if (way->pushed == way->seen_pushed) continue;
-        const Moment& before = way->sent[way->pushed];
-        if (way->sent_at == now_) merge(paths_, given, before);
+        if (way->sent_at == now_) {
+            merged = *given;
+            merge(paths_, merged, way->sent[way->pushed]);
+            given = &merged;
+        }
         way->sent_at = now_;
         for (std::uint64_t item = way->pushed; item < way->seen_pushed; ++item)
-            way->send(item, given);
+            way->send(item, *given);
     }
 }
 

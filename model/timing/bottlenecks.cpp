@@ -108,7 +108,7 @@ void Bottlenecks::charge(Saved& entry) {
 void Bottlenecks::look(Place& place, const StageSeen& seen) {
     std::uint64_t taken = 0, given = 0, asked = 0;
     if (seen.links != 0) {
-        take_answers(place);
+        if (!place.answered.empty()) take_answers(place);
         for (const Way* const way : place.in)
             taken += way->going();
         for (const Way* const way : place.out)

@@ -58,20 +58,23 @@ public:
 
     // At least n places. Who is refused is woken when there is one more.
     bool can_push(std::size_t n = 1) const {
-        if (taken_at_start() + n <= items_.size()) return true;
+        if (taken_at_start(clock_.now()) + n <= places_) return true;
         refuse();
         return false;
     }
     void push(const T& item) {
-        check(can_push(), "push into a full channel");
+        const Cycle now = clock_.now(), ready_at = now + latency_;
+        check(taken_at_start(now) < places_, "push into a full channel");
         std::size_t last = first_ + count_;
-        if (last >= items_.size()) last -= items_.size();
-        items_[last] = {clock_.now() + latency_, item};
-        count_before(clock_.now());
-        pushed_at_ = clock_.now();
+        if (last >= places_) last -= places_;
+        Item& place = items_[last];
+        place.ready_at = ready_at;
+        place.value = item;
+        count_before(now);
+        pushed_at_ = now;
         ++pushed_;
-        if (count_++ == 0) arrival_ = items_[last].ready_at;
-        if (consumer_) consumer_->wake(items_[last].ready_at);
+        if (count_++ == 0) arrival_ = ready_at;
+        if (consumer_) consumer_->wake(ready_at);
     }
 
     bool can_pop() const { return arrival_ <= clock_.now(); }
@@ -87,21 +90,20 @@ public:
     }
     // The same without a copy of front().
     void drop() {
-        check(can_pop(), "an item taken from an empty channel");
-        if (++first_ == items_.size()) first_ = 0;
-        count_before(clock_.now());
+        const Cycle at = clock_.now();
+        check(arrival_ <= at, "an item taken from an empty channel");
+        if (++first_ == places_) first_ = 0;
+        count_before(at);
         arrival_ = --count_ > 0 ? items_[first_].ready_at : Never;
-        if (popped_at_ != clock_.now()) {
-            popped_at_ = clock_.now();
-            popped_now_ = 0;
-        }
-        ++popped_now_;
-        if (refused_ && producer_) producer_->wake();
+        popped_now_ = popped_at_ == at ? popped_now_ + 1 : 1;
+        popped_at_ = at;
+        if (!refused_) return;
         refused_ = false;
+        if (producer_) producer_->wake();
     }
 
     // As it is, not as it was when the cycle began: for next_work().
-    bool is_full() const { return count_ == items_.size(); }
+    bool is_full() const { return count_ == places_; }
 
     // Items that were taken before this cycle.
     std::uint64_t popped_before() const {
@@ -121,8 +123,8 @@ private:
     };
 
     // Places popped in this cycle are still taken.
-    std::size_t taken_at_start() const {
-        return count_ + (popped_at_ == clock_.now() ? popped_now_ : 0);
+    std::size_t taken_at_start(Cycle now) const {
+        return count_ + (popped_at_ == now ? popped_now_ : 0);
     }
 
     // A place that was freed in this cycle is one in the next.

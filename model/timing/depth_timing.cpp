@@ -190,7 +190,8 @@ bool DepthTiming::look_up_lines(Path path,
 }
 
 // Takes one quad in and looks its line up if it is tested on this path.
-bool DepthTiming::look_up(Path path, Budget& budget, Activity& reason) {
+template <DepthTiming::Path path>
+bool DepthTiming::look_up(Budget& budget, Activity& reason) {
     if (is_past_cache(path)) return read_pixels(reason);
     Channel<QuadToken>& in = path == Path::Early ? ports_.early_in : ports_.late_in;
     ParkedQuads& parked = path == Path::Early ? early_ : late_;
@@ -201,10 +202,10 @@ bool DepthTiming::look_up(Path path, Budget& budget, Activity& reason) {
     const QuadToken token = in.front();
     const PreparedDraw& draw = token.draw();
     LineWalk& walk = path == Path::Early ? early_walk_ : late_walk_;
-    const bool early = path == Path::Early;
+    constexpr bool early = path == Path::Early;
     bool culled = false;
     if (early && !test_coarse(token, budget, culled)) {
-        if (culled) in.pop();
+        if (culled) in.drop();
         return culled;
     }
     if (tests_here(path, draw)) {
@@ -220,13 +221,14 @@ bool DepthTiming::look_up(Path path, Budget& budget, Activity& reason) {
     const bool goes_on = token.quad().after_early_depth != 0;
     if (orders_writes_ && writes_late(draw) && goes_on) early ? announce(token) : complete(token);
     if (early) coarse_ = Coarse::Untested;
-    in.pop();
+    in.drop();
     parked.park(token, walk.end());
     return true;
 }
 
 // Sends the oldest quad on if its data have come, or ends it if no fragment is left.
-bool DepthTiming::send(Path path, Activity& reason) {
+template <DepthTiming::Path path>
+bool DepthTiming::send(Activity& reason) {
     ParkedQuads& parked = path == Path::Early ? early_ : late_;
     Channel<QuadToken>& out = path == Path::Early ? ports_.early_out : ports_.late_out;
     if (!parked.front_has_data(ports_.cache)) {
@@ -251,30 +253,34 @@ bool DepthTiming::send(Path path, Activity& reason) {
     return true;
 }
 
+// Quads that the coarse test ends: tests_per_cycle of them cost a pipe what one costs that goes on.
+template <DepthTiming::Path path>
+bool DepthTiming::work(Budget& budget, Activity& reason) {
+    const ParkedQuads& parked = path == Path::Early ? early_ : late_;
+    const Channel<QuadToken>& in = path == Path::Early ? ports_.early_in : ports_.late_in;
+    if (parked.empty() && !in.can_pop()) return false;
+    const std::uint32_t pipes = config_.raster.quads_per_cycle;
+    bool worked = false;
+    for (std::uint32_t i = 0; i < pipes && !parked.empty() && send<path>(reason); ++i)
+        worked = true;
+    for (std::uint32_t taken = 0; in.can_pop() && look_up<path>(budget, reason);) {
+        worked = true;
+        const std::uint32_t ended =
+            budget.culled == 0 ? 0 : budget.culled / config_.hierarchical_depth.tests_per_cycle;
+        if (++taken - budget.culled + ended >= pipes) break;
+    }
+    return worked;
+}
+
 Activity DepthTiming::step() {
     ports_.cache.begin_cycle(ports_.responses_in);
     interlock_.begin_cycle(now());
     Activity reason = Activity::Idle;
-    bool worked = false;
     const std::uint32_t pipes = config_.raster.quads_per_cycle;
     Budget budget{.lookups = config_.depth_cache.lookups_per_cycle * pipes,
                   .tests = config_.hierarchical_depth.tests_per_cycle * pipes};
-    // Quads that the coarse test ends: tests_per_cycle of them cost a pipe what one costs that goes
-    // on.
-    const auto pipes_taken = [&](std::uint32_t quads) {
-        return quads - budget.culled + budget.culled / config_.hierarchical_depth.tests_per_cycle;
-    };
-    for (const Path path : {Path::Late, Path::Early}) {
-        const ParkedQuads& parked = path == Path::Early ? early_ : late_;
-        const Channel<QuadToken>& in = path == Path::Early ? ports_.early_in : ports_.late_in;
-        if (parked.empty() && !in.can_pop()) continue;
-        for (std::uint32_t i = 0; i < pipes && !parked.empty() && send(path, reason); ++i)
-            worked = true;
-        for (std::uint32_t taken = 0; in.can_pop() && look_up(path, budget, reason);) {
-            worked = true;
-            if (pipes_taken(++taken) >= pipes) break;
-        }
-    }
+    bool worked = work<Path::Late>(budget, reason);
+    worked |= work<Path::Early>(budget, reason);
     if (interlock_.changes()) blame(reason, Activity::StalledMemory); // Stores are under way.
     if (!worked) return reason;
     // Past the cache a quad of which nothing is left ends where there is no place.

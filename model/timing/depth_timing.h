@@ -61,7 +61,11 @@ private:
     enum class Coarse { Untested, Undecided, Accepted };
 
     Activity step() override;
-    bool look_up(Path path, Budget& budget, Activity& reason); // of the quad that is there
+    // What a path takes in a cycle is compiled for each of the two. True: it did something.
+    template <Path path>
+    bool work(Budget& budget, Activity& reason);
+    template <Path path>
+    bool look_up(Budget& budget, Activity& reason); // of the quad that is there
     bool look_up_lines(Path path, const QuadToken& token, Budget& budget, Activity& reason);
     LineAccess access(Path path, const QuadToken& token, std::size_t line) const;
     work::WrittenBytes written_bytes(Path path, const QuadToken& token, std::size_t line) const;
@@ -73,7 +77,8 @@ private:
     void complete(const QuadToken& token);
     bool tests_here(Path path, const PreparedDraw& draw) const;
     bool writes_late(const PreparedDraw& draw) const;
-    bool send(Path path, Activity& reason); // the oldest of those parked
+    template <Path path>
+    bool send(Activity& reason); // the oldest of those parked
     bool read_pixels(Activity& reason);
     void store_pixels(const QuadToken& token);
     bool end_dead(const QuadToken& token);

@@ -7,10 +7,7 @@ namespace ffgpu::timing {
 
 bool FragmentTiming::can_distribute() const {
     if (!ports_.quads_in.can_pop()) return false;
-    const Pipe& pipe = pipes_[fragment_pipe(config_, ports_.quads_in.front())];
-    // What goes round comes when the one before it has left: it waits with its samples.
-    const std::size_t places = config_.fragment.entry_cycles > 0 ? 1 : config_.fragment.pipe_queue;
-    return pipe.waiting.size() < places;
+    return has_place(pipes_[fragment_pipe(config_, ports_.quads_in.front())]);
 }
 
 bool FragmentTiming::is_empty() const {
@@ -21,10 +18,13 @@ bool FragmentTiming::is_empty() const {
 
 // In the order in which they came: a quad whose pipe's queue is full holds up those behind it.
 void FragmentTiming::distribute() {
-    for (std::size_t i = 0; i < pipes_.size() && can_distribute(); ++i) {
+    const std::size_t pipes = pipes_.size();
+    for (std::size_t i = 0; i < pipes && ports_.quads_in.can_pop(); ++i) {
         const std::uint32_t number = fragment_pipe(config_, ports_.quads_in.front());
         Pipe& pipe = pipes_[number];
-        pipe.waiting.push_back(ports_.quads_in.pop());
+        if (!has_place(pipe)) return;
+        pipe.waiting.push_back(ports_.quads_in.front());
+        ports_.quads_in.drop();
         ++pipe.passage.entered;
         exit_.enter(number);
     }
@@ -74,15 +74,16 @@ Activity FragmentTiming::step(std::size_t number) {
 // The pipes share the way out: a different one is first whenever one has worked.
 Activity FragmentTiming::step() {
     if (ports_.quads_in.can_pop()) distribute();
+    const std::size_t pipes = pipes_.size();
     bool worked = false, stalled = false;
-    for (std::size_t i = 0; i < pipes_.size(); ++i) {
-        const Activity activity = step(turn(first_ + i, pipes_.size()));
+    for (std::size_t i = 0; i < pipes; ++i) {
+        const Activity activity = step(turn(first_ + i, pipes));
         worked |= activity == Activity::Busy;
         stalled |= activity == Activity::StalledOutput;
     }
     worked |= exit_.advance();
     if (worked) {
-        first_ = turn(first_ + 1, pipes_.size());
+        first_ = turn(first_ + 1, pipes);
         if (!ports_.quads_in.can_pop() && is_empty()) rest_as(Activity::Idle);
         return Activity::Busy;
     }

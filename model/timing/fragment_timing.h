@@ -56,6 +56,12 @@ private:
                });
     }
     bool can_distribute() const;
+    // What goes round comes when the one before it has left: it waits with its samples.
+    bool has_place(const Pipe& pipe) const {
+        const std::size_t places =
+            config_.fragment.entry_cycles > 0 ? 1 : config_.fragment.pipe_queue;
+        return pipe.waiting.size() < places;
+    }
     bool is_empty() const; // No pipe has anything to do.
     void distribute();
     Activity step(std::size_t number);

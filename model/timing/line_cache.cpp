@@ -27,7 +27,7 @@ LineCache::LineCache(std::string_view name,
         optimal_.emplace(config.sets, config.ways, config.index_hash);
 }
 
-void LineCache::begin_cycle(Channel<std::uint64_t>& responses) {
+void LineCache::begin_busy_cycle(Channel<std::uint64_t>& responses) {
     if (config_.ports > 0) std::fill(bank_lookups_.begin(), bank_lookups_.end(), 0);
     while (responses.can_pop())
         complete(responses.pop());

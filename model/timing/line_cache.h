@@ -63,7 +63,10 @@ public:
 
     // The owner calls it first in each cycle: ports are free again, fills have come, requests that
     // waited go out.
-    void begin_cycle(Channel<std::uint64_t>& responses);
+    void begin_cycle(Channel<std::uint64_t>& responses) {
+        if (config_.ports == 0 && !responses.can_pop() && rests()) return;
+        begin_busy_cycle(responses);
+    }
 
     // Looks a line up. A miss takes its place at once and asks for the data if bytes are needed
     // that the access does not write. A hit needs only a port of its bank; what fetches needs a
@@ -115,6 +118,7 @@ public:
     Client client() const { return client_; }
 
 private:
+    void begin_busy_cycle(Channel<std::uint64_t>& responses);
     // Often a look-up is of the line of the one before, which has all that is wanted. It moves no
     // line in any order, so that what is left of it are counters and bytes. look_up_any() would do
     // the same.

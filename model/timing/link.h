@@ -21,7 +21,7 @@ public:
 
     // Items that are in the queue, or on their way to it.
     std::size_t items() const { return count_; }
-    std::size_t places() const { return cycles_at_.size() - 1; }
+    std::size_t places() const { return places_; }
     // What the oldest item is, for people; empty: there is none, or nothing to tell of it.
     virtual std::string front_key() const = 0;
 
@@ -61,7 +61,8 @@ public:
 
 protected:
     Link(std::size_t places, Cycle latency, bool carries_requests, bool carries_answers)
-        : latency_(latency)
+        : places_(places)
+        , latency_(latency)
         , cycles_at_(places + 1)
         , carries_requests_(carries_requests)
         , carries_answers_(carries_answers) {}
@@ -76,6 +77,7 @@ protected:
     std::size_t count_ = 0;
     std::uint64_t pushed_ = 0;
     mutable bool refused_ = false; // the producer, since the last pop
+    const std::size_t places_;
     Cycle latency_;
     Cycle pushed_at_ = 0, popped_at_ = 0;
     mutable Cycle refused_at_ = 0;

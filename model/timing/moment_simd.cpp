@@ -29,9 +29,10 @@ HWY_INLINE hn::Vec<D> lanes_of(D d, std::size_t first, const Dependence::Part& p
 // Lanes from `first` on of what one dependence allows.
 template <class D>
 HWY_INLINE hn::Vec<D> allowed(D d, std::size_t first, const Dependence& by, float more) {
-    const auto before = hn::LoadU(d, by.moment->saved.cycles.data() + first);
-    const auto with_first = hn::Add(before, lanes_of(d, first, by.first));
-    return hn::Add(hn::Add(with_first, lanes_of(d, first, by.then)), hn::Set(d, more));
+    auto saved = hn::LoadU(d, by.moment->saved.cycles.data() + first);
+    saved = hn::Add(saved, lanes_of(d, first, by.first));
+    if (by.then.cycles != 0) saved = hn::Add(saved, lanes_of(d, first, by.then)); // seldom
+    return hn::Add(saved, hn::Set(d, more));
 }
 
 void saved_after_lanes(const Dependences& all, Saved& result) {

@@ -27,7 +27,8 @@ void TextureShare::begin(const work::PreparedScene& scene, const PreparedQuad& q
 
 std::uint32_t TextureShare::filter_cycles(const work::PreparedScene& scene,
                                           const PreparedQuad& quad) const {
-    std::size_t most = (quad.filter_steps + units_ - 1) / units_;
+    // Mostly there is nothing to divide by, and a division takes as long as all the rest.
+    std::size_t most = units_ == 1 ? quad.filter_steps : (quad.filter_steps + units_ - 1) / units_;
     if (by_texture_ && units_ > 1) {
         const auto textures = scene.textures_of(quad);
         most = 0;
@@ -38,7 +39,7 @@ std::uint32_t TextureShare::filter_cycles(const work::PreparedScene& scene,
             most = std::max(most, steps);
         }
     }
-    const std::size_t cycles = (most + width_ - 1) / width_;
+    const std::size_t cycles = width_ == 1 ? most : (most + width_ - 1) / width_;
     return static_cast<std::uint32_t>(std::max<std::size_t>(cycles, 1));
 }
 

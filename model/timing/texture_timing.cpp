@@ -66,11 +66,14 @@ void TextureTiming::forget_former_draw(const QuadToken& quad) {
 
 // In the order in which they came: a quad whose pipe's queue is full holds up those behind it.
 void TextureTiming::distribute() {
-    for (std::size_t i = 0; i < pipes_.size() && can_distribute(); ++i) {
-        forget_rewritten(ports_.quads_in.front());
-        if (config_.texel_cache.forgets) forget_former_draw(ports_.quads_in.front());
-        const std::uint32_t pipe = fragment_pipe(config_, ports_.quads_in.front());
-        pipes_[pipe].take(ports_.quads_in.pop());
+    const std::size_t pipes = pipes_.size();
+    for (std::size_t i = 0; i < pipes && can_distribute(); ++i) {
+        const QuadToken& quad = ports_.quads_in.front();
+        if (ports_.rewrites.come_before(quad.scene->number)) forget_rewritten(quad);
+        if (config_.texel_cache.forgets) forget_former_draw(quad);
+        const std::uint32_t pipe = fragment_pipe(config_, quad);
+        pipes_[pipe].take(quad);
+        ports_.quads_in.drop();
         exit_.enter(pipe);
     }
 }
@@ -83,15 +86,16 @@ Activity TextureTiming::step() {
     bool worked = false;
     // The pipes share the cache's ports and the way out: a different one is first whenever one
     // has worked.
-    for (std::size_t i = 0; i < pipes_.size(); ++i) {
-        const std::size_t pipe = turn(first_ + i, pipes_.size());
-        if (pipes_[pipe].has_parked()) worked |= pipes_[pipe].filter(exit_, pipe, now(), reason);
-        if (pipes_[pipe].has_tags_to_compare())
-            worked |= pipes_[pipe].compare_tags(statistics_, now(), reason);
+    const std::size_t pipes = pipes_.size();
+    for (std::size_t i = 0; i < pipes; ++i) {
+        const std::size_t number = turn(first_ + i, pipes);
+        TexturePipe& pipe = pipes_[number];
+        if (pipe.has_parked()) worked |= pipe.filter(exit_, number, now(), reason);
+        if (pipe.has_tags_to_compare()) worked |= pipe.compare_tags(statistics_, now(), reason);
     }
     worked |= exit_.advance();
     if (!worked) return reason;
-    first_ = turn(first_ + 1, pipes_.size());
+    first_ = turn(first_ + 1, pipes);
     if (!ports_.quads_in.can_pop() && pipes_rest())
         rest_as(std::any_of(pipes_.begin(), pipes_.end(), has_parked) ? Activity::StalledMemory
                                                                       : Activity::Idle);

@@ -43,6 +43,7 @@ TEST_CASE("A look at all banks by vectors finds what the plain one finds", "[tim
         BanksFound found;
         scan_banks(scan, found);
         REQUIRE(found.column_is_due == plainly.column_is_due);
+        REQUIRE(found.column_at == plainly.column_at);
         REQUIRE(found.again_at == plainly.again_at);
         REQUIRE(found.rows == plainly.rows);
     }

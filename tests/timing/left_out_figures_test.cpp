@@ -41,9 +41,13 @@ struct Outcome {
     bool operator==(const Outcome&) const = default;
 };
 
-Outcome run_frames(std::uint64_t seed, bool leaves_out) {
+TimingConfig random_machine(std::uint64_t seed) {
     TimingConfig config = RandomWork(~seed).machine();
     config.bottlenecks.enable = false;
+    return config;
+}
+
+Outcome run_frames(std::uint64_t seed, const TimingConfig& config, bool leaves_out) {
     GpuTiming timing(config);
     Listener listener;
     timing.set_memory_observer(&listener);
@@ -71,11 +75,25 @@ Outcome run_frames(std::uint64_t seed, bool leaves_out) {
 
 TEST_CASE("no request and no cycle depends on whether figures are counted and frames overlap") {
     for (std::uint64_t seed = 500; seed < 560; ++seed) {
-        const Outcome expected = run_frames(seed, false);
+        const TimingConfig config = random_machine(seed);
+        const Outcome expected = run_frames(seed, config, false);
         CAPTURE(seed);
         CHECK(!expected.events.empty());
         CHECK(expected.cycles.size() == 3);
-        CHECK(run_frames(seed, true) == expected);
+        CHECK(run_frames(seed, config, true) == expected);
+    }
+}
+
+// A channel without a place is looked at when what is on its way to it arrives.
+TEST_CASE("nor where many wait for a place in a channel whose queue is short") {
+    for (std::uint64_t seed = 560; seed < 600; ++seed) {
+        TimingConfig config = random_machine(seed);
+        config.raster.quads_per_cycle = 4;
+        config.memory.channels = 8;
+        config.memory.queue = 1 + static_cast<std::uint32_t>(seed % 3);
+        config.memory.latency = static_cast<std::uint32_t>(seed % 7);
+        CAPTURE(seed);
+        CHECK(run_frames(seed, config, true) == run_frames(seed, config, false));
     }
 }
 

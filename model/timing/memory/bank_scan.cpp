@@ -12,7 +12,7 @@ BanksFound scan_banks_plainly(const BankScan& scan) {
             if ((waiting & hits) == 0) return;
             const MemoryCycle at = std::max(scan.times.column_at[bank], bus_at);
             found.column_is_due |= at <= scan.now;
-            found.again_at = std::min(found.again_at, at);
+            found.column_at = std::min(found.column_at, at);
         };
         look_at_column(scan.reads, scan.read_at);
         look_at_column(scan.writes, scan.write_at);
@@ -22,6 +22,7 @@ BanksFound scan_banks_plainly(const BankScan& scan) {
         if (at <= scan.now) found.rows |= waiting;
         found.again_at = std::min(found.again_at, at);
     }
+    found.again_at = std::min(found.again_at, found.column_at);
     return found;
 }
 

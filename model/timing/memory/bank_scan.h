@@ -36,7 +36,8 @@ struct BankScan {
 
 struct BanksFound {
     bool column_is_due = false;
-    MemoryCycle again_at = NoCycle; // the first cycle in which a column or a row may go out
+    MemoryCycle column_at = NoCycle; // the first cycle in which a column may go out
+    MemoryCycle again_at = NoCycle;  // the first in which a column or a row may
     // All requests of the banks that can be made ready for another row: those whose open row, if
     // there is one, nobody waits for.
     std::uint64_t rows = 0;

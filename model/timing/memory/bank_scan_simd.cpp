@@ -3,6 +3,7 @@
 #include "model/base/simd_targets.h"
 #include "model/timing/memory/bank_scan.h"
 
+#include <algorithm>
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
@@ -66,11 +67,13 @@ void scan_lanes(const BankScan& scan, BanksFound& found) {
         rows_at = hn::Min(rows_at, wanted_at);
         rows = hn::Or(rows, hn::IfThenZeroElse(hn::Gt(wanted_at, now), waiting));
     }
-    found.column_is_due = !hn::AllTrue(d, hn::Gt(columns, now));
-    const std::int64_t first =
-        folded(hn::Min(columns, rows_at), [](auto one, auto other) { return hn::Min(one, other); });
+    const auto least = [](auto one, auto other) { return hn::Min(one, other); };
+    const std::int64_t column = folded(columns, least);
+    const std::int64_t first = std::min(column, folded(rows_at, least));
     const std::int64_t any_rows =
         folded(rows, [](auto one, auto other) { return hn::Or(one, other); });
+    found.column_is_due = column <= static_cast<std::int64_t>(scan.now);
+    found.column_at = column == Never ? NoCycle : static_cast<MemoryCycle>(column);
     found.again_at = first == Never ? NoCycle : static_cast<MemoryCycle>(first);
     found.rows = static_cast<std::uint64_t>(any_rows);
 }

@@ -3,6 +3,7 @@
 #include "model/base/check.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ffgpu::timing {
 
@@ -42,9 +43,12 @@ void DramChannel::wait_also_for(const DramRequest& request, MemoryCycle now) {
 
 // One cycle's command, or how long there will be none.
 void DramChannel::work(MemoryCycle now) {
-    rests_ = false;
+    const bool column_is_due = std::exchange(rests_, false) && planned_.column_at <= now;
     if (now >= refresh_due_) return work_on_refresh(now);
-    if (planned_at_ != now) scheduler_.choose(waiting_, device_, now, planned_);
+    if (column_is_due)
+        scheduler_.choose_with_column(waiting_, device_, now, planned_);
+    else if (planned_at_ != now)
+        scheduler_.choose(waiting_, device_, now, planned_);
     if (planned_.kind == DramCommand::Kind::None) return rest(planned_, now);
     issue(planned_, now);
     look_ahead(now + 1);

@@ -133,6 +133,7 @@ bool DramScheduler::find_without_column(Search& search) const {
                found);
     if (found.column_is_due) return false;
     search.command.again_at = found.again_at;
+    search.command.column_at = found.column_at;
     if (found.rows == 0) return true;
     const auto index = static_cast<std::size_t>(std::countr_zero(found.rows));
     const bool closed = search.device.open_row(waiting[index].request.bank) == DramDevice::NoRow;
@@ -263,6 +264,12 @@ void DramScheduler::choose_plainly(Search& search) const {
         search, [&] { find_row(search); }, [&] { return is_bus_wanted(search); });
 }
 
+void DramScheduler::choose_by_bits(Search& search) const {
+    find_column_by_bits(search);
+    choose_row(
+        search, [&] { find_row_by_bits(search); }, [&] { return is_bus_wanted_by_bits(search); });
+}
+
 void DramScheduler::choose(const WaitingRequests& waiting,
                            const DramDevice& device,
                            MemoryCycle now,
@@ -270,15 +277,20 @@ void DramScheduler::choose(const WaitingRequests& waiting,
     command = {.again_at = NoCycle};
     if (waiting.empty()) return;
     Search search{waiting, device, now, command};
-    if (!by_bits_) {
+    if (!by_bits_)
         choose_plainly(search);
-    } else if (!by_banks_ || !find_without_column(search)) {
-        find_column_by_bits(search);
-        choose_row(
-            search,
-            [&] { find_row_by_bits(search); },
-            [&] { return is_bus_wanted_by_bits(search); });
-    }
+    else if (!by_banks_ || !find_without_column(search))
+        choose_by_bits(search);
+    name_cause(search);
+}
+
+void DramScheduler::choose_with_column(const WaitingRequests& waiting,
+                                       const DramDevice& device,
+                                       MemoryCycle now,
+                                       DramCommand& command) const {
+    command = {.again_at = NoCycle};
+    Search search{waiting, device, now, command};
+    choose_by_bits(search);
     name_cause(search);
 }
 

@@ -28,6 +28,7 @@ struct DramCommand {
     Kind kind = Kind::None;
     std::size_t index = 0;            // of the waiting request
     MemoryCycle again_at = 0;         // None: nothing can go out before
+    MemoryCycle column_at = NoCycle;  // None: a column can go out then, where that is known
     LostTo cause = LostTo::NoRequest; // None: why not now
     bool meets = false;               // a column without a gap, and a row: one goes, both could
 };
@@ -47,6 +48,11 @@ public:
                 const DramDevice& device,
                 MemoryCycle now,
                 DramCommand& command) const;
+    // The same where a look before, since which nothing went out, told that a column is due.
+    void choose_with_column(const WaitingRequests& waiting,
+                            const DramDevice& device,
+                            MemoryCycle now,
+                            DramCommand& command) const;
     // Since `waiting` was looked at nothing could go out: `request`, which is not in it yet and
     // comes at `now`, may go out then, or ask for its row; NoCycle: others ask for that. None: all
     // have to be looked at again.
@@ -71,6 +77,7 @@ private:
     void find_column(Search& search) const;
     void find_row(Search& search) const;
     bool find_without_column(Search& search) const;
+    void choose_by_bits(Search& search) const;
     void find_column_by_bits(Search& search) const;
     void find_row_by_bits(Search& search) const;
     static bool is_bus_wanted(const Search& search);
