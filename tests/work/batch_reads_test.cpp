@@ -13,12 +13,13 @@ namespace {
 
 constexpr std::uint32_t Size = 64, LineBytes = 64;
 
+// One small level lies across lines: it has no rectangles.
 TextureLines texture_of(Layout layout) {
     TextureLines texture;
     std::uint64_t at = 4096;
     for (std::uint32_t size = Size; size > 0; size /= 2) {
         const PlacedLevel level{.layout = ImageLayout::make(layout, 4, 32, size, size, 4),
-                                .base = at,
+                                .base = at + (size == 4 ? LineBytes / 2 : 0),
                                 .layer_bytes = std::uint64_t{Size} * Size * 4};
         texture.add(level, LineBytes);
         at += 4 * level.layer_bytes;
