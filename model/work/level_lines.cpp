@@ -18,7 +18,7 @@ std::vector<std::uint32_t> table(std::uint32_t texels, Offset&& offset) {
 // have offsets in one line.
 std::uint16_t first_texels(const std::vector<std::uint32_t>& offsets, unsigned line_shift) {
     constexpr std::uint32_t Most = 1u << 15; // coordinates stay apart from BorderTexel
-    auto texels = std::min(static_cast<std::uint32_t>(offsets.size()), Most);
+    std::uint32_t texels = Most;
     for (std::uint32_t i = 1; i < offsets.size(); ++i)
         if ((offsets[i] ^ offsets[i - 1]) >> line_shift != 0) texels = std::min(texels, i & -i);
     return static_cast<std::uint16_t>(-texels);

@@ -12,6 +12,11 @@
 
 namespace ffgpu::work {
 
+// Bits of a texel's coordinates.
+struct RectangleBits {
+    std::uint16_t x = 0, y = 0;
+};
+
 class LevelLines {
 public:
     LevelLines(const PlacedLevel& level, std::uint32_t line_bytes);
@@ -43,6 +48,14 @@ public:
                                          std::bit_cast<std::uint64_t>(firsts_));
     }
 
+    // Texels that differ in others of their bits alone are in one rectangle.
+    RectangleBits rectangle_bits() const { return {firsts_.x0, firsts_.y0}; }
+    bool has_rectangles() const { return (firsts_.x0 & firsts_.y0) != 0xffff; }
+    // Texels that do so in others than `bits` alone are, too.
+    bool has_rectangles_of(const RectangleBits& bits) const {
+        return ((firsts_.x0 & ~bits.x) | (firsts_.y0 & ~bits.y)) == 0;
+    }
+
 private:
     void find_rectangles();
 
@@ -56,18 +69,32 @@ private:
 struct TextureLines {
     std::vector<PlacedLevel> levels;
     std::vector<LevelLines> lines;
+    RectangleBits bits; // of rectangles, in all levels that have larger ones than texels
 
     void clear() {
         levels.clear();
         lines.clear();
+        bits = {};
     }
     void add(const PlacedLevel& level, std::uint32_t line_bytes) {
         levels.push_back(level);
         lines.emplace_back(level, line_bytes);
+        add_bits();
     }
     void set(std::size_t number, const PlacedLevel& level, std::uint32_t line_bytes) {
         levels[number] = level;
         lines[number] = LevelLines(level, line_bytes);
+        add_bits();
+    }
+
+private:
+    void add_bits() {
+        bits = {};
+        for (const LevelLines& level : lines) {
+            if (!level.has_rectangles()) continue;
+            bits.x |= level.rectangle_bits().x;
+            bits.y |= level.rectangle_bits().y;
+        }
     }
 };
 

@@ -37,9 +37,9 @@ struct LookupPlace {
             began[i] = number;
     }
     Reuse since(std::uint64_t last) const {
-        std::size_t scope = 0;
-        while (scope < ReuseScopes && last < began[scope])
-            ++scope;
+        std::size_t scope = 0; // A wider one began before, or with it: no branch.
+        for (const std::uint64_t first : began)
+            scope += last < first;
         return static_cast<Reuse>(scope);
     }
 };

@@ -86,12 +86,15 @@ void MissCurves::lookups_again(const LookupPlace& place,
 // --- As long as lines are only read --------------------------------------------------------------
 
 void MissCurves::read(const LookupPlace& place, std::uint64_t line, std::uint32_t quads) {
-    if (const auto last = reads_->look_up_last(line, place.number)) {
-        reuses_[static_cast<std::size_t>(place.since(*last))] += quads;
-        if (*last < place.began[static_cast<std::size_t>(Reuse::Frame)]) ++lines_now_;
-        return;
-    }
-    const ReadStacks::Found found = reads_->look_up(line, place.number);
+    const ReadStacks::Near near = reads_->look_up_near(line, place.number);
+    if (!near) return read_older(place, line, quads);
+    const Reuse reuse = place.since(near.last);
+    lines_now_ += reuse == Reuse::EarlierFrame;
+    near_.add(static_cast<std::size_t>(reuse), near.depth, near.positions, quads);
+}
+
+void MissCurves::read_older(const LookupPlace& place, std::uint64_t line, std::uint32_t quads) {
+    const ReadStacks::Found found = reads_->look_up_older(line, place.number);
     count_frame_line(place, found.last);
     if (!found.known) {
         ++compulsory_;
@@ -99,13 +102,7 @@ void MissCurves::read(const LookupPlace& place, std::uint64_t line, std::uint32_
     }
     const auto reuse = static_cast<std::size_t>(place.since(found.last));
     reuses_[reuse] += quads;
-    if (found.depth == 0) return;
     count(positions_[reuse], found.depth, quads);
-    if (found.depth < NearCounts::Depths) {
-        for (std::size_t i = 0; i < found.positions.size(); ++i)
-            near_.of(reuse, i, found.depth, found.positions[i]) += quads;
-        return;
-    }
     std::uint32_t share = found.depth;
     for (std::size_t i = 0; i < found.positions.size(); ++i) {
         share /= 2;
@@ -114,16 +111,30 @@ void MissCurves::read(const LookupPlace& place, std::uint64_t line, std::uint32_
     }
 }
 
+std::uint64_t MissCurves::NearCounts::of_reuse(std::size_t reuse) const {
+    const auto first = depths_.begin() + static_cast<std::ptrdiff_t>(reuse * Depths);
+    return std::accumulate(first, first + Depths, std::uint64_t{0});
+}
+
+void MissCurves::NearCounts::add_to(ReuseHistograms& positions) const {
+    for (std::size_t at = 0; at < depths_.size(); ++at)
+        if (depths_[at] > 0)
+            count(positions[at / Depths], static_cast<std::uint32_t>(at % Depths), depths_[at]);
+}
+
 void MissCurves::NearCounts::add_to(std::vector<Level>& levels) const {
     std::size_t at = 0;
     for (std::size_t reuse = 0; reuse <= ReuseScopes; ++reuse)
-        for (std::size_t level = 0; level < levels_; ++level)
-            for (std::uint32_t depth = 0; depth < Depths; ++depth)
+        for (std::uint32_t depth = 0; depth < Depths; ++depth)
+            for (std::size_t level = 0; level < levels_; ++level)
                 for (std::uint32_t position = 0; position < Depths; ++position, ++at) {
                     if (counts_[at] == 0) continue;
-                    const std::uint32_t share = depth >> (level + 1);
-                    levels[level].positions[reuse][position] += counts_[at];
-                    levels[level].in_both[std::min(position, share)] += counts_[at];
+                    Level& to = levels[level];
+                    const auto own =
+                        std::min<std::size_t>(position, to.in_both.size() - 1); // most_ways
+                    const std::size_t share = depth >> (level + 1);
+                    to.positions[reuse][own] += counts_[at];
+                    to.in_both[std::min(own, share)] += counts_[at];
                 }
 }
 
@@ -242,7 +253,10 @@ CurveSums MissCurves::sums() const {
     sums.most_ways_ = shape_.most_ways;
     sums.compulsory_ = compulsory_;
     sums.accesses_ = std::accumulate(reuses_.begin(), reuses_.end(), compulsory_);
+    for (std::size_t reuse = 0; reuse <= ReuseScopes; ++reuse)
+        sums.accesses_ += near_.of_reuse(reuse);
     sums.stacks_.push_back({positions_, {}, all_.write_backs()});
+    near_.add_to(sums.stacks_.back().positions);
     std::vector<Level> levels = levels_;
     near_.add_to(levels);
     for (std::size_t i = 0; i < levels.size(); ++i)

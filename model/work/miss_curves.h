@@ -94,26 +94,32 @@ private:
         ReuseHistograms positions;
         Histogram in_both; // the lesser of position and what is over of the sets' share
     };
-    // Look-ups that found their line near the top, by reuse, level, position among all lines and
+    // Look-ups that found their line near the top, by reuse, position among all lines, level and
     // position: nearly all of them, and one count says what Level's two do.
     class NearCounts {
     public:
-        static constexpr std::uint32_t Depths = 16;
+        static constexpr std::uint32_t Depths = RecentLines::Most;
 
         explicit NearCounts(std::size_t levels)
             : levels_(levels)
-            , counts_((ReuseScopes + 1) * levels * Depths * Depths, 0) {}
+            , depths_((ReuseScopes + 1) * Depths, 0)
+            , counts_((ReuseScopes + 1) * Depths * levels * Depths, 0) {}
 
-        std::uint64_t&
-        of(std::size_t reuse, std::size_t level, std::uint32_t depth, std::uint32_t position) {
-            return counts_[((reuse * levels_ + level) * Depths + depth) * Depths + position];
+        void add(std::size_t reuse, std::uint32_t depth, Sharers positions, std::uint64_t times) {
+            const std::size_t at = reuse * Depths + depth;
+            depths_[at] += times;
+            std::uint64_t* level = counts_.data() + at * levels_ * Depths;
+            for (; positions != 0; positions >>= 4, level += Depths)
+                level[positions % Depths] += times;
         }
+        std::uint64_t of_reuse(std::size_t reuse) const;
         // Adds them to those of all depths.
+        void add_to(ReuseHistograms& positions) const;
         void add_to(std::vector<Level>& levels) const;
 
     private:
         std::size_t levels_;
-        std::vector<std::uint64_t> counts_;
+        std::vector<std::uint64_t> depths_, counts_;
     };
     struct LineUse {
         std::uint32_t id = 0;
@@ -127,6 +133,7 @@ private:
     void merge(std::span<const LineLookup> lines);
     void look_up(const LookupPlace& place, const LineLookup& lookup);
     void read(const LookupPlace& place, std::uint64_t line, std::uint32_t quads);
+    void read_older(const LookupPlace& place, std::uint64_t line, std::uint32_t quads);
     void end_reads();
     void count_frame_line(const LookupPlace& place, std::uint64_t last);
     std::uint64_t& last_use(std::uint32_t id);

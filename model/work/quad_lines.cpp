@@ -1,6 +1,5 @@
 #include "model/work/quad_lines.h"
 
-#include <algorithm>
 #include <array>
 
 namespace ffgpu::work {
@@ -21,19 +20,10 @@ void QuadLines::add_other(const TextureLines& texture, const TexelAccess& access
     const PlacedLevel& level = texture.levels[access.level];
     const LevelLines& lines = texture.lines[access.level];
     expands_blocks_ |= level.compressed && level.expansion_log2 == 0;
-    if (is_plain_square(lines, access)) // Most are.
+    if (is_plain_square(lines, access))
         add_square(lines, access);
     else
         add_corners(level, access);
-}
-
-void QuadLines::add_line(std::uint64_t line) {
-    std::uint64_t* const end = lines_.data() + count_;
-    std::uint64_t* begin = lines_.data();
-    if (!merges_ && count_ > 0) begin = end - 1;
-    if (std::find(begin, end, line) != end) return;
-    *end = line;
-    ++count_;
 }
 
 // Most accesses fall on the line of the texel before.

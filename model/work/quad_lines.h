@@ -37,6 +37,13 @@ public:
         else
             add_other(texture, access);
     }
+    // What several fragments read, 2x2 texels each: the lines in their order, some again, and how
+    // many fragments. Where lines are merged.
+    void add_texel(std::uint64_t line) {
+        make_room(1);
+        add_line(line);
+    }
+    void add_squares(std::uint32_t fragments) { reads_ += 4 * fragments; }
 
     std::span<const std::uint64_t> lines() const { return {lines_.data(), count_}; }
     std::uint32_t reads() const { return reads_; }               // texels
@@ -66,7 +73,15 @@ private:
     }
     void add_square(const LevelLines& level, const TexelAccess& access);
     void add_corners(const PlacedLevel& level, const TexelAccess& access);
-    void add_line(std::uint64_t line);
+    void add_line(std::uint64_t line) {
+        std::uint64_t* const end = lines_.data() + count_;
+        std::uint64_t* from = lines_.data();
+        if (!merges_ && count_ > 0) from = end - 1;
+        *end = line; // where the search ends
+        while (*from != line)
+            ++from;
+        count_ += from == end;
+    }
 
     std::uint32_t line_bytes_;
     bool merges_, expands_blocks_ = false;

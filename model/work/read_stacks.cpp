@@ -3,13 +3,16 @@
 #include "model/base/check.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace ffgpu::work {
+
 ReadStacks::ReadStacks(std::uint32_t most_sets, std::uint32_t most_ways, AgeStacks::Time most_times)
     : most_ways_(most_ways)
-    , most_times_(most_times) {
-    for (std::uint32_t sets = 2; sets <= most_sets; sets *= 2)
-        stacks_.emplace_back(sets, most_ways);
+    , most_times_(most_times)
+    , stacks_(most_sets, most_ways)
+    , recent_(stacks_.levels()) {
+    check(stacks_.levels() <= RecentLines::MostLevels, "at most 65536 sets");
 }
 
 ReadStacks::Line& ReadStacks::record(std::uint32_t id) {
@@ -18,15 +21,15 @@ ReadStacks::Line& ReadStacks::record(std::uint32_t id) {
 }
 
 ReadStacks::Found ReadStacks::look_up(std::uint64_t line, std::uint64_t number) {
-    const RecentUse use = recent_.use(line, std::span(positions_).first(stacks_.size()));
-    if (use.slot < RecentLines::Most) {
-        for (std::size_t level = 0; level < use.levels && positions_[level] > most_ways_; ++level)
-            positions_[level] = most_ways_;
-        return {.last = std::exchange(recent_.place(use.slot), number),
-                .known = true,
-                .depth = use.newer,
-                .positions = std::span(positions_).first(use.levels)};
-    }
+    const Near near = look_up_near(line, number);
+    if (!near) return look_up_older(line, number);
+    std::size_t levels = 0;
+    for (Sharers rest = near.positions; rest != 0; rest >>= 4)
+        positions_[levels++] = std::min(static_cast<std::uint32_t>(rest & 15), most_ways_);
+    return {near.last, true, near.depth, std::span(positions_).first(levels)};
+}
+
+ReadStacks::Found ReadStacks::look_up_older(std::uint64_t line, std::uint64_t number) {
     Found found;
     const std::uint32_t id = numbers_[line];
     Line& known = record(id);
@@ -35,19 +38,28 @@ ReadStacks::Found ReadStacks::look_up(std::uint64_t line, std::uint64_t number) 
     known.last = number;
     found.known = all_.has(id);
     if (found.known) {
+        stacks_.prefetch(line);
         find_older(id, found);
     } else {
         known.left = 0; // It may stand there from before a flush.
         all_.take(id);
     }
-    if (recent_.full()) oldest_leaves();
-    recent_.add(line, {number, known.left, id});
+    if (leaves_now_) leave(recent_.newest());
+    recent_.newest() = {line, number, id, lines_[id].left};
     return found;
 }
 
-void ReadStacks::prefetch(std::uint64_t line) const {
-    for (const AgeStacks& stack : stacks_)
-        stack.prefetch(line);
+// Of the newest lines those that left the top last before the line did.
+void ReadStacks::count_newer_sharers(const Line& line) {
+    const std::size_t levels = stacks_.levels();
+    std::array<std::uint32_t, RecentLines::MostLevels + 1> sharing{}; // so many lowest bits
+    for (const RecentLines::Use& use : recent_.uses()) {
+        const auto bits = static_cast<std::size_t>(std::countr_zero(use.line ^ line.line));
+        sharing[std::min(bits, levels)] += use.left <= line.left;
+    }
+    std::uint32_t sharers = 0;
+    for (std::size_t level = levels; level-- > 0;)
+        sharers_[level] = sharers += sharing[level + 1];
 }
 
 // Below the top a line lies under those that left it later, and so do of the newest lines those
@@ -55,38 +67,32 @@ void ReadStacks::prefetch(std::uint64_t line) const {
 // the holes above it first.
 void ReadStacks::find_older(std::uint32_t id, Found& found) {
     const Line& line = lines_[id];
-    prefetch(line.line);
-    const std::size_t shared = sharers(recent_.slots(),
-                                       left_by(recent_.slots(), line.left),
-                                       line.line,
-                                       std::span(sharers_).first(stacks_.size()));
-    found.depth = recent_.size() + all_.take(id);
-    std::uint32_t below = most_ways_; // never deeper than in half as many sets
+    count_newer_sharers(line);
+    const unsigned newer_lines = leaves_now_ ? RecentLines::Most : recent_.size() - 1;
+    found.depth = newer_lines + all_.take(id);
+    const std::size_t below = stacks_.positions(line.line, line.left, positions_);
     std::size_t level = 0;
-    for (; level < stacks_.size(); ++level) {
-        const AgeStacks& stack = stacks_[level];
-        if (below > 0) below = stack.position(line.line, line.left);
-        const std::uint32_t newer = level < shared ? sharers_[level] : 0;
-        const std::uint32_t taken = std::min(newer, stack.holes_above(line.line, below));
-        positions_[level] = std::min(below + newer - taken, most_ways_);
-        if (positions_[level] == 0) break;
+    for (; level < stacks_.levels(); ++level) {
+        std::uint32_t& position = positions_[level];
+        if (level >= below) position = 0;
+        const std::uint32_t newer = sharers_[level];
+        if (stacks_.has_holes())
+            position -= std::min(newer, stacks_.holes_above(level, line.line, position));
+        position = std::min(position + newer, most_ways_);
+        if (position == 0) break;
     }
     found.positions = std::span(positions_).first(level);
 }
 
 // To the stacks below, where it moves to the front.
-void ReadStacks::oldest_leaves() {
+void ReadStacks::leave(const RecentLines::Use& use) {
     if (leaves_ == most_times_) count_anew();
-    const unsigned oldest = recent_.oldest();
-    const RecentLines::Use use = recent_.use_of(oldest);
+    const AgeStacks::Time before = use.left;
     Line& line = lines_[use.id];
     line.last = use.place;
     line.left = ++leaves_;
     all_.put(use.id);
-    for (AgeStacks& stack : stacks_)
-        if (stack.use(line.line, use.left, line.left) == 0 && use.left > 0) break;
-    recent_.drop(oldest);
-    if (recent_.size() > 0) prefetch(recent_.line(recent_.oldest())); // the next that leaves
+    stacks_.use(line.line, before, line.left);
 }
 
 std::vector<std::uint32_t> ReadStacks::older_first() const {
@@ -100,16 +106,14 @@ std::vector<std::uint32_t> ReadStacks::older_first() const {
 }
 
 void ReadStacks::all_leave() {
-    while (recent_.size() > 0)
-        oldest_leaves();
+    recent_.all_leave([this](const RecentLines::Use& use) { leave(use); });
 }
 
 // All times that are told become 1, 2, 3 ...
 void ReadStacks::count_anew() {
     std::vector<AgeStacks::Time> times;
     const auto tell = [&](AgeStacks::Time time) { times.push_back(time); };
-    for (const AgeStacks& stack : stacks_)
-        stack.for_each_time(tell);
+    stacks_.for_each_time(tell);
     for (const Line& line : lines_)
         if (line.left > 0) tell(line.left);
     std::sort(times.begin(), times.end());
@@ -118,20 +122,17 @@ void ReadStacks::count_anew() {
         const auto at = std::lower_bound(times.begin(), times.end(), time);
         return static_cast<AgeStacks::Time>(at - times.begin()) + 1;
     };
-    for (AgeStacks& stack : stacks_)
-        stack.count_anew(now_of);
+    stacks_.count_anew(now_of);
     for (Line& line : lines_)
         if (line.left > 0) line.left = now_of(line.left);
-    for (unsigned slot = 0; slot < RecentLines::Most; ++slot) {
-        const AgeStacks::Time left = recent_.use_of(slot).left;
-        if (recent_.has(slot) && left > 0) recent_.set_left(slot, now_of(left));
-    }
+    for (RecentLines::Use& use : recent_.uses())
+        if (use.left > 0 && use.left != RecentLines::Unused) use.left = now_of(use.left);
     leaves_ = static_cast<AgeStacks::Time>(times.size());
     check(leaves_ < most_times_, "times for all lines and holes");
 }
 
 bool ReadStacks::has(std::uint64_t line) {
-    return recent_.slot_of(line) < RecentLines::Most || all_.has(numbers_[line]);
+    return recent_.has(line) || all_.has(numbers_[line]);
 }
 
 // The newest lines first go to the stacks below, where they would be above the hole.
@@ -140,17 +141,13 @@ void ReadStacks::drop(std::uint64_t line) {
     all_leave();
     const std::uint32_t id = numbers_[line];
     all_.drop(id, true);
-    for (AgeStacks& stack : stacks_)
-        stack.drop(line, lines_[id].left);
+    stacks_.drop(line, lines_[id].left);
 }
 
 void ReadStacks::flush() {
-    for (unsigned slot = 0; slot < RecentLines::Most; ++slot)
-        if (recent_.has(slot)) lines_[recent_.use_of(slot).id].last = recent_.place(slot);
-    recent_.clear();
+    recent_.all_leave([this](const RecentLines::Use& use) { lines_[use.id].last = use.place; });
     all_.flush();
-    for (AgeStacks& stack : stacks_)
-        stack.flush();
+    stacks_.flush();
 }
 
 std::vector<std::uint64_t> ReadStacks::oldest_first() {

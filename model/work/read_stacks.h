@@ -28,7 +28,6 @@ namespace ffgpu::work {
 class ReadStacks {
 public:
     static constexpr std::uint64_t Never = ~std::uint64_t{0};
-    static constexpr std::size_t MostLevels = 32;
 
     // Of 1, 2, 4 ... most_sets sets, those of several down to `most_ways`. Times are told apart up
     // to `most_times`, and counted anew then: more than there are lines and holes.
@@ -36,7 +35,22 @@ public:
                std::uint32_t most_ways,
                AgeStacks::Time most_times = AgeStacks::MostTimes);
 
-    // What a look-up found.
+    // What a look-up of a line among the newest found; its positions may be above most_ways.
+    struct Near {
+        std::uint32_t depth = RecentLines::Most; // its position among all lines
+        Sharers positions = 0;                   // of 2, 4, 8 ... sets
+        std::uint64_t last = Never;              // number of the line's look-up before
+
+        explicit operator bool() const { return depth < RecentLines::Most; }
+    };
+    // Where the line is not among them, look_up_older() follows.
+    Near look_up_near(std::uint64_t line, std::uint64_t number) {
+        leaves_now_ = recent_.full();
+        const RecentLines::Found found = recent_.use(line);
+        if (found.depth == RecentLines::Most) return {};
+        return {found.depth, found.sharers, std::exchange(recent_.newest().place, number)};
+    }
+
     struct Found {
         std::uint64_t last = Never; // number of the line's look-up before
         bool known = false;         // looked up, and not thrown out since
@@ -44,14 +58,9 @@ public:
         // Of 2, 4, 8 ... sets, as long as they are above 0; at most most_ways.
         std::span<const std::uint32_t> positions{};
     };
+    Found look_up_older(std::uint64_t line, std::uint64_t number);
+    // Both.
     Found look_up(std::uint64_t line, std::uint64_t number);
-
-    // The same of a line that was the last one looked up: where it is, it stays. Else nothing is
-    // done.
-    std::optional<std::uint64_t> look_up_last(std::uint64_t line, std::uint64_t number) {
-        if (!recent_.is_newest(line)) return std::nullopt;
-        return std::exchange(recent_.newest_place(), number);
-    }
 
     // It was looked up, and not thrown out since.
     bool has(std::uint64_t line);
@@ -76,21 +85,22 @@ private:
 
     Line& record(std::uint32_t id);
     void find_older(std::uint32_t id, Found& found);
-    void prefetch(std::uint64_t line) const;
-    void oldest_leaves();
+    void count_newer_sharers(const Line& line);
+    void leave(const RecentLines::Use& use);
     void all_leave();
     std::vector<std::uint32_t> older_first() const;
     void count_anew();
 
     std::uint32_t most_ways_;
     AgeStacks::Time most_times_;
+    AgeStacks stacks_;
     RecentLines recent_;
+    bool leaves_now_ = false; // the line in whose slot the newest is
     LineNumbers numbers_;
     std::vector<Line> lines_;
-    LineStack all_; // without those on top
-    std::vector<AgeStacks> stacks_;
+    LineStack all_;              // without those on top
     AgeStacks::Time leaves_ = 0; // of recent_
-    std::array<std::uint32_t, MostLevels> positions_{}, sharers_{};
+    std::array<std::uint32_t, RecentLines::MostLevels> positions_{}, sharers_{};
 };
 
 } // namespace ffgpu::work

@@ -3,106 +3,105 @@
 // position is the number of newer lines whose numbers share the lowest l bits. Most look-ups end
 // here and touch no other stack.
 //
-// A line keeps its slot as long as it is here; which lines are newer than it is a bit each.
+// A look-up walks from the newest line down to its own and moves each a place further; what the
+// lines that it meets add to the positions in all sets is one addition, of a word.
 
 #pragma once
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
-#include <span>
+#include <utility>
 
 namespace ffgpu::work {
 
-using LineSlots = std::uint16_t; // a bit each
-
-// What is compared of all lines at once, slot by slot.
-struct RecentLineSlots {
-    static constexpr unsigned Count = 16;
-
-    alignas(64) std::array<std::uint32_t, Count> low{}, high{}; // of the lines' numbers
-    alignas(64) std::array<std::uint32_t, Count> left{};        // RecentLines::Use
-    alignas(32) std::array<LineSlots, Count> newer{};           // lines that were looked up later
-    LineSlots used = 0;
-};
-
-// Which of `slots` share a set with `line`, of 2, 4, 8 ... sets: how many, as long as there are
-// any. Returns for how many numbers of sets that is, at most for as many as `counts` has.
-std::size_t sharers(const RecentLineSlots& all,
-                    LineSlots slots,
-                    std::uint64_t line,
-                    std::span<std::uint32_t> counts);
-
-// Makes the line the newest, where it is here.
-struct RecentUse {
-    unsigned slot = RecentLineSlots::Count; // none, if it is not here
-    std::uint32_t newer = 0;                // lines that were newer till now
-    std::size_t levels = 0;                 // sharers() of these
-};
-RecentUse use_recent(RecentLineSlots& all, std::uint64_t line, std::span<std::uint32_t> counts);
-
-// Those whose line left the top last as the `left`-th or before; `left` is less than 2^31.
-LineSlots left_by(const RecentLineSlots& all, std::uint32_t left);
-
-// The slot of the line than which all others are newer, where there is one.
-unsigned oldest_slot(const RecentLineSlots& all);
-
-// The four of them one by one: what they say.
-std::size_t sharers_plainly(const RecentLineSlots& all,
-                            LineSlots slots,
-                            std::uint64_t line,
-                            std::span<std::uint32_t> counts);
-RecentUse
-use_recent_plainly(RecentLineSlots& all, std::uint64_t line, std::span<std::uint32_t> counts);
-LineSlots left_by_plainly(const RecentLineSlots& all, std::uint32_t left);
-unsigned oldest_slot_plainly(const RecentLineSlots& all);
+// How many lines share a set with a line, four bits a number of sets: of 2 the lowest. Where there
+// are none in so many sets, there are none in more.
+using Sharers = std::uint64_t;
 
 class RecentLines {
 public:
-    static constexpr unsigned Most = RecentLineSlots::Count;
+    static constexpr unsigned Most = 16;
+    static constexpr std::size_t MostLevels = 16; // of numbers of sets above 1
 
     struct Use {
+        std::uint64_t line = 0;
         std::uint64_t place = 0; // of its last look-up
-        std::uint32_t left = 0;  // which one it was to leave the top when it did last; 0: none
         std::uint32_t id = 0;
+        std::uint32_t left = Unused; // which one it was to leave the top when it did last; 0: none
     };
+    static constexpr std::uint32_t Unused = ~std::uint32_t{0};
 
-    unsigned size() const { return static_cast<unsigned>(std::popcount(slots_.used)); }
-    bool full() const { return slots_.used == LineSlots(~0u); }
-    bool is_newest(std::uint64_t line) const { return slots_.used != 0 && newest_line_ == line; }
-    bool has(unsigned slot) const { return (slots_.used >> slot & 1) != 0; }
-    // `Most`, if it is not here.
-    unsigned slot_of(std::uint64_t line) const;
-
-    // As use_recent().
-    RecentUse use(std::uint64_t line, std::span<std::uint32_t> counts) {
-        const RecentUse found = use_recent(slots_, line, counts);
-        if (found.slot < Most) newest_ = found.slot, newest_line_ = line;
-        return found;
+    // `levels`: numbers of sets that are told.
+    explicit RecentLines(std::size_t levels) {
+        for (std::size_t bits = 1; bits < shared_.size(); ++bits)
+            shared_[bits] =
+                shared_[bits - 1] | (bits <= levels ? Sharers{1} << (4 * (bits - 1)) : 0);
     }
-    // Not where it is full: drop() first.
-    void add(std::uint64_t line, const Use& use);
 
-    const RecentLineSlots& slots() const { return slots_; }
-    std::uint64_t line(unsigned slot) const {
-        return std::uint64_t{slots_.high[slot]} << 32 | slots_.low[slot];
+    unsigned size() const { return size_; }
+    bool full() const { return size_ == Most; }
+
+    struct Found {
+        unsigned depth = Most; // lines that were newer; `Most`, if it was not here
+        Sharers sharers = 0;   // among these
+    };
+    // Makes the line the newest. One that was not here takes the slot of the oldest, if all are
+    // taken: newest() is that one's then, until it is set.
+    Found use(std::uint64_t line) {
+        Sharers sharers = 0;
+        std::uint64_t moved = line;
+        for (unsigned depth = 0; depth < size_; ++depth) {
+            const std::uint64_t other = std::exchange(lines_[depth], moved);
+            if (other == line) {
+                to_front(depth);
+                return {depth, sharers};
+            }
+            sharers += shared_[static_cast<unsigned>(std::countr_zero(other ^ line))];
+            moved = other;
+        }
+        if (!full()) lines_[size_++] = moved;
+        to_front(size_ - 1);
+        return {};
     }
-    Use use_of(unsigned slot) const { return {places_[slot], slots_.left[slot], ids_[slot]}; }
-    std::uint64_t& place(unsigned slot) { return places_[slot]; }
-    std::uint64_t& newest_place() { return places_[newest_]; }
-    void set_left(unsigned slot, std::uint32_t left) { slots_.left[slot] = left; }
 
-    // Where there is one.
-    unsigned oldest() const { return oldest_slot(slots_); }
-    void drop(unsigned oldest) { slots_.used &= static_cast<LineSlots>(~(1u << oldest)); }
-    void clear() { slots_.used = 0; }
+    Use& newest() { return uses_[order_ % Most]; }
+    bool has(std::uint64_t line) const {
+        unsigned depth = 0;
+        while (depth < size_ && lines_[depth] != line)
+            ++depth;
+        return depth < size_;
+    }
+    // In no order; those without a line have `left` Unused.
+    std::array<Use, Most>& uses() { return uses_; }
+    const std::array<Use, Most>& uses() const { return uses_; }
+
+    // Calls each(use), the oldest first, and forgets them.
+    template <class Each>
+    void all_leave(Each&& each) {
+        for (; size_ > 0; --size_) {
+            Use& oldest = uses_[order_ >> (4 * (size_ - 1)) & (Most - 1)];
+            each(oldest);
+            oldest = {};
+        }
+    }
 
 private:
-    RecentLineSlots slots_;
-    std::array<std::uint64_t, Most> places_{};
-    std::array<std::uint32_t, Most> ids_{};
-    unsigned newest_ = 0;
-    std::uint64_t newest_line_ = 0;
+    void to_front(unsigned depth) {
+        const std::uint64_t slot = order_ >> (4 * depth) & (Most - 1);
+        const std::uint64_t newer = order_ & ((std::uint64_t{1} << (4 * depth)) - 1);
+        const std::uint64_t older = order_ & (~std::uint64_t{0} << (4 * depth) << 4);
+        order_ = older | newer << 4 | slot;
+    }
+
+    // By the number of lowest bits that two lines share: one for each number of sets in which they
+    // share a set. All 15 newer lines fit into four bits.
+    std::array<Sharers, 64> shared_{};
+    std::array<std::uint64_t, Most> lines_{}; // the newest first
+    unsigned size_ = 0;
+    std::uint64_t order_ = 0xfedcba9876543210; // of slots, four bits each, the newest first
+    std::array<Use, Most> uses_{};             // by slot
 };
 
 } // namespace ffgpu::work

@@ -117,7 +117,25 @@ void TexelScan::end_frame(std::uint32_t frame) {
 
 // --- The quads of a draw -------------------------------------------------------------------------
 
+FragmentMask TexelScan::lanes_of(const WorkBatch& batch) const {
+    FragmentMask lanes;
+    for (std::size_t number = 0; number < batch.quads.size(); ++number)
+        lanes.words[number / 16] |= std::uint64_t{test_.after_early_test(batch.quads[number])}
+                                    << 4 * (number % 16);
+    return lanes;
+}
+
 void TexelScan::add(const WorkBatch& batch) {
+    if (!config_.merges_texel_reads) return add_each_read(batch);
+    reads_.set(batch, lanes_of(batch), textures_);
+    for (unsigned number = 0; number < batch.quads.size(); ++number) {
+        lines_of_quad_.begin_quad();
+        reads_.add_quad(number, lines_of_quad_);
+        end_quad(batch.quads[number]);
+    }
+}
+
+void TexelScan::add_each_read(const WorkBatch& batch) {
     for (std::uint32_t number = 0; number < batch.quads.size(); ++number) {
         const unsigned lanes = test_.after_early_test(batch.quads[number]);
         lines_of_quad_.begin_quad();

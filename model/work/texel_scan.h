@@ -7,6 +7,7 @@
 #pragma once
 
 #include "model/work/address_map.h"
+#include "model/work/batch_reads.h"
 #include "model/work/depth_test_masks.h"
 #include "model/work/draw_gatherer.h"
 #include "model/work/drawn_texels.h"
@@ -55,6 +56,8 @@ private:
     bool begin(const WorkDraw& draw);
     void place_others(const WorkDraw& draw);
     void add(const WorkBatch& batch);
+    void add_each_read(const WorkBatch& batch);
+    FragmentMask lanes_of(const WorkBatch& batch) const;
     void add(const TexelAccess& access, unsigned lanes, const TextureLines& texture) {
         if (lanes >> access.lane & 1) lines_of_quad_.add(texture, access);
     }
@@ -72,6 +75,7 @@ private:
     DrawnTexels drawn_texels_{addresses_};
     std::array<const TextureLines*, TextureUnits> textures_{};
     QuadLines lines_of_quad_;
+    BatchReads reads_;
     DepthTestPlace test_;
     LookupPlace place_; // of the next
     // Of the draw.
