@@ -74,7 +74,7 @@ private:
     bool tests_here(Path path, const PreparedDraw& draw) const;
     bool writes_late(const PreparedDraw& draw) const;
     bool send(Path path, Activity& reason); // the oldest of those parked
-    bool read_pixels(Activity& reason);
+    bool read_pixels(Budget& budget, Activity& reason);
     void store_pixels(const QuadToken& token);
     bool end_dead(const QuadToken& token);
     Cycle next_work(Activity last) const override;
