@@ -10,22 +10,28 @@ constexpr std::size_t StagesInLog = 1 << 11; // before it is handed over: as cac
 
 } // namespace
 
-BottleneckStatistics::BottleneckStatistics() {
+BottleneckStatistics::BottleneckStatistics(bool interpolates) {
+    const auto is_there = [&](std::size_t i) {
+        return interpolates || static_cast<Resource>(i) != Resource::Interpolator;
+    };
     for (std::size_t i = 0; i < Resources; ++i)
-        waited_[i] = &add("bottleneck_" + std::string(ResourceNames[i]) + "_cycles",
-                          "cycles",
-                          "in which the machine waited for it");
+        if (is_there(i))
+            waited_[i] = &add("bottleneck_" + std::string(ResourceNames[i]) + "_cycles",
+                              "cycles",
+                              "in which the machine waited for it");
     for (std::size_t i = 0; i < Resources; ++i)
-        gained_[i] = &add("gain_" + std::string(ResourceNames[i]) + "_cycles",
-                          "cycles",
-                          "that its frames would take less without its limits");
+        if (is_there(i))
+            gained_[i] = &add("gain_" + std::string(ResourceNames[i]) + "_cycles",
+                              "cycles",
+                              "that its frames would take less without its limits");
 }
 
 void BottleneckStatistics::count(const FrameWaits& waits, Cycle begin) {
     for (const WaitPaths::Run& run : waits.runs)
         *waited_[static_cast<std::size_t>(run.resource)] += run.end - std::exchange(begin, run.end);
     for (std::size_t i = 0; i < Resources; ++i)
-        if (waits.saved.cycles[i] > 0) *gained_[i] += static_cast<Cycle>(waits.saved.cycles[i]);
+        if (gained_[i] && waits.saved.cycles[i] > 0)
+            *gained_[i] += static_cast<Cycle>(waits.saved.cycles[i]);
 }
 
 BottleneckSearch::BottleneckSearch(const Clock& clock, PipeParts parts, bool beside)

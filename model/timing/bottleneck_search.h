@@ -18,12 +18,13 @@ namespace ffgpu::timing {
 
 class BottleneckStatistics : public NamedStatistics {
 public:
-    BottleneckStatistics();
+    // Of an interpolator only where there is one.
+    explicit BottleneckStatistics(bool interpolates);
     // Of a frame that began after cycle `begin`.
     void count(const FrameWaits& waits, Cycle begin);
 
 private:
-    std::array<Counter*, Resources> waited_, gained_;
+    std::array<Counter*, Resources> waited_{}, gained_{};
 };
 
 class BottleneckSearch {

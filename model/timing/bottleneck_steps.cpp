@@ -162,8 +162,9 @@ void Bottlenecks::find_dependences(const Place& place,
         }
         const std::uint64_t entered = each.entered + each.coming();
         if (each.coming() == 0 || entered <= each.told.places) continue;
-        found_.add(
-            {&each.exits[entered - 1 - each.told.places], static_cast<float>(each.told.back)});
+        found_.add({&each.exits[entered - 1 - each.told.places],
+                    static_cast<float>(each.told.back),
+                    {resource, static_cast<float>(each.told.back_work)}});
     }
     if (moved.given == 0) return;
     for (const Way* const way : place.out)

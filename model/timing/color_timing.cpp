@@ -24,11 +24,12 @@ bool ColorTiming::read_pixels(Activity& reason) {
         return false;
     }
     const auto lines = token.scene->work.color_lines(token.quad());
-    if (!lines.empty() && !walk_.read(ports_.cache, lines.front())) {
+    if (!lines.empty() && !walk_.read(ports_.cache, lines[walk_.next])) {
         blame(reason, Activity::StalledRequests);
         return false;
     }
     parked_.count_look_up();
+    if (walk_.next < lines.size()) return true;
     interlock_.enter(token.quad());
     parked_.park(ports_.quads_in.pop(), walk_.end());
     return true;
@@ -37,8 +38,8 @@ bool ColorTiming::read_pixels(Activity& reason) {
 void ColorTiming::store_pixels(const QuadToken& token) {
     const work::PreparedScene& work = token.scene->work;
     const auto lines = work.color_lines(token.quad());
-    if (token.draw().writes_color && !lines.empty())
-        ports_.cache.write_memory(lines.front(), work.color_bytes(token.quad(), 0).touched);
+    for (std::size_t i = 0; token.draw().writes_color && i < lines.size(); ++i)
+        ports_.cache.write_memory(lines[i], work.color_bytes(token.quad(), i).touched);
     interlock_.store(now() + config_.color_cache.store_cycles);
 }
 
@@ -107,8 +108,10 @@ Activity ColorTiming::step() {
         worked = true;
     const std::uint32_t lookups =
         config_.color_cache.lookups_per_cycle * config_.raster.quads_per_cycle;
-    for (std::uint32_t i = 0; i < lookups && look_up(reason); ++i)
+    std::uint32_t looked_up = 0;
+    for (; looked_up < lookups && look_up(reason); ++looked_up)
         worked = true;
+    if (walk_.lacks_port) parked_.count_look_up(lookups - looked_up); // It takes all the cycle.
     if (interlock_.changes()) blame(reason, Activity::StalledMemory); // Stores are under way.
     if (!worked) return reason;
     if ((parked_.is_full() || !ports_.quads_in.can_pop()) && parked_.rests(ports_.cache) &&

@@ -16,7 +16,7 @@ bool DepthTiming::end_dead(const QuadToken& token) {
     return true;
 }
 
-bool DepthTiming::read_pixels(Activity& reason) {
+bool DepthTiming::read_pixels(Budget& budget, Activity& reason) {
     const QuadToken token = ports_.late_in.front();
     if (end_dead(token)) return true;
     if (late_.is_full() || !interlock_.admits(token.quad())) {
@@ -24,11 +24,15 @@ bool DepthTiming::read_pixels(Activity& reason) {
         return false;
     }
     const auto lines = token.scene->work.depth_lines(token.quad());
-    if (!lines.empty() && !late_walk_.read(ports_.cache, lines.front())) {
-        blame(reason, Activity::StalledRequests);
-        return false;
+    const std::size_t before = late_walk_.next;
+    for (; late_walk_.next < lines.size() && budget.lookups > 0; --budget.lookups) {
+        if (!late_walk_.read(ports_.cache, lines[late_walk_.next])) {
+            blame(reason, Activity::StalledRequests);
+            break;
+        }
+        late_.count_look_up();
     }
-    late_.count_look_up();
+    if (late_walk_.next < lines.size()) return late_walk_.next > before;
     interlock_.enter(token.quad());
     late_.park(token, late_walk_.end());
     ports_.late_in.pop();
@@ -38,8 +42,8 @@ bool DepthTiming::read_pixels(Activity& reason) {
 void DepthTiming::store_pixels(const QuadToken& token) {
     const PreparedDraw& draw = token.draw();
     const auto lines = token.scene->work.depth_lines(token.quad());
-    if (draw.writes_depth && !lines.empty())
-        ports_.cache.write_memory(lines.front(), written_bytes(Path::Late, token, 0).touched);
+    for (std::size_t i = 0; draw.writes_depth && i < lines.size(); ++i)
+        ports_.cache.write_memory(lines[i], written_bytes(Path::Late, token, i).touched);
     interlock_.store(now() + config_.depth_cache.store_cycles);
 }
 

@@ -165,6 +165,7 @@ bool DepthTiming::look_up_lines(Path path,
                                 Activity& reason) {
     const PreparedDraw& draw = token.draw();
     LineWalk& walk = path == Path::Early ? early_walk_ : late_walk_;
+    ParkedQuads& parked = path == Path::Early ? early_ : late_;
     const std::size_t lines = token.quad().depth_line_count;
     while (walk.next < lines && budget.lookups > 0) {
         const LineAccess wanted = access(path, token, walk.next);
@@ -173,8 +174,11 @@ bool DepthTiming::look_up_lines(Path path,
             ++walk.next;
             continue;
         }
-        if (!walk.look_up(ports_.cache, wanted)) break;
-        (path == Path::Early ? early_ : late_).count_look_up();
+        if (!walk.look_up(ports_.cache, wanted)) {
+            if (walk.lacks_port) parked.count_look_up(budget.lookups); // It takes all the cycle.
+            break;
+        }
+        parked.count_look_up();
         if (observer_) observer_->depth_line(name_of(token), {wanted.number, walk.missed, now()});
         --budget.lookups;
         if (ports_.blocks && draw.has_values && wanted.written != 0)
@@ -192,7 +196,7 @@ bool DepthTiming::look_up_lines(Path path,
 // Takes one quad in and looks its line up if it is tested on this path.
 template <DepthTiming::Path path>
 bool DepthTiming::look_up(Budget& budget, Activity& reason) {
-    if (is_past_cache(path)) return read_pixels(reason);
+    if (is_past_cache(path)) return read_pixels(budget, reason);
     Channel<QuadToken>& in = path == Path::Early ? ports_.early_in : ports_.late_in;
     ParkedQuads& parked = path == Path::Early ? early_ : late_;
     if (parked.is_full()) {

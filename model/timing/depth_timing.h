@@ -79,7 +79,7 @@ private:
     bool writes_late(const PreparedDraw& draw) const;
     template <Path path>
     bool send(Activity& reason); // the oldest of those parked
-    bool read_pixels(Activity& reason);
+    bool read_pixels(Budget& budget, Activity& reason);
     void store_pixels(const QuadToken& token);
     bool end_dead(const QuadToken& token);
     Cycle next_work(Activity last) const override;

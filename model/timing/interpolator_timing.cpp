@@ -29,6 +29,7 @@ void InterpolatorTiming::take() {
                         now() + (divisors > 0 ? config_.divide_latency : 1),
                         std::max<Cycle>(values * config_.value_cycles, 1),
                         piece.values});
+    ++passage_.entered;
     takes_at_ = now() + std::max<Cycle>(divisors, 1);
 }
 
@@ -57,6 +58,7 @@ Activity InterpolatorTiming::make_values() {
     if (cycles_left_ == 0) cycles_left_ = first.cycles;
     if (cycles_left_ > 1) {
         --cycles_left_;
+        ++passage_.worked;
         return Activity::Busy;
     }
     if (!ports_.quads_out.can_push()) return Activity::StalledOutput;
@@ -66,6 +68,8 @@ Activity InterpolatorTiming::make_values() {
         sent_values_ += first.values;
     }
     waiting_.pop_front();
+    ++passage_.worked;
+    passage_.leave();
     cycles_left_ = 0;
     return Activity::Busy;
 }

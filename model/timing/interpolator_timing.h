@@ -7,6 +7,7 @@
 #include "model/base/ring.h"
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
+#include "model/timing/passage.h"
 #include "model/timing/tokens.h"
 #include "model/timing/unit.h"
 
@@ -28,6 +29,8 @@ public:
         , ports_(ports) {}
 
     std::string state() const override;
+    // The quads that wait for their values.
+    const Passage& passage() const { return passage_; }
 
 private:
     struct Waiting {
@@ -47,6 +50,7 @@ private:
 
     const InterpolatorConfig config_;
     const Ports ports_;
+    Passage passage_;
     Ring<Waiting> waiting_;             // The first is the one that values are made of.
     Cycle cycles_left_ = 0;             // of it; 0: not begun
     Ring<std::uint32_t> sent_;          // of each quad on its way to the next unit: its values

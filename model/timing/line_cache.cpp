@@ -51,7 +51,7 @@ LookupResult LineCache::look_up_any(const LineAccess& access) {
 }
 
 LookupResult LineCache::look_up_plainly(const LineAccess& access) {
-    if (config_.ports > 0 && !has_port(access.number)) return {};
+    if (config_.ports > 0 && !has_port(access.number)) return {.lacks_port = true};
     TagArray::Line* line = optimal_ ? nullptr : tags_.find(access.number);
     const LookupResult result = optimal_ ? look_up_optimal(access)
                                 : line   ? look_up_present(access, *line)

@@ -42,6 +42,7 @@ struct LineAccess {
 struct LookupResult {
     bool accepted = false; // false: nothing happened; ask again in a later cycle
     bool missed = false;
+    bool lacks_port = false;  // which is why it was not accepted
     std::uint64_t ticket = 0; // of the fill that brings what is read
 };
 

@@ -124,7 +124,7 @@ public:
 
     std::vector<HostWrite> host_writes; // since the last scene
     FrameStatistics frame_statistics;
-    BottleneckStatistics bottleneck_statistics;
+    BottleneckStatistics bottleneck_statistics{config.interpolator.is_on()};
     ShapeStatistics shapes;
     FrameTiming frame;
     Cycle frame_begin = 0;
@@ -142,6 +142,7 @@ private:
     void add_vertex_steps(Stage& fetch, Stage& transform, Stage& set_up);
     void add_texture_steps(Stage& stage);
     void add_fragment_steps(Stage& stage);
+    Stage interpolator_stage();
     void look_for_bottlenecks(Pace pace);
     bool must_wait();
     void check_progress();

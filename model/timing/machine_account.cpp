@@ -24,6 +24,14 @@ void add_parked(Stage& stage,
                     .asks = true}};
 }
 
+// Without a cache a quad's place is free when its store has been taken.
+void hold_until_stored(Stage& stage, const CacheConfig& cache) {
+    if (cache.enable) return;
+    StagePassage& parked = stage.passages.front();
+    parked.back = std::max(cache.store_cycles, 1u);
+    parked.back_work = parked.back - 1;
+}
+
 // Of all pipes; where quads leave in the order in which they came, they wait for that behind them.
 void add_exit(Stage& stage,
               const PipeExit& exit,
@@ -114,10 +122,22 @@ void Machine::add_fragment_steps(Stage& stage) {
                                   .works_first = fragments.entry_cycles > 0});
         stage.steps[0].to.push_back(pipe);
         last.push_back(stage.steps.size());
-        stage.steps.push_back(
-            {.from = {pipe}, .gives = true, .free_cycles = fragments.entry_cycles + 1});
+        stage.steps.push_back({.from = {pipe}, .gives = true});
     }
     add_exit(stage, fragment.exit(), fragments.pipe_queue, last);
+}
+
+// Without its limits there is none.
+Stage Machine::interpolator_stage() {
+    const std::uint32_t pipes = config.raster.quads_per_cycle;
+    return {.resource = Resource::Interpolator,
+            .unit = interpolator.get(),
+            .free_width = pipes,
+            .passages = {{.passage = &interpolator->passage(),
+                          .places = config.interpolator.divide_queue,
+                          .works_first = true}},
+            .steps = {{.from = {0}, .gives = true, .free_width = pipes, .free_cycles = 0},
+                      {.to = {0}, .takes = true, .free_width = pipes}}};
 }
 
 // The way of the work: what each waits for is behind it, or the memory. What is before the pipe
@@ -139,12 +159,14 @@ std::vector<Stage> Machine::stages() {
     late.output = &depth_to_color;
     late.is_answered = false;
     add_parked(late, depth.late(), depth_port.responses, pipes, depth_lookups);
+    hold_until_stored(late, config.depth_cache);
     Stage blend = stage(Resource::Color, color, pipes, pipes);
     add_parked(blend,
                color.quads(),
                color_port.responses,
                pipes,
                config.color_cache.lookups_per_cycle * pipes);
+    hold_until_stored(blend, config.color_cache);
     Stage textured = stage(Resource::Texture, texture, pipes, pipes);
     textured.expands = config.texel_cache.decompress_cycles > 0;
     if (config.texture.rate == TexelRate::Samples) add_texture_steps(textured);
@@ -171,6 +193,7 @@ std::vector<Stage> Machine::stages() {
         const std::vector<Stage> more = tiles->stages();
         stages.insert(stages.begin() + 6, more.begin(), more.end()); // behind set-up
     }
+    if (interpolator) stages.insert(stages.begin() + 7, interpolator_stage()); // behind raster
     if (Unit* const unit = texel_caches.unit())
         stages.insert(stages.begin(),
                       stage(Resource::TexelL2, *unit, config.texel_l2.lookups_per_cycle, 4 * Most));

@@ -24,8 +24,8 @@ public:
         quads_.push_back({quad, ticket});
         ++passage_.entered;
     }
-    // A line of the quad that is parked next.
-    void count_look_up() { ++passage_.looked_up; }
+    // Lines of the quad that is parked next.
+    void count_look_up(std::uint32_t lines = 1) { passage_.looked_up += lines; }
 
     std::size_t size() const { return quads_.size(); }
     std::uint64_t front_ticket() const { return quads_.front().ticket; }
@@ -61,11 +61,13 @@ struct LineWalk {
     std::size_t next = 0;     // line to look up
     std::uint64_t ticket = 0; // of the last fill that the quad waits for
 
-    bool missed = false; // the last look-up
+    bool missed = false;     // the last look-up
+    bool lacks_port = false; // and was refused therefore
 
     // False where the cache takes no look-up, or not this one, in this cycle.
     bool look_up(LineCache& cache, const LineAccess& access) {
         const LookupResult result = cache.look_up(access);
+        lacks_port = result.lacks_port;
         if (!result.accepted) return false;
         missed = result.missed;
         ticket = std::max(ticket, result.ticket);
@@ -76,9 +78,11 @@ struct LineWalk {
     // The same past the cache.
     bool read(LineCache& cache, std::uint64_t number) {
         const LookupResult result = cache.read_memory(number);
+        if (!result.accepted) return false;
         missed = result.missed;
         ticket = std::max(ticket, result.ticket);
-        return result.accepted;
+        ++next;
+        return true;
     }
 
     // Begins with the next quad; returns the ticket of this one.

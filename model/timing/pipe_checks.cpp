@@ -25,6 +25,8 @@ void check_walk(const RasterConfig& raster) {
 void check_past_cache(const TimingConfig& config) {
     expect(config.color_cache.enable || config.raster.quads_per_cycle == 1,
            "color_cache.enable: off is of one pipe (raster.quads_per_cycle 1)");
+    expect(config.color_cache.enable || !config.color_blocks.is_on(),
+           "color_cache.enable: off leaves color_blocks off");
     if (config.depth_cache.enable) return;
     expect(config.depth.test == work::DepthTest::Late && config.raster.quads_per_cycle == 1,
            "depth_cache.enable: off is of one pipe (raster.quads_per_cycle 1) that tests late "

@@ -27,6 +27,7 @@ enum class Resource : std::uint8_t {
     MemoryBandwidth, // its buses, rows and queues
     MemoryLatency,   // nothing holds up what is on its way
     Links,           // all work is on its way from one unit to the next
+    Interpolator,    // of machines that have one
     Count
 };
 inline constexpr std::size_t Resources = static_cast<std::size_t>(Resource::Count);
@@ -47,7 +48,8 @@ inline constexpr std::array<std::string_view, Resources> ResourceNames{"host",
                                                                        "color",
                                                                        "memory_bandwidth",
                                                                        "memory_latency",
-                                                                       "links"};
+                                                                       "links",
+                                                                       "interpolator"};
 
 // Cycles by what they were waited for.
 using WaitedCycles = std::array<std::uint64_t, Resources>;

@@ -21,6 +21,7 @@ struct StagePassage {
     // Cycles from an item's coming to its going at the least; from then until another has its
     // place.
     std::uint32_t through = 1, back = 0;
+    std::uint32_t back_work = 0;   // of these, what the resource takes
     const Link* answers = nullptr; // of the fills that its items wait for; null: for none
     bool works_first = false;      // The step behind it works before an item goes, not after.
     std::uint32_t units = 0;       // that begin with its items; 0: no fewer than places

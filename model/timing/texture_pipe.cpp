@@ -58,11 +58,12 @@ bool TexturePipe::stream_data(PipeExit& out, std::size_t pipe, Cycle now, Activi
 bool TexturePipe::compare_tags(TextureStatistics& statistics, Cycle now, Activity& reason) {
     if (config_.texture.rate == TexelRate::Texels) return stream_tags(statistics, now, reason);
     const bool worked = compare(statistics, now, reason);
-    to_tags_.worked += worked;
+    to_tags_.worked += worked || lacks_port_;
     return worked;
 }
 
 bool TexturePipe::compare(TextureStatistics& statistics, Cycle now, Activity& reason) {
+    lacks_port_ = false;
     if (miss_cycles_left_ > 0 && --miss_cycles_left_ > 0) return true;
     if (!comparing_ && !begin(statistics, reason)) return false;
     const auto lines = current_.scene->work.lines_of(current_.quad());
@@ -70,6 +71,7 @@ bool TexturePipe::compare(TextureStatistics& statistics, Cycle now, Activity& re
     for (bool worked = false; !share_.is_done() && share_.has_turn(); worked = true) {
         const std::uint64_t line = lines[share_.line()];
         const LookupResult result = cache_.look_up({.number = line});
+        lacks_port_ = result.lacks_port;
         if (!result.accepted) {
             blame(reason, Activity::StalledRequests);
             return worked;

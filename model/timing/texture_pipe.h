@@ -97,7 +97,8 @@ private:
     LineCache& cache_;
     Ring<QuadToken> waiting_;
     TextureShare share_;
-    bool comparing_ = false; // current_ is between its first and its last tag
+    bool comparing_ = false;  // current_ is between its first and its last tag
+    bool lacks_port_ = false; // its next tag's bank
     QuadToken current_;
     std::uint64_t ticket_ = 0;
     std::uint32_t miss_cycles_left_ = 0;

@@ -98,6 +98,7 @@ bool VertexFetch::ask_vertex(Activity& reason) {
     }
     if (next_line_ != end_line_) {
         const LookupResult result = ports_.cache.look_up({.number = next_line_});
+        lacks_port_ = result.lacks_port;
         if (!result.accepted) {
             reason = Activity::StalledRequests;
             return false;
@@ -147,8 +148,12 @@ Activity VertexFetch::step() {
     for (std::uint32_t i = 0; i < config_.vertices_per_cycle && forward(bytes, reason); ++i)
         moved = true;
     to_geometry_.worked += bytes < most;
-    for (std::uint32_t i = 0; i < config_.vertices_per_cycle && ask_vertex(ask_reason); ++i)
+    std::uint32_t asked = 0;
+    lacks_port_ = false;
+    for (; asked < config_.vertices_per_cycle && ask_vertex(ask_reason); ++asked)
         moved = true;
+    // Of a bank without a port the rest of the cycle is work.
+    if (lacks_port_) to_geometry_.looked_up += config_.vertices_per_cycle - asked;
     for (std::uint32_t i = 0; i < config_.vertices_per_cycle && ask_index(ask_reason); ++i)
         moved = true;
     if (moved) return Activity::Busy;

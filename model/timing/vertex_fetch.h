@@ -82,6 +82,7 @@ private:
     // The vertices.
     std::uint64_t next_line_ = 0, end_line_ = 0; // of named_'s first; equal: not begun
     std::uint64_t ticket_ = 0;
+    bool lacks_port_ = false; // the bank of next_line_, in this cycle
     Ring<Waiting> waiting_;
     Passage to_geometry_;
     std::deque<std::uint32_t> recent_; // the post-transform reuse, the next to go first

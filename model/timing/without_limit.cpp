@@ -21,10 +21,40 @@ void without_geometry(VertexConfig& vertex) {
 void without_setup(SetupConfig& setup) {
     setup.units = MostUnits;
     setup.triangle_cycles = setup.reject_cycles = 1;
-    setup.attribute_cycles = 0;
+    setup.attribute_cycles = setup.plane_cycles = 0;
+}
+
+void without_raster(RasterConfig& raster) {
+    raster.walk = Walk::Box;
+    raster.tile_cycles = raster.empty_tile_cycles = 0;
+}
+
+void without_command_processor(TimingConfig& config) {
+    config.command_processor.draw_cycles = 1;
+    config.command_processor.lines_per_cycle = Many;
+    config.depth_blocks.clears_per_cycle = config.color_blocks.clears_per_cycle = 65536;
+}
+
+void without_vertex_fetch(VertexConfig& vertex) {
+    vertex.vertices_per_cycle = MostUnits;
+    vertex.fetch_bytes_per_cycle = 0;
+    vertex.ports = 0;
+}
+
+void without_depth(TimingConfig& config) {
+    config.depth_cache.lookups_per_cycle = Many;
+    config.depth_cache.ports = 0;
+    config.depth_cache.store_cycles = 0;
+}
+
+void without_color(ColorCacheConfig& cache) {
+    cache.lookups_per_cycle = Many;
+    cache.ports = 0;
+    cache.store_cycles = 0;
 }
 
 void without_texture(TimingConfig& config) {
+    config.texture.rate = TexelRate::Samples;
     config.texel_cache.lookups_per_cycle = Many;
     config.texel_cache.bilinear_quads_per_cycle = MostUnits;
     config.texel_cache.ports = 0;
@@ -41,6 +71,7 @@ void without_second_level(TexelL2Config& cache) {
 
 void without_fragment(FragmentConfig& fragment) {
     fragment.quad_cycles = 1;
+    fragment.entry_cycles = 0;
     fragment.combiner_cycles = 1;
     fragment.combiners = 8;
 }
@@ -71,6 +102,8 @@ bool has_limit(const TimingConfig& config, Resource resource) {
         return config.raster.architecture == Architecture::TileBased;
     case Resource::TexelL2:
         return config.texel_l2.enable;
+    case Resource::Interpolator:
+        return config.interpolator.is_on();
     case Resource::MemoryBandwidth:
         return config.memory.kind != MemoryKind::Fixed;
     case Resource::Count:
@@ -88,12 +121,10 @@ TimingConfig without_limit(TimingConfig config, Resource resource) {
         config.host.bytes_per_cycle = 0;
         break;
     case Resource::CommandProcessor:
-        config.command_processor.draw_cycles = 1;
-        config.command_processor.lines_per_cycle = Many;
+        without_command_processor(config);
         break;
     case Resource::VertexFetch:
-        config.vertex.vertices_per_cycle = MostUnits;
-        config.vertex.fetch_bytes_per_cycle = 0;
+        without_vertex_fetch(config.vertex);
         break;
     case Resource::Geometry:
         without_geometry(config.vertex);
@@ -114,10 +145,10 @@ TimingConfig without_limit(TimingConfig config, Resource resource) {
         config.tiles.clear_pixels_per_cycle = 4096;
         break;
     case Resource::Raster:
-        config.raster.tile_cycles = config.raster.empty_tile_cycles = 0;
+        without_raster(config.raster);
         break;
     case Resource::Depth:
-        config.depth_cache.lookups_per_cycle = Many;
+        without_depth(config);
         break;
     case Resource::Texture:
         without_texture(config);
@@ -129,7 +160,7 @@ TimingConfig without_limit(TimingConfig config, Resource resource) {
         without_fragment(config.fragment);
         break;
     case Resource::Color:
-        config.color_cache.lookups_per_cycle = Many;
+        without_color(config.color_cache);
         break;
     case Resource::MemoryBandwidth:
         without_bandwidth(config.memory);
@@ -139,6 +170,9 @@ TimingConfig without_limit(TimingConfig config, Resource resource) {
         break;
     case Resource::Links:
         without_links(config);
+        break;
+    case Resource::Interpolator:
+        config.interpolator.value_cycles = 0;
         break;
     case Resource::Count:
         break;

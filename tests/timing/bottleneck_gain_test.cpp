@@ -80,6 +80,55 @@ TEST_CASE("a draw bound by the expansion of its texels gains what it takes less 
     check_gain(run(config, bin), "gain_texture_cycles", unlimited);
 }
 
+// A textured draw of one piece, of which three attributes vary.
+WorkBin interpolated_fill() {
+    WorkBin bin = fill(true);
+    PieceBox box{0, 0, 128, 128};
+    box.values = 3;
+    bin.draws[0].geometry.vertices = {0};
+    bin.draws[0].geometry.pieces = {box};
+    bin.draws[0].geometry.primitives = {{.pieces = 1}};
+    return bin;
+}
+
+// Whatever slows a unit is lifted with its limits, and is what the draw is found to wait for.
+TEST_CASE("a draw bound by any parameter of a unit gains what it takes less without the unit's") {
+    using Slow = void (*)(TimingConfig&);
+    const auto [slow, resource] = GENERATE(table<Slow, Resource>({
+        {[](TimingConfig& config) { config.interpolator.value_cycles = 4; },
+         Resource::Interpolator},
+        {[](TimingConfig& config) { config.fragment.entry_cycles = 6; }, Resource::Fragment},
+        {[](TimingConfig& config) { config.texture.rate = TexelRate::Texels; }, Resource::Texture},
+        {[](TimingConfig& config) {
+             config.raster.quads_per_cycle = 4;
+             config.texel_cache.ports = 1;
+         },
+         Resource::Texture},
+        {[](TimingConfig& config) {
+             config.raster.quads_per_cycle = 8;
+             config.color_cache.ports = 1;
+         },
+         Resource::Color},
+        {[](TimingConfig& config) {
+             config.color_cache.enable = false;
+             config.color_cache.fragment_fifo = 2;
+             config.color_cache.store_cycles = 40;
+         },
+         Resource::Color},
+    }));
+    const WorkBin bin = interpolated_fill();
+    TimingConfig config;
+    config.memory.kind = MemoryKind::Fixed;
+    config.memory.channels = 16;
+    config.memory.latency = 4;
+    config.raster.tile_cycles = 0;
+    slow(config);
+    const std::uint64_t unlimited = run(without_limit(config, resource), bin).at("total_cycles");
+    const auto name = std::string(ResourceNames[static_cast<std::size_t>(resource)]);
+    CAPTURE(name, unlimited);
+    check_gain(run(config, bin), ("gain_" + name + "_cycles").c_str(), unlimited);
+}
+
 // A wider or shorter way from geometry would hold more, or fewer, primitives, which is no limit of
 // the resource: a draw bound by memory would gain by it.
 TEST_CASE("a machine without a limit keeps the places of its ways") {

@@ -308,6 +308,10 @@ TEST_CASE("a pipe that cannot be built is refused, with what it would need") {
     TimingConfig config = wide_machine(1);
     config.depth_cache.enable = false;
     CHECK_THROWS_WITH(GpuTiming(config), Catch::Matchers::Contains("depth.test"));
+    config = wide_machine(1);
+    config.color_cache.enable = false;
+    config.color_blocks.fast_clear = true;
+    CHECK_THROWS_WITH(GpuTiming(config), Catch::Matchers::Contains("color_blocks"));
     config = tile_walker();
     config.raster.tile_width = 4;
     CHECK_THROWS_WITH(GpuTiming(config), Catch::Matchers::Contains("tile_width 8"));

@@ -1,6 +1,7 @@
 // The series: what the accounts counted, interval after interval, is all that they counted.
 
 #include "model/timing/series.h"
+#include "model/timing/without_limit.h"
 #include "tests/timing/machine_figures.h"
 #include "tests/timing/random_work.h"
 
@@ -105,8 +106,9 @@ TEST_CASE("a sample covers its interval, or the rest of its frame, and all cycle
         begin += row.cycles;
         // What the frame waited for is known when it is over: its last row has all.
         Cycle waited = 0;
-        for (const std::string_view resource : ResourceNames)
-            waited += series.at(row, "bottleneck_" + std::string(resource) + "_cycles");
+        for (std::size_t i = 0; i < Resources; ++i)
+            if (has_limit(config, static_cast<Resource>(i)))
+                waited += series.at(row, "bottleneck_" + std::string(ResourceNames[i]) + "_cycles");
         CHECK(waited == (left.at(row.frame) == 0 ? outcome.frames[row.frame - 3] : 0));
         for (const std::string& unit : outcome.units) {
             Cycle cycles = 0;

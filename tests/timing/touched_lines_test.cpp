@@ -1,9 +1,11 @@
 // Every line on which a touched pixel lies is accessed, whatever the layout, the line and the
 // samples. The lines are computed here from coordinates and the layouts' definitions.
 
+#include "model/packets/quad_values.h"
 #include "tests/timing/machine_figures.h"
 
 #include <algorithm>
+#include <bit>
 #include <random>
 #include <set>
 
@@ -81,9 +83,22 @@ public:
         return config;
     }
 
+    // Each quad moves its own pixels; draws that test late.
+    bool tests_late() const { return !early_; }
+    TimingConfig config_without_caches() const {
+        TimingConfig config = this->config();
+        config.color_cache.enable = config.depth_cache.enable = false;
+        config.depth.test = work::DepthTest::Late;
+        return config;
+    }
+
     WorkBin bin;
     std::uint64_t color_bytes() const { return color_lines_.bytes(color_); }
     std::uint64_t depth_bytes() const { return depth_lines_.bytes(depth_); }
+    // Lines of each quad, summed over the quads, and the pixels that are written.
+    std::uint64_t color_bytes_by_quad() const { return quads_color_bytes_; }
+    std::uint64_t depth_bytes_by_quad() const { return quads_depth_bytes_; }
+    std::uint64_t stored_color_bytes() const { return written_ * color_.pixel_bytes(); }
 
 private:
     unsigned below(unsigned n) { return static_cast<unsigned>(random_() % n); }
@@ -109,6 +124,7 @@ private:
         draw.early_depth = early_;
         WorkBatch& batch = bin.tiles.emplace_back().batches.emplace_back();
         batch.draw = 0;
+        batch.value_begin.push_back(0);
         for (unsigned y = 0; y < color_.height; y += 2)
             for (unsigned x = 0; x < color_.width; x += 2)
                 add_quad(batch, x, y);
@@ -118,9 +134,23 @@ private:
         WorkQuad quad{};
         quad.x = static_cast<std::uint16_t>(x);
         quad.y = static_cast<std::uint16_t>(y);
+        quad_color_lines_ = quad_depth_lines_ = {};
         for (unsigned lane = 0; lane < 4; ++lane)
             add_fragment(quad, lane);
-        if (quad.covered != 0) batch.quads.push_back(quad);
+        quads_color_bytes_ += quad_color_lines_.bytes(color_);
+        quads_depth_bytes_ += quad_depth_lines_.bytes(depth_);
+        if (quad.covered == 0) return;
+        batch.quads.push_back(quad);
+        add_values(batch, quad);
+    }
+
+    // Depths and colours, which nothing depends on here but that they are told.
+    void add_values(WorkBatch& batch, const WorkQuad& quad) {
+        const bool multisampled = color_.samples > 1;
+        const int depths = std::popcount(covered_samples(quad, multisampled));
+        const int colors = std::popcount(written_samples(quad, multisampled));
+        batch.values.resize(batch.values.size() + static_cast<std::size_t>(depths + colors));
+        batch.value_begin.push_back(static_cast<std::uint32_t>(batch.values.size()));
     }
 
     void add_fragment(WorkQuad& quad, unsigned lane) {
@@ -138,15 +168,19 @@ private:
             quad.samples_covered |= static_cast<std::uint16_t>(0xfu << 4 * lane);
             if (written) quad.samples_written |= static_cast<std::uint16_t>(0xfu << 4 * lane);
         }
-        if (early_ || after_alpha) depth_lines_.add(depth_, x, y);
-        if (written) color_lines_.add(color_, x, y);
+        for (Lines* const lines : {&depth_lines_, &quad_depth_lines_})
+            if (early_ || after_alpha) lines->add(depth_, x, y);
+        for (Lines* const lines : {&color_lines_, &quad_color_lines_})
+            if (written) lines->add(color_, x, y);
+        written_ += written;
     }
 
     std::mt19937 random_;
     bool early_;
     unsigned density_; // eighths
     Shape color_, depth_;
-    Lines color_lines_, depth_lines_;
+    Lines color_lines_, depth_lines_, quad_color_lines_, quad_depth_lines_;
+    std::uint64_t quads_color_bytes_ = 0, quads_depth_bytes_ = 0, written_ = 0;
 };
 
 TEST_CASE("compulsory bytes are the touched lines, over random layouts, lines, blocks, samples") {
@@ -156,6 +190,18 @@ TEST_CASE("compulsory bytes are the touched lines, over random layouts, lines, b
         INFO("seed " << seed);
         CHECK(figures.at("memory_color_read_bytes") == draw.color_bytes());
         CHECK(figures.at("memory_depth_read_bytes") == draw.depth_bytes());
+    }
+}
+
+TEST_CASE("without caches each quad reads all lines of its pixels and stores what it writes") {
+    for (unsigned seed = 1; seed <= 200; ++seed) {
+        const RandomDraw draw(seed);
+        if (!draw.tests_late()) continue;
+        const Figures figures = run(draw.config_without_caches(), draw.bin);
+        INFO("seed " << seed);
+        CHECK(figures.at("memory_color_read_bytes") == draw.color_bytes_by_quad());
+        CHECK(figures.at("memory_color_written_bytes") == draw.stored_color_bytes());
+        CHECK(figures.at("memory_depth_read_bytes") == draw.depth_bytes_by_quad());
     }
 }
 

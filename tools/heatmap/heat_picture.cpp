@@ -150,7 +150,8 @@ std::array<std::uint8_t, 3> name_color(std::size_t number) {
                                                                          0xffa000,
                                                                          0xff0000,
                                                                          0xff8080,
-                                                                         0xffffff};
+                                                                         0xffffff,
+                                                                         0x007070};
     if (number == 0) return {};
     const std::uint32_t color = Colors[(number - 1) % Colors.size()];
     return {static_cast<std::uint8_t>(color >> 16),
