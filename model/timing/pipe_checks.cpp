@@ -23,6 +23,10 @@ void check_walk(const RasterConfig& raster) {
 }
 
 void check_past_cache(const TimingConfig& config) {
+    expect((config.color_cache.enable && config.depth_cache.enable) ||
+               config.raster.architecture == Architecture::Immediate,
+           "color_cache.enable, depth_cache.enable: off are of immediate machines "
+           "(raster.architecture): a tile's pixels are on the chip");
     expect(config.color_cache.enable || config.raster.quads_per_cycle == 1,
            "color_cache.enable: off is of one pipe (raster.quads_per_cycle 1)");
     expect(config.color_cache.enable || !config.color_blocks.is_on(),

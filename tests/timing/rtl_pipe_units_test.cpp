@@ -312,6 +312,10 @@ TEST_CASE("a pipe that cannot be built is refused, with what it would need") {
     config.color_cache.enable = false;
     config.color_blocks.fast_clear = true;
     CHECK_THROWS_WITH(GpuTiming(config), Catch::Matchers::Contains("color_blocks"));
+    config = wide_machine(1);
+    config.raster.architecture = Architecture::TileBased;
+    config.color_cache.enable = false;
+    CHECK_THROWS_WITH(GpuTiming(config), Catch::Matchers::Contains("a tile's pixels"));
     config = tile_walker();
     config.raster.tile_width = 4;
     CHECK_THROWS_WITH(GpuTiming(config), Catch::Matchers::Contains("tile_width 8"));
