@@ -35,14 +35,15 @@ HWY_INLINE VI marked(const TextureUnit& unit, VI index, VI size) {
 template <bool Linear>
 HWY_INLINE VI filter_word(const TextureUnit& unit, unsigned axis, VF folded, const AxisLevel& at) {
     const AxisTexelVectors texels = axis_texels<Linear>(unit, axis, folded, at);
-    const VI upper = hn::ShiftLeft<16>(marked(unit, texels.second, at.size));
-    return hn::Or(marked(unit, texels.first, at.size), upper);
+    const WrapRule& rule = Linear ? unit.linear_rules[axis] : unit.nearest_rules[axis];
+    const auto both = [](VI first, VI second) { return hn::Or(first, hn::ShiftLeft<16>(second)); };
+    if (unit.border == 0 && !rule.border) return both(texels.first, texels.second); // all inside
+    return both(marked(unit, texels.first, at.size), marked(unit, texels.second, at.size));
 }
 
 // ... and for the filter of each lane.
-HWY_INLINE VI index_word(const TextureUnit& unit, unsigned axis, VF coordinate, const Pass& pass) {
+HWY_INLINE VI index_word(const TextureUnit& unit, unsigned axis, VF folded, const Pass& pass) {
     const AxisLevel at = axis_level(unit, axis, pass.level);
-    const VF folded = fold_coordinate(unit.linear_rules[axis].fold, coordinate, unit.extent[axis]);
     if (!pass.any_nearest) return filter_word<true>(unit, axis, folded, at);
     const VI nearest = filter_word<false>(unit, axis, folded, at);
     if (!pass.any_linear) return nearest;
@@ -57,21 +58,35 @@ HWY_INLINE void record_heads(const TextureUnit& unit, const Pass& pass, std::uin
     hn::StoreU(hn::DemoteTo(d, hn::Or(pass.level, hn::ShiftLeft<8>(linear))), d, to);
 }
 
+// A vector of fragments' coordinates, folded: the same at all levels.
+struct Folded {
+    VF s, t, r; // those of the texture's dimensions
+};
+
+HWY_INLINE Folded folded_at(const TextureUnit& unit, const FilterInputs& in, unsigned lane) {
+    const auto fold = [&](unsigned axis, const float* plane) {
+        if (axis >= unit.dimensions) return hn::Zero(DF());
+        return fold_coordinate(
+            unit.linear_rules[axis].fold, hn::Load(DF(), plane + lane), unit.extent[axis]);
+    };
+    return {fold(0, in.coordinates->s.data()),
+            fold(1, in.coordinates->t.data()),
+            fold(2, in.coordinates->r.data())};
+}
+
 HWY_INLINE void record(const TextureUnit& unit,
                        const FilterInputs& in,
                        unsigned lane,
+                       const Folded& folded,
                        const Pass& pass,
                        AccessPlane& out) {
     using Words = AccessPlane::Words;
-    constexpr Words Axes[]{Words::X, Words::Y, Words::Layers};
-    const float* planes[3] = {
-        in.coordinates->s.data(), in.coordinates->t.data(), in.coordinates->r.data()};
     const auto store = [&](Words which, VI words) {
         hn::StoreU(hn::BitCast(DU(), words), DU(), out.words(which) + lane);
     };
-    for (unsigned axis = 0; axis < unit.dimensions; ++axis)
-        store(Axes[axis], index_word(unit, axis, hn::Load(DF(), planes[axis] + lane), pass));
-    if (unit.dimensions < 2) store(Words::Y, hn::Zero(DI()));
+    store(Words::X, index_word(unit, 0, folded.s, pass));
+    store(Words::Y, unit.dimensions < 2 ? hn::Zero(DI()) : index_word(unit, 1, folded.t, pass));
+    if (unit.dimensions == 3) store(Words::Layers, index_word(unit, 2, folded.r, pass));
     if (unit.kind == TextureKind::Cube) {
         const VI face = hn::Load(DI(), in.face + lane);
         store(Words::Layers, hn::Or(face, hn::ShiftLeft<16>(face)));
@@ -89,10 +104,11 @@ void record_accesses(const TextureUnit& unit, const FilterInputs& in, const Acce
                   hn::TestBit(choice, constant(SamplingBatch::LinearBit)),
                   sampling.any_linear(),
                   sampling.any_nearest()};
-        record(unit, in, lane, pass, *out.level);
+        const Folded folded = folded_at(unit, in, lane);
+        record(unit, in, lane, folded, pass, *out.level);
         if (!out.next_level) continue;
         pass.level = hn::And(hn::ShiftRight<8>(choice), byte);
-        record(unit, in, lane, pass, *out.next_level);
+        record(unit, in, lane, folded, pass, *out.next_level);
     }
 }
 
