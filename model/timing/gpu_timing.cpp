@@ -1,10 +1,7 @@
 #include "model/timing/gpu_timing.h"
 
-#include "model/timing/cache_checks.h"
+#include "model/timing/machine_checks.h"
 #include "model/timing/machine_thread.h"
-#include "model/timing/memory_lines.h"
-#include "model/timing/pipe_checks.h"
-#include "model/timing/target_blocks.h"
 
 #include <utility>
 
@@ -19,11 +16,7 @@ GpuTiming::GpuTiming(const TimingConfig& config,
                      const Evaluation& evaluation,
                      const MakeMemory& make_memory)
     : context_(std::make_unique<SimulationContext>()) {
-    check_memory_lines(config);
-    check_refresh(config);
-    check_caches(config);
-    check_blocks(config);
-    check_pipe(config);
+    check_machine(config);
     const SimulationContext::Scope scope(*context_);
     machine_ = std::make_unique<Machine>(*context_, config, evaluation, make_memory);
     thread_ = std::make_unique<MachineThread>(*machine_);

@@ -89,6 +89,29 @@ class PythonTest(unittest.TestCase):
         self.assertEqual(list(pareto_front(table, "memory_bytes", "cycles").point), ["p0", "p1"])
         self.assertEqual(list(pareto_front(table, "cost", "cycles").point), ["p2", "p1"])
 
+    def test_a_run_without_timing_is_told_as_such(self):
+        from ffgpu_data import draws, frames
+        plain = self.folder / "plain"
+        ffgpu("replay", SOURCE / "traces/light_maps.trace", "--frames", "0-0", "--no-images", "-o", plain)
+        self.assertEqual(list(frames(plain).index), [0])
+        self.assertRaisesRegex(ValueError, "plain: .* --timing", draws, plain)
+
+    def test_each_layout_and_order_has_curves_of_its_own(self):
+        ffgpu("cache", SOURCE / "traces/tour.trace", "--frames", "0-0", "-o", self.folder / "orders",
+              "--layout", "linear,blocked", "--order", "scanline,tiled:8", "--line", "32")
+        one = self.ink(self.draw("miss_rates", self.folder / "cache"))[1]
+        four = self.ink(self.draw("miss_rates", self.folder / "orders"))[1]
+        self.assertGreater(four[1], 1.5 * one[1])  # two rows of axes
+        bare = self.folder / "bare"
+        bare.mkdir()
+        rows = (self.folder / "cache/curves.csv").read_text().splitlines()
+        first = rows[1].split(",")
+        (bare / "curves.csv").write_text(rows[0] + "\n" + ",".join(first[:11] + ["0"] * (len(first) - 11)) + "\n")
+        done = subprocess.run([sys.executable, "-B", PYTHON / "examples/miss_rates.py", bare, "-o", bare / "x.png"],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("nothing to draw", done.stderr.splitlines()[-1])
+
     def draw(self, script, *inputs):
         picture = self.folder / (script + ".png")
         done = subprocess.run([sys.executable, "-B", PYTHON / "examples" / (script + ".py"),

@@ -2,6 +2,7 @@
 """The page of `ffgpu report` in a browser: every chart is drawn, the table sorts, a draw shows its pixels, nothing is
 asked of a network. Exit status 77 where there is no Chromium. With a folder as argument it leaves screenshots there."""
 
+import json
 import pathlib
 import re
 import sys
@@ -108,6 +109,68 @@ class PageTest(unittest.TestCase):
             self.browser.open(page, **PHONE)
             self.assertGreater(self.browser.run("document.querySelectorAll('.note').length"), 2)
             self.assertLessEqual(self.browser.run("document.documentElement.scrollWidth"), PHONE["width"])
+
+    def shown(self, *folders, output="report.html", size=DESKTOP):
+        """Titles of the charts, all drawn, and the text, of a page of its own, which fits the window."""
+        self.browser.open(runs.report(*folders, output=output), **size)
+        self.assertLessEqual(self.browser.run("document.documentElement.scrollWidth"), size["width"])
+        drawn = self.browser.run(DRAWN)
+        for chart in drawn:
+            self.assertGreater(chart["count"], 100, chart["title"])
+        return [chart["title"] for chart in drawn], self.browser.run("document.body.innerText")
+
+    def test_curves_of_caches_that_nobody_looks_into_are_told_and_not_drawn(self):
+        with runs.folder() as folder:
+            run = runs.replay(folder / "run", frames="2-2")
+            runs.ffgpu("cache", runs.CORRIDOR, "--frames", "2-2", "-o", run, "--line", "64", "--client", "texel,depth")
+            path = run / "curves.csv"
+            for client, is_drawn in (("texel", True), ("depth", False)):
+                rows = [line.split(",") for line in path.read_text().splitlines()]
+                reads = rows[0].index("reads")
+                path.write_text("".join(",".join(row[:reads] + ["0"] * (len(row) - reads) if row[0] == client else row)
+                                        + "\n" for row in rows))
+                titles, text = self.shown(run)
+                self.assertEqual(any("LRU" in title for title in titles), is_drawn)
+                self.assertRegex(text, f"there is no curve: .*{client}, blocked")
+
+    def test_a_run_whose_waits_were_not_reckoned_says_so_and_draws_its_cycles(self):
+        with runs.folder() as folder:
+            plain = runs.replay(folder / "plain", "--set", "bottlenecks.enable=false", frames="2-2")
+            titles, text = self.shown(plain)
+            self.assertIn("Cycles of each frame (a click shows the frame)", titles)
+            self.assertFalse([title for title in titles if "waited" in title or "waits" in title])
+            self.assertIn("bottlenecks.enable=false", text)
+            self.assertNotIn("waited for .", text)
+            titles, text = self.shown(runs.replay(folder / "other", frames="2-2"), plain, output="difference.html")
+            self.assertIn("Cycles by what the machine waited for", titles)
+            self.assertNotIn("waited for .", text)
+
+    def long_run(self, folder, frames):
+        """A run's statistics, as if its frame had come again and again."""
+        stats = runs.stats_of(runs.replay(folder / "short", frames="2-2"))
+        one = stats["frames"][0]
+        stats["frames"] = [dict(one, frame=number) for number in range(frames)]
+        run = folder / "long"
+        run.mkdir()
+        (run / "stats.json").write_text(json.dumps(stats))
+        return run
+
+    def test_a_thousand_frames_are_drawn_in_full_colour_on_a_phone(self):
+        with runs.folder() as folder:
+            run = self.long_run(folder, 1000)
+            for folders, output in (((run,), "report.html"), ((run, run), "difference.html")):
+                self.shown(*folders, output=output, size=PHONE)
+
+    def test_many_parameters_that_differ_fit_a_phone(self):
+        with runs.folder() as folder:
+            pair = [runs.replay(folder / name, *options, frames="2-2") for name, options in
+                    (("immediate_machine", ()), ("a_tile_based_machine", ("--config", "preset:kyro")))]
+            self.shown(*pair, output="difference.html", size=PHONE)
+
+    def test_two_runs_that_did_the_same_say_so(self):
+        with runs.folder() as folder:
+            run = runs.replay(folder / "run", frames="2-2")
+            self.assertIn("No figure differs.", self.shown(run, run, output="difference.html")[1])
 
     def test_text_is_readable_in_light_and_dark(self):
         for dark in (False, True):

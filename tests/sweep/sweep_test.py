@@ -225,6 +225,26 @@ class RefusalTest(SweepCase):
         self.assert_refused(self.sweep("out", space=""), "no point")
         self.assertFalse((self.folder / "out/results.csv").exists())
 
+    def test_combinations_that_are_no_machine_are_left_out_and_the_others_are_whole(self):
+        space = "[grid]\ncolor_cache.enable = [true, false]\nraster.quads_per_cycle = [1, 4]\n"
+        done = self.sweep("out", space=space)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1 combinations of 4 are no machines", done.stderr)
+        self.assertIn("color_cache.enable", done.stderr)
+        self.assertEqual([(row["color_cache.enable"], row["raster.quads_per_cycle"])
+                          for row in self.rows("out")], [("true", "1"), ("true", "4"), ("false", "1")])
+
+    def test_a_listed_point_or_a_whole_space_that_is_no_machine_and_a_base_that_there_is_not(self):
+        listed = "[grid]\ntexel_cache.ways = [1]\n[[list]]\ncolor_cache.enable = false\nraster.quads_per_cycle = 4\n"
+        self.assert_refused(self.sweep("out", space=listed), ".toml:4:", "list", "color_cache.enable")
+        whole = "[fixed]\ncolor_cache.enable = false\n[grid]\nraster.quads_per_cycle = [2, 4]\n"
+        self.assert_refused(self.sweep("out", space=whole), "no point is a machine", "color_cache.enable")
+        base = '\nbase = "preset:nope"\n[grid]\ntexel_cache.ways = [1]\n'
+        self.assert_refused(self.sweep("out", space=base), ".toml:2:", "preset:nope")
+        base = 'base = "nope.toml"\n[grid]\ntexel_cache.ways = [1]\n'
+        self.assert_refused(self.sweep("out", space=base), ".toml:1:", "nope.toml")
+        self.assertFalse((self.folder / "out").exists())
+
     def test_a_work_file_of_a_newer_version_and_a_damaged_trace_lose_nothing(self):
         table = self.swept("out")
         before = self.results("out")

@@ -27,9 +27,9 @@ void apply_preset(const std::string& config, Configuration& configuration) {
         std::vector<std::string> names;
         for (const timing::Preset& each : timing::presets())
             names.emplace_back(each.name);
-        throw InputError(fmt::format("--config: unknown preset {}; did you mean {}? (ffgpu "
-                                     "presets lists them)",
-                                     name,
+        throw InputError(fmt::format("{}: unknown preset; did you mean {}? (ffgpu presets lists "
+                                     "them)",
+                                     config,
                                      nearest_name(name, names)));
     }
     for (const timing::PresetSetting& setting : preset->settings)

@@ -177,12 +177,26 @@ void add_pictures(Json& data, Notes& notes, const PagePictures& pictures) {
 }
 
 void add_curves(Json& data, Notes& notes, const std::string& folder) {
-    if (const auto file = file_in(folder, "curves.csv"))
-        data["curves"] = miss_curves(*file);
-    else
-        notes.add("curves",
-                  "Miss-rate curves of all caches come from ffgpu cache TRACE -o DIR, into the "
-                  "same folder.");
+    const auto file = file_in(folder, "curves.csv");
+    if (!file)
+        return notes.add("curves",
+                         "Miss-rate curves of all caches come from ffgpu cache TRACE -o DIR, into "
+                         "the same folder.");
+    data["curves"] = Json::array();
+    std::string left_out;
+    for (Json& curve : miss_curves(*file))
+        if (curve["accesses"] != 0)
+            data["curves"].push_back(std::move(curve));
+        else
+            left_out += (left_out.empty() ? "" : "; ") + curve["name"].get<std::string>();
+    if (!left_out.empty())
+        notes.add("curves", "Nothing was looked up, so that there is no curve: " + left_out + '.');
+}
+
+bool reckons_waits(const RunFigures& figures) {
+    return std::any_of(figures.timing.begin(), figures.timing.end(), [](const auto& figure) {
+        return figure.first.starts_with("bottleneck_") && total(figure.second) > 0;
+    });
 }
 
 // The costliest of all frames stay, and the rest of each frame is one entry.
@@ -238,6 +252,9 @@ Json run_data(const std::string& folder, const RunFigures& all, std::size_t most
         data["commands"] = commands_json(figures, kinds, resources);
         data["kinds"] = kinds.texts();
         data["resources"] = resources.texts();
+        if (!reckons_waits(figures))
+            notes.add("waits",
+                      "What the machine waited for was not reckoned (bottlenecks.enable=false).");
         add_series(data, notes, folder, figures);
         add_facts(data, notes, folder, figures);
     } else {

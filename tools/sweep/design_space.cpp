@@ -1,6 +1,7 @@
 #include "tools/sweep/design_space.h"
 
 #include "model/base/input_error.h"
+#include "model/timing/machine_checks.h"
 #include "tools/config/config_file.h"
 #include "tools/config/config_text.h"
 #include "tools/sweep/space_axes.h"
@@ -18,7 +19,7 @@ class Builder {
 public:
     explicit Builder(const SpaceFile& file)
         : file_(file) {
-        if (!file.base.empty()) read_config_file(file.base, base_);
+        if (!file.base.empty()) read_base();
         for (const std::vector<Axis>* const axes : {&file.grid, &file.random_axes})
             for (const Axis& axis : *axes)
                 parameters_.insert(axis.parameter);
@@ -30,8 +31,10 @@ public:
     DesignSpace space() {
         if (!file_.grid.empty()) add_grid();
         for (const std::vector<Axis>& one : file_.list)
-            add(one, std::vector<std::size_t>(one.size(), 0));
+            add_listed(one);
         add_samples();
+        if (space_.points.empty() && space_.left_out > 0)
+            throw InputError(file_.path + ": no point is a machine: " + space_.why);
         if (space_.points.empty()) throw InputError(file_.path + ": the space has no point");
         space_.parameters.assign(parameters_.begin(), parameters_.end());
         for (DesignPoint& point : space_.points)
@@ -41,6 +44,15 @@ public:
 
 private:
     static bool is_profile(const Axis& axis) { return axis.parameter.ends_with(".profile"); }
+
+    void read_base() {
+        try {
+            read_config_file(file_.base, base_);
+        } catch (const InputError& error) {
+            throw InputError(
+                fmt::format("{}:{}: base: {}", file_.path, file_.base_line, error.what()));
+        }
+    }
 
     void set(Configuration& configuration, const Axis& axis, std::size_t value) const {
         // Lines before it, so that what is wrong with it is told with its line.
@@ -63,14 +75,38 @@ private:
                 if (is_profile(axes[i]) == profiles) set(point.configuration, axes[i], choice[i]);
         }
         point.id = text_hash(to_toml(point.configuration));
-        if (ids_.insert(point.id).second) space_.points.push_back(std::move(point));
+        if (!ids_.insert(point.id).second) return;
+        timing::check_machine(point.configuration.timing);
+        space_.points.push_back(std::move(point));
+    }
+
+    // Axes that are combined may contradict each other here and there: a point less.
+    void add_combination(const std::vector<Axis>& axes, const std::vector<std::size_t>& choice) {
+        const std::size_t before = ids_.size();
+        try {
+            add(axes, choice);
+        } catch (const InputError& error) {
+            if (ids_.size() == before) throw; // A value is wrong by itself.
+            if (space_.left_out++ == 0) space_.why = error.what();
+        }
+    }
+
+    void add_listed(const std::vector<Axis>& axes) {
+        const std::size_t before = ids_.size();
+        try {
+            add(axes, std::vector<std::size_t>(axes.size(), 0));
+        } catch (const InputError& error) {
+            if (ids_.size() == before) throw;
+            throw InputError(
+                fmt::format("{}:{}: list: {}", file_.path, axes.front().line, error.what()));
+        }
     }
 
     // The last axis changes fastest.
     void add_grid() {
         std::vector<std::size_t> choice(file_.grid.size(), 0);
         for (bool more = true; more;) {
-            add(file_.grid, choice);
+            add_combination(file_.grid, choice);
             std::size_t axis = choice.size();
             while (axis > 0 && ++choice[axis - 1] == file_.grid[axis - 1].values.size())
                 choice[--axis] = 0;
@@ -84,7 +120,7 @@ private:
             std::vector<std::size_t> choice;
             for (const Axis& axis : file_.random_axes)
                 choice.push_back(random.below(axis.values.size()));
-            add(file_.random_axes, choice);
+            add_combination(file_.random_axes, choice);
         }
     }
 

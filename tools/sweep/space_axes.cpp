@@ -19,7 +19,7 @@ public:
             const std::string key(entry.first.str());
             const toml::node& node = entry.second;
             if (key == "base")
-                file_.base = text(node, key);
+                file_.base = text(node, key), file_.base_line = node.source().begin.line;
             else if (key == "fixed")
                 file_.fixed = axes(node, key, &Reader::one_value);
             else if (key == "grid")

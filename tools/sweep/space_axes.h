@@ -18,6 +18,7 @@ struct Axis {
 struct SpaceFile {
     std::string path;
     std::string base;                    // a configuration, or preset:NAME; empty: the defaults
+    std::size_t base_line = 1;           // of the file
     std::vector<Axis> fixed;             // one value each, of every point
     std::vector<Axis> grid;              // every combination
     std::vector<std::vector<Axis>> list; // points, one value each

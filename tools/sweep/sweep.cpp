@@ -136,6 +136,14 @@ fail(const SweepPlan& plan, const std::vector<std::string>& complaints, std::siz
                                                     : complaints.front()));
 }
 
+std::string left_out_text(const std::string& path, const DesignSpace& space) {
+    return fmt::format("{}: {} combinations of {} are no machines, and left out: {}",
+                       path,
+                       space.left_out,
+                       space.left_out + space.points.size(),
+                       space.why);
+}
+
 std::size_t count_missing(const SweepPlan& plan) {
     std::size_t missing = 0;
     for (const SweepTrace& trace : plan.traces)
@@ -149,6 +157,9 @@ std::size_t count_missing(const SweepPlan& plan) {
 std::string sweep(const SweepOptions& options) {
     SweepPlan plan;
     plan.space = read_design_space(options.space);
+    if (plan.space.left_out > 0)
+        std::fprintf(
+            stderr, "ffgpu: warning: %s\n", left_out_text(options.space, plan.space).c_str());
     plan.frames_text = options.frames;
     if (!options.frames.empty()) plan.frames = parse_frame_range(options.frames);
     plan.traces = sweep_traces(options.traces, options.frames);

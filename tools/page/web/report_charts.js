@@ -50,6 +50,7 @@ const AccountColors = {
   stalled_memory: "#d1495b",
   stalled_requests: "#8f5fd0",
 };
+const MostPoints = 100; // that a line marks
 const charts = [];
 
 function tableOf(labels, series, first, show) {
@@ -207,7 +208,7 @@ class ReportChart {
       data: xType ? one.values.map((y, i) => ({ x: labels[i], y })) : one.values,
       parts: one.parts,
       fill: isArea ? (at === 0 ? "origin" : "-1") : false,
-      pointRadius: type === "line" && !isStacked && !isSteps ? 2.5 : 0,
+      pointRadius: type === "line" && !isStacked && !isSteps && labels.length <= MostPoints ? 2.5 : 0,
       borderDash: one.dash ?? [],
       borderWidth: type === "bar" || isArea ? 0 : 1.5,
     }));

@@ -44,6 +44,7 @@ const resources = Object.keys(first.timing ?? {})
   .filter((name) => name.startsWith("bottleneck_"))
   .map((name) => name.slice(11, -7))
   .filter((name) => runs.some((run) => sum(run.timing[`bottleneck_${name}_cycles`] ?? []) > 0));
+const reckonsWaits = (run) => resources.some((name) => sum(run.timing[`bottleneck_${name}_cycles`] ?? []) > 0);
 const clients = names("_read_bytes")
   .filter((name) => name.startsWith("memory_"))
   .map((name) => name.slice(7))

@@ -20,11 +20,15 @@ function parameterTable(configuration) {
     ),
   );
   return element(
-    "table",
-    { id: "parameters" },
-    element("caption", {}, "Parameters that differ"),
-    element("thead", {}, element("tr", {}, ...head)),
-    element("tbody", {}, ...rows),
+    "div",
+    { class: "scroll", tabindex: 0 },
+    element(
+      "table",
+      { id: "parameters" },
+      element("caption", {}, "Parameters that differ"),
+      element("thead", {}, element("tr", {}, ...head)),
+      element("tbody", {}, ...rows),
+    ),
   );
 }
 function effectColumns() {
@@ -57,6 +61,7 @@ function addDifference() {
     sort: "size of the effect",
     columns: effectColumns(),
   });
+  if (figures.length === 0) parent.append(element("p", {}, "No figure differs."));
   fill("");
 }
 

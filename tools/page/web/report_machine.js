@@ -70,7 +70,10 @@ function addCurves(parent) {
   const curves = runs.flatMap((run, i) =>
     (run.curves ?? []).map((curve) => ({ ...curve, name: curve.name + (isPair ? `, ${runNames[i]}` : "") })),
   );
-  if (curves.length === 0) return addNotes(parent, "curves");
+  if (curves.length > 0) addCurveChart(parent, curves);
+  addNotes(parent, "curves");
+}
+function addCurveChart(parent, curves) {
   let shown = 0;
   const options = curves.map((curve, i) => [i, curve.name]);
   const choose = (value) => {

@@ -1,5 +1,6 @@
 "use strict";
 // Where the time went: the first thing to read.
+const MostBars = 200; // More of them are thinner than a pixel, and pale.
 const cyclesOf = (run) => figure(run, "total_cycles");
 
 function addSummary() {
@@ -18,6 +19,19 @@ function addSummary() {
   };
   fill();
   onSelect(fill);
+  addNotes(parent, "waits");
+  if (resources.length > 0) addWaits(parent);
+  new ReportChart(parent, {
+    title: "Cycles of each frame (a click shows the frame)",
+    unit: "cycles",
+    x: "frame",
+    type: frames.length > MostBars ? "line" : "bar",
+    isStacked: !isPair,
+    pick: (frame) => select({ frame }),
+    compute: frameSeries,
+  });
+}
+function addWaits(parent) {
   new ReportChart(parent, {
     title: "Cycles by what the machine waited for",
     isHorizontal: true,
@@ -27,14 +41,6 @@ function addSummary() {
       series: waitSeries((counter) => runs.map((run) => figure(run, counter))),
     }),
     show: (value) => number(value),
-  });
-  new ReportChart(parent, {
-    title: "Cycles of each frame (a click shows the frame)",
-    unit: "cycles",
-    x: "frame",
-    isStacked: !isPair,
-    pick: (frame) => select({ frame }),
-    compute: frameSeries,
   });
 }
 // The parts of a run's cycles, with the values that `of` tells of a counter.
@@ -47,15 +53,17 @@ const waitSeries = (of) =>
 function frameSeries() {
   const labels = first.frames.map((frame) => frame.frame);
   const whole = (run, i) => ({ name: runNames[i], color: Palette[i], values: run.timing.total_cycles });
-  return { labels, series: isPair ? runs.map(whole) : waitSeries((counter) => first.timing[counter]) };
+  const isWhole = isPair || resources.length === 0;
+  return { labels, series: isWhole ? runs.map(whole) : waitSeries((counter) => first.timing[counter]) };
 }
 function sentence(run, i) {
   const found = resources
     .map((name) => [name, figure(run, `bottleneck_${name}_cycles`)])
-    .filter(([, cycles]) => cycles > 0)
+    .filter(([, cycles]) => cycles > 0.005 * cyclesOf(run))
     .sort((a, b) => b[1] - a[1])
     .slice(0, 3)
     .map(([name, cycles]) => `${words(name)} (${percent(cycles, cyclesOf(run), 0)})`);
+  if (found.length === 0) return "";
   return `${isPair ? runNames[i] : "The machine"} waited for ${found.join(", then ")}.`;
 }
 

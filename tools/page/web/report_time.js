@@ -2,14 +2,14 @@
 // The machine over time: within frames, where a run left its series, or frame by frame.
 // What a chart over time may show: columns of the counters, each with a name and a colour.
 function timeViews() {
-  const views = {
-    bottleneck: {
+  const views = {};
+  if (resources.length > 0)
+    views.bottleneck = {
       text: "what the machine waits for, frame by frame",
       isOfFrames: true, // What a frame waited for is known at its end.
       unit: "% of cycles",
       parts: resources.map((name) => [`bottleneck_${name}_cycles`, words(name), colorOf(resources, name)]),
-    },
-  };
+    };
   views.busy = {
     text: "busy share of all units",
     unit: "% of cycles",
@@ -89,12 +89,13 @@ function addTime() {
   const show = (key) => {
     made.forEach((chart) => chart.remove());
     box.replaceChildren();
-    made = runs.map((run, i) => timeChart(box, views[key], run, i));
+    const isShown = (run) => !views[key].isOfFrames || reckonsWaits(run);
+    made = runs.flatMap((run, i) => (isShown(run) ? [timeChart(box, views[key], run, i)] : []));
   };
   const options = Object.entries(views).map(([key, view]) => [key, view.text]);
   const picker = controls(choice("Shown", options, show));
   parent.append(picker, box);
-  const first = runs.some((run) => run.series) ? "busy" : "bottleneck";
+  const first = runs.some((run) => run.series) || !views.bottleneck ? "busy" : "bottleneck";
   picker.querySelector("select").value = first;
   show(first);
   addNotes(parent, "series");

@@ -8,6 +8,8 @@ def draws(path):
     """A row a draw: frame, cycles, bottleneck, and the fragments that it wrote."""
     rows = []
     for frame in read(path)["frames"]:
+        if "commands" not in frame:
+            raise ValueError(f"{path}: tells no commands: they come with --timing")
         for command in frame["commands"]:
             if command["kind"] != "draw":
                 continue
