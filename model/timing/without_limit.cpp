@@ -41,13 +41,9 @@ void without_vertex_fetch(VertexConfig& vertex) {
     vertex.ports = 0;
 }
 
-void without_depth(TimingConfig& config) {
-    config.depth_cache.lookups_per_cycle = Many;
-    config.depth_cache.ports = 0;
-    config.depth_cache.store_cycles = 0;
-}
-
-void without_color(ColorCacheConfig& cache) {
+// Of a target: depth's or colour's.
+template <class Cache>
+void without_target(Cache& cache) {
     cache.lookups_per_cycle = Many;
     cache.ports = 0;
     cache.store_cycles = 0;
@@ -148,7 +144,7 @@ TimingConfig without_limit(TimingConfig config, Resource resource) {
         without_raster(config.raster);
         break;
     case Resource::Depth:
-        without_depth(config);
+        without_target(config.depth_cache);
         break;
     case Resource::Texture:
         without_texture(config);
@@ -160,7 +156,7 @@ TimingConfig without_limit(TimingConfig config, Resource resource) {
         without_fragment(config.fragment);
         break;
     case Resource::Color:
-        without_color(config.color_cache);
+        without_target(config.color_cache);
         break;
     case Resource::MemoryBandwidth:
         without_bandwidth(config.memory);
