@@ -335,7 +335,7 @@ void FunctionalGpu::carry_out() {
         pool_.start(tiles.size(), [this, &bin, &tiles](unsigned worker, std::size_t i) {
             renderers_[worker]->render(bin, tiles[i], {});
         });
-        if (pool_.threads() == 1) finish_carrying();
+        if (pool_.done()) finish_carrying();
     }
     ++host_statistics_.bins;
     bin_area_ = 0;

@@ -4,22 +4,36 @@
 #include "model/base/float_environment.h"
 #include "model/base/thread_without_signals.h"
 
+#include <ctime>
 #include <limits>
 #include <utility>
 
 namespace ffgpu {
 namespace {
 
+void pause() {
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
+}
+
 // What others do soon is waited for awake, some tens of microseconds: to sleep and to be woken
-// takes as long. Whoever else wants the processor gets it.
+// takes as long. Nothing is yielded: a scheduler may take it for a whole slice that was used.
 template <class Ready>
 bool comes_soon(Ready&& ready) {
-    constexpr int Looks = 64;
+    constexpr int Looks = 1000;
     for (int i = 0; i < Looks; ++i) {
         if (ready()) return true;
-        std::this_thread::yield();
+        pause();
     }
     return ready();
+}
+
+// For which this thread had a processor.
+ThreadBenefit::Duration processor_time() {
+    timespec time = {};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
 } // namespace
@@ -44,6 +58,11 @@ void ThreadPool::start(std::size_t count, Job job) {
     check(count <= std::numeric_limits<std::uint32_t>::max(), "so many jobs at once");
     job_ = std::move(job);
     left_ = count;
+    const ThreadBenefit::Clock::time_point now = ThreadBenefit::Clock::now();
+    if (workers_.empty() || !benefit_.pays(now)) return run_alone(count);
+    shared_ = true;
+    started_at_ = now;
+    time_at_start_ = processor_time();
     {
         const std::lock_guard lock(mutex_);
         tickets_ = {0, static_cast<std::uint32_t>(count)};
@@ -52,19 +71,42 @@ void ThreadPool::start(std::size_t count, Job job) {
 }
 
 void ThreadPool::wait() {
-    take_jobs(0);
-    const auto done = [this] { return left_ == 0; };
-    if (!comes_soon(done)) {
-        std::unique_lock lock(mutex_);
-        done_.wait(lock, done);
+    if (shared_) {
+        take_jobs(0);
+        wait_for_others();
+        shared_ = false;
     }
     const std::lock_guard lock(mutex_);
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
+void ThreadPool::wait_for_others() {
+    const auto is_done = [this] { return done(); };
+    const ThreadBenefit::Clock::time_point begin = ThreadBenefit::Clock::now();
+    const ThreadBenefit::Duration kept_off =
+        begin - started_at_ - (processor_time() - time_at_start_);
+    if (!comes_soon(is_done)) {
+        std::unique_lock lock(mutex_);
+        done_.wait(lock, is_done);
+    }
+    const ThreadBenefit::Clock::time_point end = ThreadBenefit::Clock::now();
+    benefit_.add(ThreadBenefit::Duration(helped_.exchange(0)), kept_off + (end - begin), end);
+}
+
 void ThreadPool::run(std::size_t count, Job job) {
     start(count, std::move(job));
     wait();
+}
+
+// Nobody else sees these jobs.
+void ThreadPool::run_alone(std::size_t count) {
+    try {
+        for (std::size_t index = 0; index < count; ++index)
+            job_(0, index);
+    } catch (...) {
+        failure_ = std::current_exception();
+    }
+    left_ = 0;
 }
 
 bool ThreadPool::has_work() const {
@@ -117,7 +159,9 @@ void ThreadPool::work(unsigned worker) {
             started_.wait(lock, ready);
         }
         if (stopping_) return;
+        const ThreadBenefit::Duration begin = processor_time();
         take_jobs(worker);
+        helped_ += (processor_time() - begin).count();
     }
 }
 

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "model/gpu/thread_benefit.h"
+
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
@@ -27,9 +29,12 @@ public:
 
     unsigned threads() const { return static_cast<unsigned>(workers_.size()) + 1; }
 
-    // The other threads begin to run `job` for each index below `count`. The list before must have
-    // been waited for.
+    // The other threads begin to run `job` for each index below `count`; where there are none, or
+    // where they were no help of late, the caller has run all when this returns. The list before
+    // must have been waited for.
     void start(std::size_t count, Job job);
+    // Whether nothing is under way.
+    bool done() const { return left_ == 0; }
     // Returns when the job has run for each index. It waits for jobs, not for threads: one that
     // wakes late delays nobody. An exception of a job is thrown again here; jobs that had not begun
     // are left out then.
@@ -45,11 +50,19 @@ private:
     };
 
     void work(unsigned worker);
+    void run_alone(std::size_t count);
     void take_jobs(unsigned worker);
+    void wait_for_others();
     bool take(std::size_t& index);
     void end_jobs(std::size_t ended);
     void keep_failure(std::exception_ptr failure);
     bool has_work() const;
+
+    ThreadBenefit benefit_;
+    bool shared_ = false; // Others take part in what is under way,
+    ThreadBenefit::Clock::time_point started_at_;
+    ThreadBenefit::Duration time_at_start_ = {}; // the caller's processor time when that began.
+    std::atomic<std::int64_t> helped_ = 0; // nanoseconds of the others' on jobs, not reckoned yet
 
     std::vector<std::thread> workers_;
     Job job_; // the same until all that have begun have ended

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -59,4 +60,46 @@ TEST_CASE("a job that fails is told of by wait, and the pool goes on") {
             CHECK(runs == 7);
         }
     }
+}
+
+TEST_CASE("threads that keep the caller waiting are left out for a while") {
+    using std::chrono::milliseconds;
+    ThreadPool pool(2);
+    std::atomic<bool> other_sleeps = false;
+    pool.run(2, [&](unsigned worker, std::size_t) {
+        if (worker != 0) {
+            other_sleeps = true;
+            std::this_thread::sleep_for(milliseconds(100)); // as one that has no processor
+        }
+        while (!other_sleeps)
+            std::this_thread::yield();
+    });
+    // Five seconds of rest, about; jobs take their time, so that others would come for them.
+    std::atomic<unsigned> of_others = 0;
+    pool.run(50, [&](unsigned worker, std::size_t) {
+        if (worker != 0) ++of_others;
+        std::this_thread::sleep_for(milliseconds(1));
+    });
+    CHECK(of_others == 0);
+}
+
+TEST_CASE("sharing pays until waiting has cost more than others have helped") {
+    using namespace std::chrono_literals;
+    ThreadBenefit benefit;
+    const ThreadBenefit::Clock::time_point begin{100s};
+    CHECK(benefit.pays(begin));
+    benefit.add(3ms, 1ms, begin); // 2 ms won,
+    benefit.add(0ms, 3ms, begin); // and 1 ms lost in all: as much as is borne
+    CHECK(benefit.pays(begin));
+    benefit.add(1ms, 3ms, begin); // 3 ms lost: 150 ms of rest
+    CHECK_FALSE(benefit.pays(begin + 149ms));
+    CHECK(benefit.pays(begin + 150ms));
+
+    // What was lost is paid for; of what was won long ago 4 ms count.
+    benefit.add(1000ms, 0ms, begin + 200ms);
+    benefit.add(0ms, 5ms, begin + 200ms);
+    CHECK(benefit.pays(begin + 200ms));
+    benefit.add(0ms, 1ms, begin + 200ms);
+    CHECK_FALSE(benefit.pays(begin + 299ms));
+    CHECK(benefit.pays(begin + 300ms));
 }
