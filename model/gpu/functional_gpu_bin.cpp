@@ -321,6 +321,7 @@ void FunctionalGpu::flush() {
 
 // Bins are drawn one after another: what draws see of each other does not depend on threads.
 void FunctionalGpu::carry_out() {
+    const FloatEnvironment environment;
     finish_carrying();
     if (bin_serial_ || probe_ || sink_) {
         draw_and_record();
