@@ -15,8 +15,8 @@ public:
     using Duration = std::chrono::nanoseconds;
 
     // Of jobs that were shared: `helped` is the processor time that others spent on them, `waited`
-    // that for which the caller had nothing to do but to wait for them; both at least 0. What was
-    // gained is remembered up to MostCredit.
+    // that for which the caller waited for them, or had no processor while they were under way.
+    // What was gained is remembered up to MostCredit.
     void add(Duration helped, Duration waited, Clock::time_point now) {
         credit_ = std::min<Duration>(credit_ + helped - waited, MostCredit);
         if (credit_ >= -MostLoss) return;
