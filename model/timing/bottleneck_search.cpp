@@ -1,5 +1,6 @@
 #include "model/timing/bottleneck_search.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -30,8 +31,8 @@ void BottleneckStatistics::count(const FrameWaits& waits, Cycle begin) {
     for (const WaitPaths::Run& run : waits.runs)
         *waited_[static_cast<std::size_t>(run.resource)] += run.end - std::exchange(begin, run.end);
     for (std::size_t i = 0; i < Resources; ++i)
-        if (gained_[i] && waits.saved.cycles[i] > 0)
-            *gained_[i] += static_cast<Cycle>(waits.saved.cycles[i]);
+        if (const float saved = waits.saved[static_cast<Resource>(i)]; gained_[i] && saved > 0)
+            *gained_[i] += static_cast<Cycle>(saved);
 }
 
 BottleneckSearch::BottleneckSearch(const Clock& clock, PipeParts parts, bool beside)
@@ -43,7 +44,8 @@ BottleneckSearch::BottleneckSearch(const Clock& clock, PipeParts parts, bool bes
 
 void BottleneckSearch::end_cycle(std::size_t charged) {
     watch_.end_cycle(charged, logs_[written_]);
-    if (logs_[written_].stages.size() >= StagesInLog || !thread_) hand_over();
+    const PipeLog& log = logs_[written_];
+    if (std::max(log.stages.size(), log.cycles.size()) >= StagesInLog || !thread_) hand_over();
 }
 
 // A job is begun when the one before it is done: where two wait at the most, that of the log to be

@@ -28,6 +28,11 @@ Bottlenecks::Bottlenecks(const PipeParts& parts)
     }
     for (const Link* const link : parts.responses)
         responses_.push_back(link ? &way_of(link) : nullptr);
+    const auto is_rare = [](const Stage& stage) { return timing::is_rare(stage.resource); };
+    if (std::ranges::none_of(parts.stages, is_rare)) {
+        found_.leave_out_rare();
+        memory_.leave_out_rare();
+    }
     paths_.restart(0);
     saved_ = &places_.front().last.saved;
 }

@@ -70,8 +70,11 @@ struct CommandCycles {
     // Without which it would have taken the fewest cycles; of two the first. Where none is saved
     // the one that it waited for most.
     Resource bottleneck() const {
-        const auto most_saved = std::max_element(saved.cycles.begin(), saved.cycles.end());
-        if (*most_saved > 0) return static_cast<Resource>(most_saved - saved.cycles.begin());
+        auto most_saved = Resource{};
+        for (std::size_t i = 1; i < Resources; ++i)
+            if (const auto each = static_cast<Resource>(i); saved[each] > saved[most_saved])
+                most_saved = each;
+        if (saved[most_saved] > 0) return most_saved;
         return static_cast<Resource>(std::max_element(waited.begin(), waited.end()) -
                                      waited.begin());
     }

@@ -11,7 +11,7 @@ float between(Cycle from, Cycle to) {
 
 } // namespace
 
-Saved MemoryTurns::answer(const Dependence& own, const Dependence& turn, Cycle now) {
+Saved MemoryTurns::answer(const Dependence& own, const Dependence& turn, Cycle now, bool has_rare) {
     const Moment& asked = *own.moment;
     const float rest = std::min(slack(own, now), slack(turn, now)), more = slack(own, now) - rest;
     Saved alone = asked.saved;
@@ -48,7 +48,8 @@ Saved MemoryTurns::answer(const Dependence& own, const Dependence& turn, Cycle n
     const auto [saved, idle] = saved_in_turn({.asked = asked.saved,
                                               .alone = alone,
                                               .takes = turn.takes,
-                                              .before = std::span(before).first(count)});
+                                              .before = std::span(before).first(count),
+                                              .has_rare = has_rare});
     next() = {asked.at, now, asked.saved, saved, idle};
     return saved;
 }
@@ -61,7 +62,7 @@ SavedInTurn saved_in_turn_plainly(const RequestInTurn& request) {
     SavedInTurn result;
     for (std::size_t i = 0; i < Saved::Lanes; ++i) {
         const float alone = request.alone.cycles[i];
-        const bool is_bandwidth = i == static_cast<std::size_t>(Resource::MemoryBandwidth);
+        const bool is_bandwidth = i == Saved::lane(Resource::MemoryBandwidth);
         const float of_turn = is_bandwidth ? request.takes : 0;
         float behind = NoTurn;
         float left = request.takes - of_turn; // of its work, which those that it overtakes wait for

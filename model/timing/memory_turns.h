@@ -31,6 +31,7 @@ struct RequestInTurn {
     const Saved& alone; // how much sooner it would be answered if it stood behind nobody
     float takes = 0;    // cycles, all of the bandwidth, behind the answer before it
     std::span<const Before> before; // the oldest first, but those that came later behind all others
+    bool has_rare = true; // false: in the rare lanes nothing is saved, which nobody has to find out
 };
 // More than any saves: it stands behind nobody.
 inline constexpr float NoTurn = 1e9F;
@@ -46,7 +47,7 @@ class MemoryTurns {
 public:
     // The answer in this cycle, which depends on its request and on the answer before it: how much
     // sooner it would have been without each resource.
-    Saved answer(const Dependence& own, const Dependence& turn, Cycle now);
+    Saved answer(const Dependence& own, const Dependence& turn, Cycle now, bool has_rare = true);
     // To a request that nobody of the pipe sent.
     void note_answer(Cycle asked, const Saved& saved, Cycle now);
 

@@ -15,7 +15,8 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr std::size_t WideLanes = 16;
+constexpr std::size_t WideLanes = Saved::FirstLanes;
+constexpr auto Bandwidth = static_cast<std::int32_t>(Saved::lane(Resource::MemoryBandwidth));
 static_assert(Saved::Lanes == WideLanes + 4);
 
 // The lanes from `first` on.
@@ -28,8 +29,7 @@ saved_of(D d, std::size_t first, const RequestInTurn& request, SavedInTurn& resu
     };
     const hn::RebindToSigned<D> numbers;
     const auto lane = hn::Iota(numbers, static_cast<std::int32_t>(first));
-    const auto is_bandwidth = hn::RebindMask(
-        d, hn::Eq(lane, hn::Set(numbers, static_cast<std::int32_t>(Resource::MemoryBandwidth))));
+    const auto is_bandwidth = hn::RebindMask(d, hn::Eq(lane, hn::Set(numbers, Bandwidth)));
     const auto takes = hn::Set(d, request.takes);
     const auto of_turn = hn::IfThenElseZero(is_bandwidth, takes);
     const auto alone = load(request.alone), asked = load(request.asked);
@@ -60,7 +60,7 @@ SavedInTurn saved_in_turn_lanes(const RequestInTurn& request) {
     SavedInTurn result;
     for (std::size_t first = 0; first < WideLanes; first += hn::MaxLanes(wide))
         saved_of(wide, first, request, result);
-    saved_of(narrow, WideLanes, request, result);
+    if (request.has_rare) saved_of(narrow, WideLanes, request, result);
     return result;
 }
 

@@ -86,7 +86,7 @@ const Moment& MemoryWaits::answer(WaitPaths& paths,
     path = paths.extend(path, is_ours_ ? Resource::MemoryBandwidth : Resource::MemoryLatency, now);
     Saved saved;
     if (asked && is_ours_) {
-        saved = channel.turns.answer(found_[0], found_[1], now);
+        saved = channel.turns.answer(found_[0], found_[1], now, found_.has_rare());
     } else {
         saved_after(found_, saved);
         channel.turns.note_answer(asked ? asked->at : request.issued, saved, now);

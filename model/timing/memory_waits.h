@@ -18,6 +18,8 @@ public:
     // Of a memory that is not ours only latency is known.
     MemoryWaits(const MemoryConfig& config, bool is_ours);
 
+    void leave_out_rare() { found_.leave_out_rare(); }
+
     // The answer in this cycle to a request of this moment; null: nobody of the pipe's asked.
     const Moment&
     answer(WaitPaths& paths, const MemoryRequest& request, const Moment* asked, Cycle now);

@@ -22,14 +22,33 @@
 
 namespace ffgpu::timing {
 
-// Cycles by resource. Parts of a cycle are sixteenths or more: sums are exact below a million.
+// Of machines that gather scenes, or interpolate, alone.
+constexpr bool is_rare(Resource resource) {
+    return resource == Resource::Binner || resource == Resource::ParameterFetch ||
+           resource == Resource::TileMemory || resource == Resource::Interpolator;
+}
+
+// Cycles by resource. Parts of a cycle are sixteenths or more: sums are exact below a million. Rare
+// resources come behind the first lanes, which are all that other machines use.
 struct Saved {
-    static constexpr std::size_t Lanes = (Resources + 3) / 4 * 4;
+    static constexpr std::size_t FirstLanes = 16, Lanes = (Resources + 3) / 4 * 4;
     alignas(16) std::array<float, Lanes> cycles{};
 
-    float& operator[](Resource resource) { return cycles[static_cast<std::size_t>(resource)]; }
-    float operator[](Resource resource) const { return cycles[static_cast<std::size_t>(resource)]; }
+    static constexpr std::size_t lane(Resource resource);
+    float& operator[](Resource resource) { return cycles[lane(resource)]; }
+    float operator[](Resource resource) const { return cycles[lane(resource)]; }
 };
+
+inline constexpr std::array<std::uint8_t, Resources> LaneOf = [] {
+    std::array<std::uint8_t, Resources> lanes{};
+    std::uint8_t first = 0, rare = Saved::FirstLanes;
+    for (std::size_t i = 0; i < Resources; ++i)
+        lanes[i] = is_rare(static_cast<Resource>(i)) ? rare++ : first++;
+    return lanes;
+}();
+constexpr std::size_t Saved::lane(Resource resource) {
+    return LaneOf[static_cast<std::size_t>(resource)];
+}
 
 struct Moment {
     Cycle at = 0;
@@ -58,6 +77,10 @@ inline float slack(const Dependence& dependence, Cycle at) {
 class Dependences {
 public:
     static constexpr std::size_t Most = 48;
+
+    // No moment that comes saves anything in the rare lanes.
+    void leave_out_rare() { has_rare_ = false; }
+    bool has_rare() const { return has_rare_; }
 
     // Those of another moment.
     void begin(Cycle at) {
@@ -102,10 +125,11 @@ private:
     std::size_t count_ = 0, last_ = 0;
     float least_ = 0;
     Cycle at_ = 0;
+    bool has_rare_ = true;
 };
 
-// How much sooner a moment is that depends on these; it may be of one of theirs. By vectors; the
-// plain form is what it must equal.
+// How much sooner a moment is that depends on these; it may be of one of theirs. By vectors, which
+// leave rare lanes as they are where there are none; the plain form is what it must equal.
 void saved_after(const Dependences& all, Saved& result);
 Saved saved_after_plainly(const Dependences& all);
 

@@ -14,7 +14,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr std::size_t WideLanes = 16;
+constexpr std::size_t WideLanes = Saved::FirstLanes;
 static_assert(Saved::Lanes == WideLanes + 4);
 
 // `cycles` in the lane of the part's resource, nothing in the others.
@@ -22,7 +22,8 @@ template <class D>
 HWY_INLINE hn::Vec<D> lanes_of(D d, std::size_t first, const Dependence::Part& part) {
     const hn::RebindToSigned<D> numbers;
     const auto lane = hn::Iota(numbers, static_cast<std::int32_t>(first));
-    const auto own = hn::Eq(lane, hn::Set(numbers, static_cast<std::int32_t>(part.resource)));
+    const auto own =
+        hn::Eq(lane, hn::Set(numbers, static_cast<std::int32_t>(Saved::lane(part.resource))));
     return hn::IfThenElseZero(hn::RebindMask(d, own), hn::Set(d, part.cycles));
 }
 
@@ -35,6 +36,7 @@ HWY_INLINE hn::Vec<D> allowed(D d, std::size_t first, const Dependence& by, floa
     return hn::Add(saved, hn::Set(d, more));
 }
 
+template <bool has_rare>
 void saved_after_lanes(const Dependences& all, Saved& result) {
     const hn::CappedTag<float, WideLanes> wide;
     const hn::CappedTag<float, 4> narrow;
@@ -43,17 +45,22 @@ void saved_after_lanes(const Dependences& all, Saved& result) {
     std::array<hn::Vec<decltype(wide)>, Vectors> saved;
     for (std::size_t i = 0; i < Vectors; ++i)
         saved[i] = allowed(wide, i * Step, all[0], all.slack_of(0) - least);
-    auto rest = allowed(narrow, WideLanes, all[0], all.slack_of(0) - least);
+    auto rest = hn::Zero(narrow);
+    if constexpr (has_rare) rest = allowed(narrow, WideLanes, all[0], all.slack_of(0) - least);
     for (std::size_t place = 1; place < all.count(); ++place) {
         const Dependence& each = all[place];
         const float more = all.slack_of(place) - least;
         for (std::size_t i = 0; i < Vectors; ++i)
             saved[i] = hn::Min(allowed(wide, i * Step, each, more), saved[i]);
-        rest = hn::Min(allowed(narrow, WideLanes, each, more), rest);
+        if constexpr (has_rare) rest = hn::Min(allowed(narrow, WideLanes, each, more), rest);
     }
     for (std::size_t i = 0; i < Vectors; ++i)
         hn::StoreU(saved[i], wide, result.cycles.data() + i * Step);
-    hn::StoreU(rest, narrow, result.cycles.data() + WideLanes);
+    if constexpr (has_rare) hn::StoreU(rest, narrow, result.cycles.data() + WideLanes);
+}
+
+void saved_after_each(const Dependences& all, Saved& result) {
+    all.has_rare() ? saved_after_lanes<true>(all, result) : saved_after_lanes<false>(all, result);
 }
 
 } // namespace
@@ -63,10 +70,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ffgpu::timing {
 
-HWY_EXPORT(saved_after_lanes);
+HWY_EXPORT(saved_after_each);
 
 void saved_after(const Dependences& all, Saved& result) {
-    HWY_DYNAMIC_DISPATCH(saved_after_lanes)(all, result);
+    HWY_DYNAMIC_DISPATCH(saved_after_each)(all, result);
 }
 
 } // namespace ffgpu::timing

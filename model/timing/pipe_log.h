@@ -28,6 +28,7 @@ struct StageSeen {
     std::uint64_t links = 0, passages = 0; // that changed: a bit each
     std::uint32_t stage = 0;
     Activity activity = Activity::Idle;
+    // Of a stage that tells its steps the rest is not asked, but for request_waits.
     bool refused = false;       // by one of its ways out
     bool unit_refused = false;  // by any of its unit's
     bool request_waits = false; // of its unit, for a place on the way to the memory

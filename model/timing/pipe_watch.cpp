@@ -26,28 +26,20 @@ PipeWatch::PipeWatch(const Clock& clock, const PipeParts& parts)
     , taken_(parts.requests.size()) {
     check(parts.stages.size() < 63, "a bit for each stage");
     for (const Stage& stage : parts.stages) {
-        Place& place =
-            places_.emplace_back(Place{.stage = &stage, .links = {}, .beside = {}, .passages = {}});
-        check(stage.passages.size() <= 64, "a bit for each passage");
+        Place& place = places_.emplace_back(Place{.stage = &stage, .ways = StageLinks(stage)});
+        const StageLinks& ways = place.ways;
+        for (const auto* const links : {&ways.in, &ways.out, &ways.asked, &ways.answered})
+            for (const Link* const link : *links)
+                place.links.push_back({link});
         for (const StagePassage& each : stage.passages)
             place.passages.push_back({each.passage});
-        const StageLinks links(stage);
-        const auto add = [&](const std::vector<const Link*>& more) {
-            std::uint64_t bits = 0;
-            for (const Link* const link : more) {
-                bits |= std::uint64_t{1} << place.links.size();
-                place.links.push_back({link});
-            }
-            return bits;
-        };
-        add(links.in);
-        place.out = add(links.out);
-        place.asked = add(links.asked);
-        add(links.answered);
         check(place.links.size() <= 64, "a bit for each link");
+        check(place.passages.size() <= 64, "a bit for each passage");
         for (const Link* const link : stage.unit->outputs())
-            if (!link->carries_requests() && std::ranges::count(links.out, link) == 0)
+            if (!link->carries_requests() && std::ranges::count(ways.out, link) == 0)
                 place.beside.push_back(link);
+        links_ += place.links.size();
+        passages_ += place.passages.size();
         std::uint64_t bits = 0; // of all stages of its unit
         for (std::size_t i = 0; i < parts.stages.size(); ++i)
             bits |= std::uint64_t{parts.stages[i].unit == stage.unit} << i;
@@ -70,10 +62,9 @@ void PipeWatch::end_cycle(std::size_t charged, PipeLog& log) {
     for (const AnswerSeen& answer : answers_)
         log.answers.add(answer);
     answers_.clear();
-    for (std::uint64_t left = called & ~ArbiterBit; left != 0; left &= left - 1) {
-        look(static_cast<std::size_t>(std::countr_zero(left)), log);
-        ++cycle.stages;
-    }
+    const std::size_t noted = log.stages.size();
+    note_stages(called & ~ArbiterBit, log);
+    cycle.stages = static_cast<std::uint32_t>(log.stages.size() - noted);
     if ((called & ArbiterBit) != 0 && parts_.arbiter.activity() == Activity::Busy)
         cycle.taken = note_taken(log);
     log.cycles.add(cycle);
@@ -90,57 +81,68 @@ std::uint32_t PipeWatch::note_taken(PipeLog& log) {
     return ports;
 }
 
-void PipeWatch::note_links(Place& place, Cycle now, StageSeen& stage, PipeLog& log) {
-    std::uint64_t changed = 0, refused = 0, bit = 1;
-    LinkSeen* next = log.links.room(place.links.size());
+void PipeWatch::note_stages(std::uint64_t called, PipeLog& log) {
+    const Cycle now = clock_.now();
+    Room room{
+        log.stages.room(places_.size()), log.links.room(links_), log.passages.room(passages_)};
+    for (std::uint64_t left = called; left != 0; left &= left - 1) {
+        const auto place = static_cast<std::uint32_t>(std::countr_zero(left));
+        look(places_[place], {.stage = place}, now, room);
+    }
+    log.stages.take_until(room.stages);
+    log.links.take_until(room.links);
+    log.passages.take_until(room.passages);
+}
+
+std::uint64_t PipeWatch::note_links(Place& place, Room& room) {
+    std::uint64_t changed = 0, bit = 1;
+    LinkSeen* next = room.links;
     for (WatchedLink& each : place.links) {
         const Link& link = *each.link;
-        const std::uint64_t pushed = link.pushed(), popped = link.popped();
-        refused |= link.refused_at() == now ? bit : 0;
-        if (std::exchange(each.moves, pushed + popped) != pushed + popped) {
-            next->pushed = static_cast<std::uint32_t>(pushed);
-            next->popped = static_cast<std::uint32_t>(popped);
-            next->arrival = link.arrival();
-            ++next;
+        const std::uint64_t moves = link.pushed() + link.popped();
+        if (moves != each.moves) {
+            each.moves = moves;
+            *next++ = seen(link);
             changed |= bit;
         }
         bit <<= 1;
     }
-    log.links.take_until(next);
-    stage.links = changed;
-    stage.refused = (refused & place.out) != 0;
-    stage.request_waits = (refused & place.asked) != 0;
-    stage.unit_refused = stage.refused;
-    for (const Link* const link : place.beside)
-        stage.unit_refused |= link->refused_at() == now;
+    room.links = next;
+    return changed;
 }
 
-void PipeWatch::note_passages(Place& place, StageSeen& stage, PipeLog& log) {
+std::uint64_t PipeWatch::note_passages(Place& place, Room& room) {
     std::uint64_t changed = 0, bit = 1;
-    Passage* next = log.passages.room(place.passages.size());
+    Passage* next = room.passages;
     for (WatchedPassage& each : place.passages) {
-        if (each.seen != *each.passage) {
-            *next++ = each.seen = *each.passage;
+        if (const std::uint32_t moves = each.passage->moves(); moves != each.moves) {
+            each.moves = moves;
+            *next++ = *each.passage;
             changed |= bit;
         }
         bit <<= 1;
     }
-    log.passages.take_until(next);
-    stage.passages = changed;
+    room.passages = next;
+    return changed;
 }
 
-void PipeWatch::look(std::size_t place, PipeLog& log) {
-    const Cycle now = clock_.now();
-    Place& at = places_[place];
+void PipeWatch::look(Place& at, StageSeen seen, Cycle now, Room& room) {
+    const auto refused = [now](const Link* link) { return link->refused_at() == now; };
+    seen.links = note_links(at, room);
+    seen.passages = note_passages(at, room);
+    seen.request_waits = std::ranges::any_of(at.ways.asked, refused);
     const Stage& stage = *at.stage;
-    StageSeen& stage_seen = *log.stages.room(1);
-    stage_seen.stage = static_cast<std::uint32_t>(place);
-    stage_seen.activity = stage.unit->activity();
-    stage_seen.has_backlog =
-        stage.input ? stage.input->arrival() <= now : stage.unit->has_backlog();
-    note_links(at, now, stage_seen, log);
-    note_passages(at, stage_seen, log);
-    log.stages.take_until(&stage_seen + 1);
+    if (stage.steps.empty()) {
+        const Unit& unit = *stage.unit;
+        seen.activity = unit.activity();
+        seen.has_backlog = stage.input ? stage.input->arrival() <= now : unit.has_backlog();
+        seen.refused = std::ranges::any_of(at.ways.out, refused);
+        seen.unit_refused = seen.refused || std::ranges::any_of(at.beside, refused);
+    } else if ((seen.links | seen.passages) == 0 && !seen.request_waits && !at.request_waits) {
+        return;
+    }
+    at.request_waits = seen.request_waits;
+    *room.stages++ = seen;
 }
 
 } // namespace ffgpu::timing

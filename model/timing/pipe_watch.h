@@ -44,29 +44,40 @@ private:
     };
     struct WatchedPassage {
         const Passage* passage;
-        Passage seen{};
+        std::uint32_t moves = 0;
     };
     struct Place {
         const Stage* stage;
-        std::vector<WatchedLink> links;   // in, out, asked, answered
-        std::uint64_t out = 0, asked = 0; // bits of these
-        std::vector<const Link*> beside;  // by which its unit gives, but not this stage
-        std::vector<WatchedPassage> passages;
+        StageLinks ways;
+        std::vector<const Link*> beside{}; // by which its unit gives, but not this stage
+        std::vector<WatchedLink> links{};  // in, out, asked, answered
+        std::vector<WatchedPassage> passages{};
+        bool request_waits = false; // when something was noted of it last
+    };
+    // Where in the log what is noted next goes; there is room for all that a cycle may have.
+    struct Room {
+        StageSeen* stages;
+        LinkSeen* links;
+        Passage* passages;
     };
 
-    void look(std::size_t place, PipeLog& log);
-    // Those that changed since, into the log; their bits into the stage, with who was refused.
-    static void note_links(Place& place, Cycle now, StageSeen& stage, PipeLog& log);
-    static void note_passages(Place& place, StageSeen& stage, PipeLog& log);
+    void note_stages(std::uint64_t called, PipeLog& log);
+    // Of one that tells its steps nothing is noted where nothing moved, and no request waits or
+    // did.
+    static void look(Place& at, StageSeen seen, Cycle now, Room& room);
+    // Those that changed since, into the log; returns their bits.
+    static std::uint64_t note_links(Place& place, Room& room);
+    static std::uint64_t note_passages(Place& place, Room& room);
     // Returns the number of ports.
     std::uint32_t note_taken(PipeLog& log);
 
     const Clock& clock_;
     const PipeParts& parts_;
     std::vector<Place> places_;
-    std::vector<AnswerSeen> answers_;  // of the cycle
-    std::vector<std::uint64_t> taken_; // by the arbiter's ports, before the cycle
-    std::uint64_t called_ = 0;         // stages, a bit each, and the arbiter, whose units were
+    std::size_t links_ = 0, passages_ = 0; // of all places
+    std::vector<AnswerSeen> answers_;      // of the cycle
+    std::vector<std::uint64_t> taken_;     // by the arbiter's ports, before the cycle
+    std::uint64_t called_ = 0;             // stages, a bit each, and the arbiter, whose units were
 };
 
 } // namespace ffgpu::timing

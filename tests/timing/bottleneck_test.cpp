@@ -21,7 +21,7 @@ struct Outcome {
 
     void add(const CommandCycles& command, std::size_t i) {
         waited[i] += command.waited[i];
-        sums[i] += static_cast<double>(command.saved.cycles[i]);
+        sums[i] += static_cast<double>(command.saved[static_cast<Resource>(i)]);
         gains[i] = std::llround(sums[i]);
     }
     std::array<double, Resources> sums{};

@@ -97,7 +97,16 @@ TEST_CASE("turns by vectors are those one after the other") {
         const SavedInTurn plain = saved_in_turn_plainly(request);
         for (std::size_t k = 0; k < two.size(); ++k)
             before[k].answered = &two[k];
+        request.has_rare = i % 4 != 0;
         const SavedInTurn vectors = saved_in_turn(request);
+        if (!request.has_rare) {
+            const auto first = [](const Saved& saved) {
+                return std::vector(saved.cycles.begin(), saved.cycles.begin() + Saved::FirstLanes);
+            };
+            CHECK(first(plain.answer) == first(vectors.answer));
+            CHECK(first(plain.idle) == first(vectors.idle));
+            continue;
+        }
         CHECK(plain.answer.cycles == vectors.answer.cycles);
         CHECK(plain.idle.cycles == vectors.idle.cycles);
         for (std::size_t k = 0; k < two.size(); ++k) {

@@ -142,7 +142,8 @@ TEST_CASE("vectors save what the plain form does, resource by resource") {
         for (Moment& moment : moments) {
             moment.at = random.below(100);
             for (std::size_t i = 0; i < Resources; ++i)
-                moment.saved.cycles[i] = static_cast<float>(random.below(1600)) / 16;
+                moment.saved[static_cast<Resource>(i)] =
+                    static_cast<float>(random.below(1600)) / 16;
             all.add({&moment, static_cast<float>(random.below(30)), part(), part()});
         }
         if (round % 2 == 0) all.lengthen(all.last(), all.least());
@@ -150,6 +151,27 @@ TEST_CASE("vectors save what the plain form does, resource by resource") {
         CHECK(saved_after(all).cycles == plainly.cycles);
         saved_after(all, moments.back().saved); // of one of them
         CHECK(moments.back().saved.cycles == plainly.cycles);
+    }
+}
+
+TEST_CASE("rare lanes, in which nothing is saved, are left as they are") {
+    RandomWork random(2);
+    for (int round = 0; round < 500; ++round) {
+        std::vector<Moment> moments(1 + random.below(12));
+        Dependences all;
+        all.leave_out_rare();
+        all.begin(100 + random.below(50));
+        const auto common = [&] {
+            const auto resource = static_cast<Resource>(random.below(Resources));
+            return is_rare(resource) ? Resource::Links : resource;
+        };
+        for (Moment& moment : moments) {
+            moment.at = random.below(100);
+            for (int i = 0; i < 20; ++i)
+                moment.saved[common()] = static_cast<float>(random.below(1600)) / 16;
+            all.add({&moment, static_cast<float>(random.below(30)), {common(), 3}, {common(), 2}});
+        }
+        CHECK(saved_after(all).cycles == saved_after_plainly(all).cycles);
     }
 }
 
