@@ -17,6 +17,9 @@ struct Passage {
     // Units that began with an item that came, and the cycles that they take for it.
     std::uint32_t begun = 0, begun_cycles = 0;
     std::uint64_t awaited = 0; // the last of the fills that those that left waited for
+    // Items, up to the last one that an item waited for to be gone before it could come, as both
+    // are of one place; items that did so.
+    std::uint32_t behind = 0, waited = 0;
 
     // An item comes, which takes a unit so many cycles, this one included.
     void enter_unit(std::uint64_t cycles) {
@@ -25,9 +28,10 @@ struct Passage {
         begun_cycles += static_cast<std::uint32_t>(cycles);
     }
     bool operator==(const Passage& other) const {
-        using Words = std::array<std::uint64_t, 4>;
+        using Words = std::array<std::uint64_t, 5>;
         const auto one = std::bit_cast<Words>(*this), two = std::bit_cast<Words>(other);
-        return ((one[0] ^ two[0]) | (one[1] ^ two[1]) | (one[2] ^ two[2]) | (one[3] ^ two[3])) == 0;
+        return ((one[0] ^ two[0]) | (one[1] ^ two[1]) | (one[2] ^ two[2]) | (one[3] ^ two[3]) |
+                (one[4] ^ two[4])) == 0;
     }
     void leave(std::uint64_t ticket = 0) {
         ++left;
