@@ -16,7 +16,9 @@ void Bottlenecks::collect_paths() {
             for (Moment& moment : *moments)
                 heads_.push_back(&moment.path);
     for (AtMemory& each : at_memory_)
-        heads_.insert(heads_.end(), {&each.answer.path, &each.looked_up.path, &each.asked.path});
+        heads_.insert(
+            heads_.end(),
+            {&each.answer.path, &each.looked_up.path, &each.stored.path, &each.asked.path});
     for (FillMoments& fills : fills_)
         fills.for_each_path([this](WaitPaths::Path& path) { heads_.push_back(&path); });
     for (Place& place : places_) {
@@ -63,7 +65,7 @@ FrameWaits Bottlenecks::end_frame(Cycle now) {
         for (Moments* const moments : {&way.sent, &way.freed})
             std::fill(moments->begin(), moments->end(), Moment{});
     for (AtMemory& each : at_memory_)
-        each.answer = each.looked_up = each.asked = {};
+        each.answer = each.looked_up = each.stored = each.asked = {};
     for (FillMoments& fills : fills_)
         fills.restart();
     for (Place& place : places_) {

@@ -150,7 +150,7 @@ void Bottlenecks::find_dependences(const Place& place,
         const float begun = std::max(each.cycles_of(last) - 1, 0.0F);
         found_.add({&each.entries[last],
                     static_cast<float>(each.told.through) + before + begun,
-                    {resource, saved.cycles + begun}});
+                    {resource, saved.cycles + begun + static_cast<float>(each.told.through_work)}});
         const Moment* const fill = each.fills ? each.fills->find(each.seen.awaited) : nullptr;
         if (fill) found_.add({fill, 1 + before, saved});
     }
@@ -161,6 +161,12 @@ void Bottlenecks::find_dependences(const Place& place,
             found_.add({&unit.at, unit.cycles, {resource, unit.cycles}});
         }
         const std::uint64_t entered = each.entered + each.coming();
+        if (each.coming() > 0 && each.seen.waited != each.counted.waited) {
+            const std::uint32_t since = static_cast<std::uint32_t>(entered) - each.seen.behind;
+            found_.add({&each.exits[entered - since - 1],
+                        static_cast<float>(each.told.back),
+                        {resource, static_cast<float>(each.told.back_work)}});
+        }
         if (each.coming() == 0 || entered <= each.told.places) continue;
         found_.add({&each.exits[entered - 1 - each.told.places],
                     static_cast<float>(each.told.back),
@@ -234,6 +240,7 @@ void Bottlenecks::pass_on(Place& place, const StepPlace& step, const StepMoved& 
             each.entries[each.entered + item] = step.last;
             each.cycles_of(each.entered + item) = each.begun_cycles();
         }
+        each.counted.waited = each.seen.waited;
         const std::size_t begun = std::min<std::size_t>(each.begun(), each.units.size());
         std::fill_n(each.units.begin(), begun, Inner::Begun{step.last, each.begun_cycles()});
         if (begun > 0) std::ranges::sort(each.units, {}, &Inner::Begun::free_at);
@@ -241,6 +248,7 @@ void Bottlenecks::pass_on(Place& place, const StepPlace& step, const StepMoved& 
         each.counted.begun_cycles = each.seen.begun_cycles;
     }
     if (step.told.asks) place.memory->looked_up = step.last;
+    if (step.told.stores) place.memory->stored = step.last;
     if (step.told.takes)
         for (Way* const way : place.in)
             for (std::uint64_t item = way->popped; item < way->seen_popped; ++item)
@@ -270,8 +278,8 @@ void Bottlenecks::ask(Place& place) {
         if (way->pushed == way->seen_pushed) continue;
         found_.begin(now_);
         found_.add({&memory.asked, 0});
-        if (memory.looked_up.at == now_ || memory.asked.at < memory.looked_up.at)
-            found_.add({&memory.looked_up, 0});
+        for (const Moment* const reason : {&memory.looked_up, &memory.stored})
+            if (reason->at == now_ || memory.asked.at < reason->at) found_.add({reason, 0});
         found_.add({&way->place_freed(way->seen_pushed - 1), 1});
         move_on(memory.asked, place.stage.resource);
         for (; way->pushed < way->seen_pushed; ++way->pushed)

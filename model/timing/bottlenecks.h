@@ -103,8 +103,8 @@ private:
     // What a unit has of the memory.
     struct AtMemory {
         const Unit* unit;
-        Moment answer{};             // the last
-        Moment looked_up{}, asked{}; // of stages with steps
+        Moment answer{};                       // the last
+        Moment looked_up{}, stored{}, asked{}; // of stages with steps
     };
     struct Inner {
         const StagePassage& told;

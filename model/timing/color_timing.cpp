@@ -30,7 +30,7 @@ bool ColorTiming::read_pixels(Activity& reason) {
     }
     parked_.count_look_up();
     if (walk_.next < lines.size()) return true;
-    interlock_.enter(token.quad());
+    if (const auto behind = interlock_.enter(token.quad())) parked_.wait_behind(*behind);
     parked_.park(ports_.quads_in.pop(), walk_.end());
     return true;
 }

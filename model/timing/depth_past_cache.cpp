@@ -33,7 +33,7 @@ bool DepthTiming::read_pixels(Budget& budget, Activity& reason) {
         late_.count_look_up();
     }
     if (late_walk_.next < lines.size()) return late_walk_.next > before;
-    interlock_.enter(token.quad());
+    if (const auto behind = interlock_.enter(token.quad())) late_.wait_behind(*behind);
     late_.park(token, late_walk_.end());
     ports_.late_in.pop();
     return true;

@@ -141,6 +141,7 @@ private:
     std::vector<Stage> stages();
     void add_vertex_steps(Stage& fetch, Stage& transform, Stage& set_up);
     void add_texture_steps(Stage& stage);
+    void add_texel_steps(Stage& stage);
     void add_fragment_steps(Stage& stage);
     Stage interpolator_stage();
     void look_for_bottlenecks(Pace pace);

@@ -30,6 +30,7 @@ void hold_until_stored(Stage& stage, const CacheConfig& cache) {
     StagePassage& parked = stage.passages.front();
     parked.back = std::max(cache.store_cycles, 1u);
     parked.back_work = parked.back - 1;
+    stage.steps.front().stores = true;
 }
 
 // Of all pipes; where quads leave in the order in which they came, they wait for that behind them.
@@ -109,6 +110,49 @@ void Machine::add_texture_steps(Stage& stage) {
     add_exit(stage, texture.exit(), config.fragment.pipe_queue, filters);
 }
 
+// Texels go from the tags to the data, quads on from there; and those in all of the unit have
+// pipe_queue places. Without the resource there are quads alone, and only the places before the
+// tags.
+void Machine::add_texel_steps(Stage& stage) {
+    const std::uint32_t pipes = config.raster.quads_per_cycle;
+    constexpr std::uint32_t Many = 64;
+    constexpr std::uint32_t NoLimit = 1 << 20;
+    stage.steps = {{.takes = true, .width = pipes}};
+    const std::vector<CachePort*> caches = texel_caches.first_level();
+    std::vector<std::size_t> exits;
+    for (const TexturePipe& pipe : texture.pipes()) {
+        const std::size_t tags = stage.passages.size(), data = tags + 1, exit = tags + 2,
+                          inside = tags + 3;
+        const std::uint32_t places = config.fragment.pipe_queue;
+        stage.passages.push_back({.passage = &pipe.to_tags(),
+                                  .places = places,
+                                  .through = 0,
+                                  .back = 1,
+                                  .works_first = true});
+        stage.passages.push_back({.passage = &pipe.to_filter(),
+                                  .places = config.texture.texel_queue,
+                                  .back_work = NoLimit,
+                                  .answers = &caches[exits.size() % caches.size()]->responses,
+                                  .works_first = true});
+        stage.passages.push_back({.passage = &pipe.to_exit(),
+                                  .places = places,
+                                  .through = config.texture.latency,
+                                  .back = 1,
+                                  .through_work = config.texture.latency});
+        stage.passages.push_back({.passage = &pipe.inside(),
+                                  .places = places,
+                                  .through = 0,
+                                  .back = 1,
+                                  .back_work = NoLimit});
+        stage.steps[0].to.insert(stage.steps[0].to.end(), {tags, inside});
+        stage.steps.push_back({.from = {data}, .to = {exit}, .free_width = Many, .free_cycles = 0});
+        exits.push_back(stage.steps.size());
+        stage.steps.push_back({.from = {exit, inside}, .gives = true});
+        stage.steps.push_back({.from = {tags}, .to = {data}, .asks = true});
+    }
+    add_exit(stage, texture.exit(), config.fragment.pipe_queue, exits);
+}
+
 void Machine::add_fragment_steps(Stage& stage) {
     const std::uint32_t pipes = config.raster.quads_per_cycle;
     const FragmentConfig& fragments = config.fragment;
@@ -169,7 +213,12 @@ std::vector<Stage> Machine::stages() {
     hold_until_stored(blend, config.color_cache);
     Stage textured = stage(Resource::Texture, texture, pipes, pipes);
     textured.expands = config.texel_cache.decompress_cycles > 0;
-    if (config.texture.rate == TexelRate::Samples) add_texture_steps(textured);
+    // Of many pipes there would be more passages than are followed.
+    constexpr std::uint32_t MostTexelPipes = 8;
+    if (config.texture.rate == TexelRate::Samples)
+        add_texture_steps(textured);
+    else if (pipes <= MostTexelPipes)
+        add_texel_steps(textured);
     Stage combined = stage(Resource::Fragment, fragment, pipes, pipes);
     add_fragment_steps(combined);
     Stage fetch = stage(Resource::VertexFetch, vertex_fetch, vertex.vertices_per_cycle, Most);

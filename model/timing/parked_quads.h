@@ -24,6 +24,11 @@ public:
         quads_.push_back({quad, ticket});
         ++passage_.entered;
     }
+    // The quad that is parked next waited for that one, the `item`-th of all, to be stored.
+    void wait_behind(std::uint32_t item) {
+        passage_.behind = item + 1;
+        ++passage_.waited;
+    }
     // Lines of the quad that is parked next.
     void count_look_up(std::uint32_t lines = 1) { passage_.looked_up += lines; }
 

@@ -15,6 +15,9 @@ struct Passage {
     // Units that began with an item that came, and the cycles that they take for it.
     std::uint32_t begun = 0, begun_cycles = 0;
     std::uint64_t awaited = 0; // the last of the fills that those that left waited for
+    // Items, up to the last one that an item waited for to be gone before it could come, as both
+    // are of one place; items that did so.
+    std::uint32_t behind = 0, waited = 0;
 
     // An item comes, which takes a unit so many cycles, this one included.
     void enter_unit(std::uint64_t cycles) {
@@ -24,7 +27,7 @@ struct Passage {
     }
     // It goes up with whatever is told: units begin with what enters, and what leaves is what
     // others waited for.
-    std::uint32_t moves() const { return entered + left + looked_up + worked; }
+    std::uint32_t moves() const { return entered + left + looked_up + worked + waited; }
     bool operator==(const Passage&) const = default;
     void leave(std::uint64_t ticket = 0) {
         ++left;

@@ -21,7 +21,7 @@ struct StagePassage {
     // Cycles from an item's coming to its going at the least; from then until another has its
     // place.
     std::uint32_t through = 1, back = 0;
-    std::uint32_t back_work = 0;   // of these, what the resource takes
+    std::uint32_t through_work = 0, back_work = 0; // of these, what the resource takes
     const Link* answers = nullptr; // of the fills that its items wait for; null: for none
     bool works_first = false;      // The step behind it works before an item goes, not after.
     std::uint32_t units = 0;       // that begin with its items; 0: no fewer than places
@@ -36,6 +36,7 @@ struct Step {
     std::uint32_t lookups_per_cycle = 0;   // 0: it looks nothing up, or counts it as work
     std::uint32_t free_cycles = 1;         // of work on an item that no parameter takes away
     bool asks = false;                     // the memory, for what it looks up
+    bool stores = false;                   // What it gives is written to the memory.
     bool takes_when_done = false; // What it takes was there before, while parts of it came.
 };
 

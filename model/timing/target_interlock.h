@@ -9,6 +9,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 namespace ffgpu::timing {
 
@@ -22,15 +24,23 @@ public:
         while (stored_ > 0 && held_.front().until <= now) {
             held_.pop_front();
             --stored_;
+            ++gone_;
         }
     }
-    bool admits(const PreparedQuad& quad) const {
+    bool admits(const PreparedQuad& quad) {
         if (held_.size() >= entries_) return false;
-        for (std::size_t i = 0; i < held_.size(); ++i)
-            if (held_[i].x == quad.x && held_[i].y == quad.y) return false;
+        for (std::size_t i = held_.size(); i-- > 0;) {
+            if (held_[i].x != quad.x || held_[i].y != quad.y) continue;
+            behind_ = gone_ + static_cast<std::uint32_t>(i);
+            return false;
+        }
         return true;
     }
-    void enter(const PreparedQuad& quad) { held_.push_back({quad.x, quad.y, Never}); }
+    // Of the quads since the machine's start, the one of its place that it had to wait for.
+    std::optional<std::uint32_t> enter(const PreparedQuad& quad) {
+        held_.push_back({quad.x, quad.y, Never});
+        return std::exchange(behind_, std::nullopt);
+    }
     // The store of the oldest quad that has not stored yet will have been taken.
     void store(Cycle until) { held_[stored_++].until = until; }
 
@@ -46,6 +56,8 @@ private:
     std::size_t entries_;
     Ring<Held> held_;
     std::size_t stored_ = 0; // of them, the oldest
+    std::uint32_t gone_ = 0; // before them
+    std::optional<std::uint32_t> behind_{};
 };
 
 } // namespace ffgpu::timing

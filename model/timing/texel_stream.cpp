@@ -35,6 +35,7 @@ bool TexelStream::read_texel(Cycle now, Activity& reason) {
     }
     queue_.pop_front();
     misses_ -= texel.missed;
+    ticket_read_ = texel.ticket;
     Quad& quad = quads_[read_quads_];
     --quad.texels;
     if (texel.last) quad.ready_at = now + config_.latency;
@@ -45,6 +46,7 @@ bool TexelStream::read_texel(Cycle now, Activity& reason) {
 void TexelStream::pop() {
     quads_.pop_front();
     --read_quads_;
+    ++gone_quads_;
 }
 
 } // namespace ffgpu::timing

@@ -45,6 +45,18 @@ public:
     const QuadToken& front() const { return quads_.front().quad; }
     void pop();
 
+    // Since the start: texels whose tags were compared, and quads whose texels were read.
+    std::uint32_t tagged() const { return tagged_; }
+    std::uint32_t read_quads() const {
+        return gone_quads_ + static_cast<std::uint32_t>(read_quads_);
+    }
+    // Of the texel that was read last.
+    std::uint64_t ticket_read() const { return ticket_read_; }
+    // The next texel begins a sample that has not come.
+    bool lacks_sample(const TexelRequests& requests) const {
+        return texel_ < texels_ && begins_sample() && !requests.has_sample();
+    }
+
 private:
     struct Quad {
         QuadToken quad;
@@ -58,6 +70,10 @@ private:
     };
 
     void read_empty_quads(Cycle now);
+    // The quad's texels are spread evenly over its samples.
+    bool begins_sample() const {
+        return std::uint64_t{texel_} * samples_ >= std::uint64_t{sample_} * texels_;
+    }
 
     const TextureConfig& config_;
     LineCache& cache_;
@@ -72,13 +88,14 @@ private:
     std::uint32_t misses_ = 0;               // in the queue
     Ring<Quad> quads_;
     std::size_t read_quads_ = 0; // whose texels are read, the oldest
+    std::uint32_t tagged_ = 0, gone_quads_ = 0;
+    std::uint64_t ticket_read_ = 0;
 };
 
 template <class LookUp>
 bool TexelStream::compare(TexelRequests& requests, Activity& reason, const LookUp& look_up) {
     if (texel_ < texels_) {
-        // The quad's texels are spread evenly over its samples.
-        const bool begins = std::uint64_t{texel_} * samples_ >= std::uint64_t{sample_} * texels_;
+        const bool begins = begins_sample();
         if (begins && !requests.has_sample()) return false;
         const bool full = queue_.size() >= config_.texel_queue || misses_ >= outstanding_;
         const auto lines = current_.scene->work.lines_of(current_.quad());
@@ -105,6 +122,7 @@ bool TexelStream::compare(TexelRequests& requests, Activity& reason, const LookU
         misses_ += missed;
         quads_.back().quad.misses += missed;
         queue_.push_back({ticket_, missed, ++texel_ == texels_});
+        ++tagged_;
     }
     comparing_ = texel_ < texels_;
     return texels_ > 0;

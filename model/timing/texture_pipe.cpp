@@ -33,18 +33,29 @@ bool TexturePipe::stream_tags(TextureStatistics& statistics, Cycle now, Activity
         if (waiting_.empty()) return false;
         stream_.begin(waiting_.front());
         waiting_.pop_front();
+        to_tags_.leave();
         count(statistics, stream_.current().quad());
     }
-    return stream_.compare(requests_, reason, [&](std::uint64_t line) {
+    const bool worked = stream_.compare(requests_, reason, [&](std::uint64_t line) {
         const LookupResult result = cache_.look_up({.number = line});
         if (observer_ && result.accepted)
             observer_->texel_line(name_of(stream_.current()), {line, result.missed, now});
         return result;
     });
+    // A cycle without a sample, too: the sequencer is at work.
+    to_tags_.worked += worked || stream_.lacks_sample(requests_);
+    to_filter_.entered = stream_.tagged();
+    to_exit_.entered = stream_.read_quads();
+    return worked;
 }
 
 bool TexturePipe::stream_data(PipeExit& out, std::size_t pipe, Cycle now, Activity& reason) {
     const bool read = stream_.read_texel(now, reason);
+    if (read) {
+        to_filter_.leave(stream_.ticket_read());
+        ++to_filter_.worked;
+    }
+    to_exit_.entered = stream_.read_quads();
     if (!stream_.can_leave(now)) return read;
     if (!out.can_push(pipe)) {
         blame(reason, Activity::StalledOutput);
@@ -52,6 +63,8 @@ bool TexturePipe::stream_data(PipeExit& out, std::size_t pipe, Cycle now, Activi
     }
     out.push(pipe, stream_.front());
     stream_.pop();
+    to_exit_.leave();
+    inside_.leave();
     return true;
 }
 

@@ -40,6 +40,7 @@ public:
         if (config_.texture.rate == TexelRate::Texels) requests_.take(quad);
         waiting_.push_back(quad);
         ++to_tags_.entered;
+        ++inside_.entered;
     }
     void set_observer(QuadObserver* observer) { observer_ = observer; }
 
@@ -69,9 +70,13 @@ public:
                (parked_.empty() || !cache_.is_complete(parked_.front().ticket));
     }
 
-    // From the way in to the tags, and from there to the filter (not with TexelRate::Texels).
+    // From the way in to the tags, and from there to the filter; with TexelRate::Texels texels go
+    // there, not quads.
     const Passage& to_tags() const { return to_tags_; }
     const Passage& to_filter() const { return to_filter_; }
+    // With TexelRate::Texels: from the data to the way out, and from the way in to there.
+    const Passage& to_exit() const { return to_exit_; }
+    const Passage& inside() const { return inside_; }
 
     // One cycle's work of each part, which has some; false, and the reason, where it did none.
     bool compare_tags(TextureStatistics& statistics, Cycle now, Activity& reason);
@@ -109,7 +114,7 @@ private:
     QuadObserver* observer_ = nullptr;
     TexelRequests requests_; // TexelRate::Texels
     TexelStream stream_;     // and these
-    Passage to_tags_, to_filter_;
+    Passage to_tags_, to_filter_, to_exit_, inside_;
 };
 
 } // namespace ffgpu::timing

@@ -99,6 +99,12 @@ TEST_CASE("a draw bound by any parameter of a unit gains what it takes less with
          Resource::Interpolator},
         {[](TimingConfig& config) { config.fragment.entry_cycles = 6; }, Resource::Fragment},
         {[](TimingConfig& config) { config.texture.rate = TexelRate::Texels; }, Resource::Texture},
+        {[](TimingConfig& config) { // Its places, and each is taken for so long.
+             config.texture.rate = TexelRate::Texels;
+             config.texture.latency = 100;
+             config.fragment.pipe_queue = 4;
+         },
+         Resource::Texture},
         {[](TimingConfig& config) {
              config.raster.quads_per_cycle = 4;
              config.texel_cache.ports = 1;
@@ -127,6 +133,28 @@ TEST_CASE("a draw bound by any parameter of a unit gains what it takes less with
     const auto name = std::string(ResourceNames[static_cast<std::size_t>(resource)]);
     CAPTURE(name, unlimited);
     check_gain(run(config, bin), ("gain_" + name + "_cycles").c_str(), unlimited);
+}
+
+// Stores go the way of the reads, whose requests stand behind them.
+TEST_CASE("a draw past the colour cache gains what it takes less without the memory's latency") {
+    WorkBin bin = fill(false);
+    // All quads of one place: each waits for the store of the one before.
+    const bool one_place = GENERATE(false, true);
+    for (WorkTile& tile : bin.tiles)
+        for (WorkBatch& batch : tile.batches)
+            for (WorkQuad& quad : batch.quads)
+                if (one_place) quad.x = quad.y = 0;
+    TimingConfig config;
+    config.memory.kind = MemoryKind::Fixed;
+    config.memory.channels = 16;
+    config.memory.latency = GENERATE(50u, 200u);
+    config.color_cache.enable = false;
+    config.color_cache.fragment_fifo = GENERATE(2u, 8u);
+    config.color_cache.store_cycles = GENERATE(0u, 10u);
+    CAPTURE(one_place, config.memory.latency, config.color_cache.fragment_fifo);
+    const TimingConfig without = without_limit(config, Resource::MemoryLatency);
+    check_gain(
+        run(config, bin), "gain_memory_latency_cycles", run(without, bin).at("total_cycles"));
 }
 
 // A wider or shorter way from geometry would hold more, or fewer, primitives, which is no limit of

@@ -18,6 +18,7 @@ TEST_CASE("a passage that tells something new has moved") {
     CHECK(moves([&] { passage.leave(9); }));
     CHECK(moves([&] { passage.looked_up += 2; }));
     CHECK(moves([&] { ++passage.worked; }));
+    CHECK(moves([&] { ++passage.waited; }));
     passage.worked = ~0u; // Counts begin anew.
     CHECK(moves([&] { ++passage.worked; }));
 }
