@@ -107,10 +107,22 @@ class PythonTest(unittest.TestCase):
         rows = (self.folder / "cache/curves.csv").read_text().splitlines()
         first = rows[1].split(",")
         (bare / "curves.csv").write_text(rows[0] + "\n" + ",".join(first[:11] + ["0"] * (len(first) - 11)) + "\n")
-        done = subprocess.run([sys.executable, "-B", PYTHON / "examples/miss_rates.py", bare, "-o", bare / "x.png"],
-                              capture_output=True, text=True, check=False)
+        self.assertIn("nothing to draw", self.refused("miss_rates", bare))
+
+    def test_a_sweep_in_which_no_machine_came_to_an_end_has_no_front(self):
+        bare = self.folder / "stuck"
+        bare.mkdir()
+        names = (self.sweep / "results.csv").read_text().splitlines()[0]
+        (bare / "results.csv").write_text(names + "\n")
+        self.assertIn("no machine of the sweep came to an end", self.refused("pareto", bare))
+
+    def refused(self, script, folder):
+        """The line that it ends with where it has nothing to draw."""
+        done = subprocess.run([sys.executable, "-B", PYTHON / "examples" / (script + ".py"), folder,
+                               "-o", folder / "x.png"], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("nothing to draw", done.stderr.splitlines()[-1])
+        self.assertFalse((folder / "x.png").exists())
+        return done.stderr.splitlines()[-1]
 
     def draw(self, script, *inputs):
         picture = self.folder / (script + ".png")

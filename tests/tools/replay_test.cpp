@@ -174,21 +174,20 @@ TEST_CASE("A capture that cannot be begun has that reason alone") {
     CHECK_THAT(told, Contains("none/c.ffc: cannot be written") && !Contains("there is no frame"));
 }
 
-TEST_CASE("A capture and a work file of one name are refused, and nothing is written") {
+TEST_CASE("Two files of one name are refused, and nothing is written") {
     const TemporaryFolder folder;
     const TemporaryFile trace(trace::in_snappy(clears(2)));
-    int status = 0;
-    const std::string told = printed(stderr, [&] {
-        status = run({"replay",
-                      trace.path(),
-                      "--capture",
-                      folder / "kept",
-                      "--save-work",
-                      folder / "none/../kept"});
-    });
-    CHECK(status == 2);
-    CHECK_THAT(told, Contains("is both --capture's and --save-work's file"));
-    CHECK(std::filesystem::is_empty(folder.path()));
+    const auto refused = [&](const std::string& option, std::vector<std::string> more) {
+        more.insert(more.begin(), {"replay", trace.path(), "--capture", folder / "kept"});
+        more.insert(more.end(), {option, folder / "none/../kept"});
+        int status = 0;
+        const std::string told = printed(stderr, [&] { status = run(more); });
+        CHECK(status == 2);
+        CHECK_THAT(told, Contains("is both --capture's and " + option + "'s file"));
+        CHECK(std::filesystem::is_empty(folder.path()));
+    };
+    refused("--save-work", {});
+    refused("--rtl-cycles", {"--rtl", "fragment_pipe"});
 }
 
 TEST_CASE("What is printed where no room is ends with status 2") {

@@ -73,6 +73,9 @@ int replay_by_rtl(const Arguments& arguments, ReplayOptions& options) {
 int run_replay(Arguments& arguments) {
     ReplayOptions& options = arguments.replay;
     resolve(arguments.recording, options);
+    check_files({{"--capture", arguments.recording.capture},
+                 {"--save-work", arguments.recording.save_work},
+                 {"--rtl-cycles", arguments.rtl_cycles}});
     if (options.benchmark > 0) options.images = false;
     if (options.player_only && (options.benchmark == 0 || !options.output.empty() ||
                                 !options.capture.empty() || !options.save_work.empty()))

@@ -98,17 +98,6 @@ void resolve_draws(const RecordingArguments& arguments, RecordingOptions& option
         throw InputError("--view, --steps, --per-draw and --draw-pixels need -o DIR");
 }
 
-// Two writers of one file would leave neither's.
-void check_files(const RecordingArguments& arguments) {
-    if (arguments.capture.empty() || arguments.save_work.empty()) return;
-    namespace fs = std::filesystem;
-    std::error_code capture_error, work_error;
-    const fs::path capture = fs::weakly_canonical(fs::absolute(arguments.capture), capture_error),
-                   work = fs::weakly_canonical(fs::absolute(arguments.save_work), work_error);
-    if (!capture_error && !work_error && capture == work && !fs::is_character_file(capture))
-        throw InputError(arguments.capture + ": is both --capture's and --save-work's file");
-}
-
 // What is no UTF-8, as names of files may be, is no text to JSON: it stands there as its bytes.
 nlohmann::ordered_json member(const std::string& text) {
     using Json = nlohmann::ordered_json;
@@ -186,8 +175,23 @@ void add_swap_option(CLI::App& verb, gl::SwapMode& swap) {
         ->check(CLI::IsMember({"copy", "exchange"}));
 }
 
+void check_files(std::initializer_list<FileToWrite> files) {
+    namespace fs = std::filesystem;
+    std::map<fs::path, const char*> seen;
+    for (const FileToWrite& file : files) {
+        if (file.path.empty()) continue;
+        std::error_code error;
+        const fs::path path = fs::weakly_canonical(fs::absolute(file.path), error);
+        if (error || fs::is_character_file(path, error)) continue;
+        const auto [other, is_first] = seen.emplace(path, file.option);
+        if (!is_first)
+            throw InputError(fmt::format(
+                "{}: is both {}'s and {}'s file", file.path, other->second, file.option));
+    }
+}
+
 void resolve(const RecordingArguments& arguments, RecordingOptions& options) {
-    check_files(arguments);
+    check_files({{"--capture", arguments.capture}, {"--save-work", arguments.save_work}});
     if (!arguments.config.empty()) read_config_file(arguments.config, options.configuration);
     for (const std::string& setting : arguments.settings)
         apply_setting(setting, options.configuration);

@@ -6,6 +6,8 @@
 #     tools/python/examples/pareto.py out/space -o pareto.png
 
 # %%
+import sys
+
 from matplotlib.ticker import EngFormatter
 from style import arguments, pyplot, save
 
@@ -13,6 +15,8 @@ from ffgpu_data import pareto_front, sweep
 
 given = arguments("Pareto fronts", ("sweep", "the folder of ffgpu sweep -o"))
 table = sweep(given.sweep)
+if table.empty:
+    sys.exit(f"{given.sweep}: no machine of the sweep came to an end")
 prices = [("memory_bytes", "bytes of memory traffic"), ("cost", "cost, LUTs")]
 prices = [(name, label) for name, label in prices if table[name].notna().all()]
 
