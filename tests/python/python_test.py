@@ -112,7 +112,7 @@ class PythonTest(unittest.TestCase):
     def test_a_sweep_in_which_no_machine_came_to_an_end_has_no_front(self):
         bare = self.folder / "stuck"
         bare.mkdir()
-        names = (self.sweep / "results.csv").read_text().splitlines()[0]
+        names = self.sweep.read_text().splitlines()[0]
         (bare / "results.csv").write_text(names + "\n")
         self.assertIn("no machine of the sweep came to an end", self.refused("pareto", bare))
 
