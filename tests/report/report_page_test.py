@@ -25,6 +25,12 @@ DRAWN = """[...document.querySelectorAll('.chart canvas')].map(canvas => {
           legend: canvas.closest('figure').querySelectorAll('.keys .key').length,
           units: Object.values(chart.scales).some(scale => scale.options.title.display && scale.options.title.text)};
 })"""
+# Names of rows that take more room than their axis has.
+CUT_LABELS = """charts.filter(one => one.options.isHorizontal).flatMap(({chart}) => {
+  const {ticks, width, options} = chart.scales.y;
+  chart.ctx.font = Chart.helpers.toFont(options.ticks.font).string;
+  return ticks.map(tick => tick.label).filter(label => chart.ctx.measureText(label).width > width);
+})"""
 OVERLAY = """[...document.querySelectorAll('.over')].map(canvas => {
   const dots = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
   const counts = {w: 0, k: 0};
@@ -109,6 +115,8 @@ class PageTest(unittest.TestCase):
             self.browser.open(page, **PHONE)
             self.assertGreater(self.browser.run("document.querySelectorAll('.note').length"), 2)
             self.assertLessEqual(self.browser.run("document.documentElement.scrollWidth"), PHONE["width"])
+            self.assertEqual(self.browser.run(CUT_LABELS), [])
+            self.assertIn("M…M", self.browser.run("charts[0].chart.scales.y.ticks[0].label"))
 
     def shown(self, *folders, output="report.html", size=DESKTOP):
         """Titles of the charts, all drawn, and the text, of a page of its own, which fits the window."""

@@ -90,6 +90,17 @@ function steps({ labels, series }, isStacked) {
   };
 }
 
+// A label of the scale, with as much of its middle left out that it takes less than two fifths of
+// the chart.
+function fitted(scale, label) {
+  const { ctx, width } = scale.chart;
+  ctx.font = Chart.helpers.toFont(scale.options.ticks.font).string;
+  let text = label;
+  for (let left = label.length - 1; left > 4 && ctx.measureText(text).width > 0.4 * width; --left)
+    text = `${label.slice(0, Math.ceil(left / 2))}…${label.slice(label.length - Math.floor(left / 2))}`;
+  return text;
+}
+
 // options: title, unit, type ("bar" or "line"), isHorizontal, isStacked, isPercent, x (what the
 // labels are), xType, isSteps, show(value), pick(index), describe()
 class ReportChart {
@@ -131,6 +142,10 @@ class ReportChart {
       grid: { display: Boolean(xType) },
       ticks: { autoSkip: !isHorizontal, maxRotation: 0, includeBounds: false },
     };
+    if (isHorizontal)
+      axis.ticks.callback = function (value) {
+        return fitted(this, this.getLabelForValue(value));
+      };
     if (xType === "linear") {
       axis.max = this.content?.labels.at(-1);
       axis.ticks.callback = short;
