@@ -12,6 +12,7 @@
 #define HWY_TARGET_INCLUDE "model/texture/record_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+#include "model/arith/lanes/mask_bits-inl.h"
 #include "model/texture/axis-inl.h"
 // clang-format on
 
@@ -112,6 +113,17 @@ void record_accesses(const TextureUnit& unit, const FilterInputs& in, const Acce
     }
 }
 
+void weighted_bits(const SamplingBatch& sampling, unsigned quad_count, FragmentMask& mask) {
+    const DU d;
+    const auto step = static_cast<unsigned>(hn::Lanes(d));
+    const auto weight = hn::Set(d, SamplingBatch::WeightBits);
+    for (unsigned lane = 0; lane < 4 * quad_count; lane += step) {
+        const auto choice = hn::Load(d, sampling.choice.data() + lane);
+        mask.words[lane / 64] |= bits_from_mask(d, hn::Ne(hn::And(choice, weight), hn::Zero(d)))
+                                 << lane % 64;
+    }
+}
+
 } // namespace
 } // namespace ffgpu::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -120,10 +132,17 @@ HWY_AFTER_NAMESPACE();
 namespace ffgpu {
 namespace {
 HWY_EXPORT(record_accesses);
+HWY_EXPORT(weighted_bits);
 } // namespace
 
 void record_batch(const TextureUnit& unit, const FilterInputs& inputs, const AccessPlanes& out) {
     HWY_DYNAMIC_DISPATCH(record_accesses)(unit, inputs, out);
+}
+
+FragmentMask weighted_lanes(const SamplingBatch& sampling, unsigned quad_count) {
+    FragmentMask mask;
+    HWY_DYNAMIC_DISPATCH(weighted_bits)(sampling, quad_count, mask);
+    return mask;
 }
 
 } // namespace ffgpu

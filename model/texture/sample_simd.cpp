@@ -75,18 +75,6 @@ struct ProbeMean {
     }
 };
 
-// Of `live` the lanes whose next level counts.
-FragmentMask
-weighted_lanes(const SamplingBatch& sampling, unsigned quads, const FragmentMask& live) {
-    FragmentMask mask;
-    for (unsigned lane = 0; lane < 4 * quads; ++lane)
-        mask.words[lane / 64] |= std::uint64_t{(sampling.choice[lane] >> 16 & 0xff) != 0}
-                                 << lane % 64;
-    for (std::size_t i = 0; i < mask.words.size(); ++i)
-        mask.words[i] &= live.words[i];
-    return mask;
-}
-
 // Of `live` those that have a probe `i`, counted from 0.
 FragmentMask
 probed_lanes(const SamplingBatch& sampling, unsigned i, unsigned quads, const FragmentMask& live) {
@@ -109,7 +97,7 @@ void append_accesses(const TextureUnit& unit,
     if (sampling.max_probes > 1) live = probed_lanes(sampling, i, quads, alive);
     if (!live.any()) return;
     FragmentMask blended;
-    if (sampling.any_weight()) blended = weighted_lanes(sampling, quads, live);
+    if (sampling.any_weight()) blended = weighted_lanes(sampling, quads) & live;
     const bool has_layers = unit.kind == TextureKind::Cube || unit.dimensions > 2;
     const std::size_t levels = blended.any() ? 2 : 1;
     planes.reserve(planes.size() + levels);

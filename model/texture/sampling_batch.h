@@ -40,7 +40,7 @@ struct LevelInputs {
 // How each fragment is sampled, in one word: level in bits 7..0, next level in 15..8, weight in
 // 23..16, and bit 24 for a linear filter.
 struct SamplingBatch {
-    static constexpr std::uint32_t LinearBit = 1u << 24;
+    static constexpr std::uint32_t LinearBit = 1u << 24, WeightBits = 0xff << 16;
 
     alignas(64) std::array<std::uint32_t, BatchFragments> choice;
     std::uint32_t all_of = ~0u; // AND and OR of all words
@@ -52,7 +52,7 @@ struct SamplingBatch {
 
     bool any_linear() const { return (any_of & LinearBit) != 0; }
     bool any_nearest() const { return (all_of & LinearBit) == 0; }
-    bool any_weight() const { return (any_of >> 16 & 0xff) != 0; }
+    bool any_weight() const { return (any_of & WeightBits) != 0; }
     bool one_level() const { return ((all_of ^ any_of) & 0xff) == 0; }
     bool one_next_level() const { return ((all_of ^ any_of) >> 8 & 0xff) == 0; }
 };
@@ -86,5 +86,8 @@ struct AccessPlanes {
     AccessPlane* next_level = nullptr;
 };
 void record_batch(const TextureUnit& unit, const FilterInputs& inputs, const AccessPlanes& out);
+
+// The lanes whose next level counts. Those behind the last quad may be anything.
+FragmentMask weighted_lanes(const SamplingBatch& sampling, unsigned quad_count);
 
 } // namespace ffgpu
