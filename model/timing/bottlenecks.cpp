@@ -121,7 +121,7 @@ void Bottlenecks::look(Place& place, const StageSeen& seen) {
         for (const Way* const way : place.asked)
             asked += way->coming();
     }
-    const Moved moved{taken, given, seen.refused};
+    const Moved moved{taken, given, place.steps.empty() && seen.refused};
     if (!place.steps.empty()) {
         if ((seen.links | seen.passages) != 0 || place.request_waits)
             go_through_steps(place, moved);

@@ -88,8 +88,9 @@ public:
         count_ = 0;
         least_ = std::numeric_limits<float>::max();
     }
-    // Returns its place.
-    std::size_t add(const Dependence& one) {
+    // Returns its place. Inlined, as what the caller puts together would have to wait, part by
+    // part, to be read as a whole.
+    [[gnu::always_inline]] std::size_t add(const Dependence& one) {
         check(count_ < Most, "so many dependences at the most");
         all_[count_] = one;
         slack_[count_] = slack(one, at_);

@@ -87,7 +87,7 @@ void PipeWatch::note_stages(std::uint64_t called, PipeLog& log) {
         log.stages.room(places_.size()), log.links.room(links_), log.passages.room(passages_)};
     for (std::uint64_t left = called; left != 0; left &= left - 1) {
         const auto place = static_cast<std::uint32_t>(std::countr_zero(left));
-        look(places_[place], {.stage = place}, now, room);
+        look(places_[place], place, now, room);
     }
     log.stages.take_until(room.stages);
     log.links.take_until(room.links);
@@ -126,11 +126,14 @@ std::uint64_t PipeWatch::note_passages(Place& place, Room& room) {
     return changed;
 }
 
-void PipeWatch::look(Place& at, StageSeen seen, Cycle now, Room& room) {
+// Field by field, in its place in the log: what was put together elsewhere would have to wait for
+// its parts to be copied.
+void PipeWatch::look(Place& at, std::uint32_t place, Cycle now, Room& room) {
     const auto refused = [now](const Link* link) { return link->refused_at() == now; };
-    seen.links = note_links(at, room);
-    seen.passages = note_passages(at, room);
-    seen.request_waits = std::ranges::any_of(at.ways.asked, refused);
+    const std::uint64_t links = note_links(at, room), passages = note_passages(at, room);
+    const bool request_waits = std::ranges::any_of(at.ways.asked, refused);
+    const bool waited = std::exchange(at.request_waits, request_waits);
+    StageSeen& seen = *room.stages;
     const Stage& stage = *at.stage;
     if (stage.steps.empty()) {
         const Unit& unit = *stage.unit;
@@ -138,11 +141,14 @@ void PipeWatch::look(Place& at, StageSeen seen, Cycle now, Room& room) {
         seen.has_backlog = stage.input ? stage.input->arrival() <= now : unit.has_backlog();
         seen.refused = std::ranges::any_of(at.ways.out, refused);
         seen.unit_refused = seen.refused || std::ranges::any_of(at.beside, refused);
-    } else if ((seen.links | seen.passages) == 0 && !seen.request_waits && !at.request_waits) {
+    } else if ((links | passages) == 0 && !request_waits && !waited) {
         return;
     }
-    at.request_waits = seen.request_waits;
-    *room.stages++ = seen;
+    seen.links = links;
+    seen.passages = passages;
+    seen.stage = place;
+    seen.request_waits = request_waits;
+    ++room.stages;
 }
 
 } // namespace ffgpu::timing

@@ -64,7 +64,7 @@ private:
     void note_stages(std::uint64_t called, PipeLog& log);
     // Of one that tells its steps nothing is noted where nothing moved, and no request waits or
     // did.
-    static void look(Place& at, StageSeen seen, Cycle now, Room& room);
+    static void look(Place& at, std::uint32_t place, Cycle now, Room& room);
     // Those that changed since, into the log; returns their bits.
     static std::uint64_t note_links(Place& place, Room& room);
     static std::uint64_t note_passages(Place& place, Room& room);
