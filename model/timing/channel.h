@@ -62,7 +62,8 @@ public:
         refuse();
         return false;
     }
-    void push(const T& item) {
+    // Inlined: an item that was put together just now would have to wait to be read as a whole.
+    [[gnu::always_inline]] void push(const T& item) {
         const Cycle now = clock_.now(), ready_at = now + latency_;
         check(taken_at_start(now) < places_, "push into a full channel");
         std::size_t last = first_ + count_;
