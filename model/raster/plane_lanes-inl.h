@@ -38,11 +38,11 @@ struct LaneRun {
     std::size_t first, end;
 };
 
-// Calls body(run) for each run of the batch.
+// Calls body(run) for each run of a batch.
 template <class Body>
-HWY_INLINE void for_runs(std::span<const BatchRun> runs, const FragmentBatch& batch, Body&& body) {
+HWY_INLINE void for_runs(std::span<const BatchRun> runs, unsigned quad_count, Body&& body) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const unsigned end = i + 1 < runs.size() ? runs[i + 1].first_quad : batch.quad_count;
+        const unsigned end = i + 1 < runs.size() ? runs[i + 1].first_quad : quad_count;
         body(LaneRun{*runs[i].record, std::size_t{4} * runs[i].first_quad, std::size_t{4} * end});
     }
 }
@@ -59,6 +59,21 @@ HWY_INLINE void store_lanes(D d, hn::Vec<D> value, hn::TFromD<D>* plane, std::si
     hn::Store(value, d, all.data());
     for (std::size_t i = 0; lane + i < BatchFragments; i += 4)
         hn::StoreU(hn::Load(quad, all.data() + i), quad, plane + lane + i);
+}
+
+template <class F, class T>
+HWY_INLINE void fill(F, T* plane, std::size_t first, std::size_t end, T value) {
+    const hn::Rebind<T, F> d;
+    for (std::size_t lane = first; lane < end; lane += hn::Lanes(d))
+        store_lanes(d, hn::Set(d, value), plane, lane);
+}
+
+template <class T>
+HWY_INLINE void fill_run(const LaneRun& run, T* plane, T value) {
+    if (run.end - run.first <= hn::MaxLanes(PairFloats()))
+        fill(PairFloats(), plane, run.first, run.end, value);
+    else
+        fill(Floats(), plane, run.first, run.end, value);
 }
 
 // The lanes of a vector's quads, a vector a quarter of them: the number of each lane's quad.
