@@ -132,6 +132,7 @@ void interpolate_colors_scalar(const InterpolantLayout& layout,
                                std::span<const BatchRun> runs,
                                const PerspectivePlanes& perspective,
                                FragmentBatch& batch) {
+    batch.full_channels = 0; // which is to know nothing
     const auto color = [&](const Fragment& at, int first, ColorPlanes& to, unsigned channels) {
         const std::array<std::uint16_t*, 4> planes{
             to.r.data(), to.g.data(), to.b.data(), to.a.data()};

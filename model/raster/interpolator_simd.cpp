@@ -131,6 +131,16 @@ HWY_INLINE V in_fog_range_lanes(V value) {
     return hn::IfThenElseZero(hn::Ge(hn::Abs(value), hn::Set(d, LeastFog)), large);
 }
 
+std::uint8_t full_channels(std::span<const BatchRun> runs) {
+    std::uint32_t all = ~0u; // A channel is 255 in it where it is in each run.
+    for (const BatchRun& run : runs)
+        all &= run.record->constant_color ? std::bit_cast<std::uint32_t>(run.record->color) : 0;
+    unsigned full = 0;
+    for (unsigned i = 0; i < 4; ++i)
+        full |= unsigned{(all >> 8 * i & 255) == 255} << i;
+    return static_cast<std::uint8_t>(full);
+}
+
 void InterpolateColors(const InterpolantLayout& layout,
                        std::span<const BatchRun> runs,
                        const PerspectivePlanes& planes,
@@ -140,7 +150,8 @@ void InterpolateColors(const InterpolantLayout& layout,
     const std::array<std::uint16_t*, 4> primary{
         one.r.data(), one.g.data(), one.b.data(), one.a.data()};
     const std::array<std::uint16_t*, 3> secondary{two.r.data(), two.g.data(), two.b.data()};
-    if (layout.secondary >= 0) fill(Floats(), two.a.data(), 0, batch.lanes(), std::uint16_t{0});
+    batch.full_channels = layout.color < 0 ? std::uint8_t{0} : full_channels(runs);
+    if (layout.secondary >= 0) std::fill_n(two.a.begin(), batch.lanes(), std::uint16_t{0});
     for_runs(runs, batch.quad_count, [&](const LaneRun& run) HWY_ATTR {
         const SetupRecord& record = run.record;
         const auto constant = [](bool is, const std::array<std::uint8_t, 4>& color) {

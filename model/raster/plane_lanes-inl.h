@@ -55,25 +55,27 @@ HWY_INLINE void store_lanes(D d, hn::Vec<D> value, hn::TFromD<D>* plane, std::si
         return;
     }
     const hn::CappedTag<hn::TFromD<D>, 4> quad;
-    alignas(64) std::array<hn::TFromD<D>, 16> all;
+    alignas(64) std::array<hn::TFromD<D>, 64 / sizeof(hn::TFromD<D>)> all;
     hn::Store(value, d, all.data());
     for (std::size_t i = 0; lane + i < BatchFragments; i += 4)
         hn::StoreU(hn::Load(quad, all.data() + i), quad, plane + lane + i);
 }
 
-template <class F, class T>
-HWY_INLINE void fill(F, T* plane, std::size_t first, std::size_t end, T value) {
-    const hn::Rebind<T, F> d;
-    for (std::size_t lane = first; lane < end; lane += hn::Lanes(d))
+template <class D>
+HWY_INLINE void fill(D d, const LaneRun& run, hn::TFromD<D>* plane, hn::TFromD<D> value) {
+    for (std::size_t lane = run.first; lane < run.end; lane += hn::Lanes(d))
         store_lanes(d, hn::Set(d, value), plane, lane);
 }
 
 template <class T>
 HWY_INLINE void fill_run(const LaneRun& run, T* plane, T value) {
-    if (run.end - run.first <= hn::MaxLanes(PairFloats()))
-        fill(PairFloats(), plane, run.first, run.end, value);
+    const std::size_t lanes = run.end - run.first;
+    if (lanes <= hn::MaxLanes(PairFloats()))
+        fill(hn::Rebind<T, PairFloats>(), run, plane, value);
+    else if (lanes <= hn::MaxLanes(Floats()))
+        fill(hn::Rebind<T, Floats>(), run, plane, value);
     else
-        fill(Floats(), plane, run.first, run.end, value);
+        fill(hn::CappedTag<T, 64 / sizeof(T)>(), run, plane, value);
 }
 
 // The lanes of a vector's quads, a vector a quarter of them: the number of each lane's quad.

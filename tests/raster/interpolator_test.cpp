@@ -1,6 +1,7 @@
 #include "model/raster/interpolator.h"
 #include "tests/raster/raster_helpers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -106,6 +107,23 @@ void check_packed_colors(std::span<const BatchRun> runs, const FragmentBatch& sc
     REQUIRE(has_constant_colors(runs) == all_constant);
 }
 
+// What is said to be full is, and of runs of white all is said to be.
+void check_full_channels(std::span<const BatchRun> runs, const FragmentBatch& batch) {
+    const ColorPlanes& color = batch.primary;
+    const std::array<const std::uint16_t*, 4> planes{
+        color.r.data(), color.g.data(), color.b.data(), color.a.data()};
+    for (unsigned i = 0; i < 4; ++i) {
+        const bool constant = std::all_of(runs.begin(), runs.end(), [&](const BatchRun& run) {
+            return run.record->constant_color && run.record->color[i] == 255;
+        });
+        REQUIRE((batch.full_channels >> i & 1) == unsigned{constant});
+        if (constant)
+            REQUIRE(std::all_of(planes[i], planes[i] + batch.lanes(), [](std::uint16_t value) {
+                return value == 255;
+            }));
+    }
+}
+
 void compare_forms() {
     unsigned batches = 0;
     auto scalar_batch = std::make_unique<FragmentBatch>();
@@ -136,6 +154,7 @@ void compare_forms() {
             REQUIRE(same_colors(batch.primary, scalar_batch->primary, lanes));
             REQUIRE(same_colors(batch.secondary, scalar_batch->secondary, lanes));
             check_packed_colors(runs, *scalar_batch);
+            check_full_channels(runs, batch);
             REQUIRE(same_lanes(batch.fog_coordinate, scalar_batch->fog_coordinate, lanes));
             for (const unsigned unit : {0u, 1u, 3u}) {
                 const auto same = [&] {
