@@ -63,6 +63,8 @@ compile_argument(const Source& source, CombineOperand operand, unsigned result_c
         argument.offset =
             static_cast<std::uint32_t>(plane - reinterpret_cast<const std::byte*>(&batch_layout()));
         argument.step = 1;
+        if (source.planes == &batch_layout().primary && !complement)
+            argument.primary = static_cast<std::uint8_t>(1u << channel);
     }
     return argument;
 }

@@ -15,6 +15,18 @@ ColorTarget compile_color_target(const Registers& registers, unsigned i) {
     return {surface, static_cast<std::uint8_t>(channels), registers.fragment.is_srgb(i)};
 }
 
+bool keeps_colors(const FragmentPipe& pipe) {
+    const FragmentControl& control = pipe.registers->fragment;
+    bool keeps = pipe.samples == 1 && !pipe.antialias && pipe.environments.units.empty() &&
+                 !control.color_sum && pipe.fog.mode == FogMode::Off && !control.alpha_test &&
+                 pipe.color_stage.operation == ColorOperation::Replace;
+    for (const ColorTarget& target : pipe.color_targets)
+        keeps &= target.write_mask == 0 ||
+                 (target.surface.format == Format::Rgba8 &&
+                  target.write_mask == stored_channels(Format::Rgba8) && !target.srgb);
+    return keeps;
+}
+
 // Without environments the primary colour goes on.
 void take_primary(FragmentBatch& batch) {
     const std::size_t bytes = batch.lanes() * sizeof(std::uint16_t);
@@ -24,6 +36,19 @@ void take_primary(FragmentBatch& batch) {
     std::memcpy(to.g.data(), from.g.data(), bytes);
     std::memcpy(to.b.data(), from.b.data(), bytes);
     std::memcpy(to.a.data(), from.a.data(), bytes);
+}
+
+// Behind the alpha test.
+void late_depth_test(const FragmentPipe& pipe,
+                     FragmentBatch& batch,
+                     FragmentFates& fates,
+                     const ProbeTap* tap) {
+    fates.after_alpha = fates.after_stencil = fates.after_depth = batch.live;
+    if (pipe.early_depth) return;
+    const StencilDepthFates tested = run_depth_test(pipe, 0, batch, tap);
+    fates.after_stencil = tested.after_stencil;
+    fates.after_depth = tested.after_depth;
+    batch.live = fates.after_depth;
 }
 
 } // namespace
@@ -54,6 +79,7 @@ FragmentPipe compile_fragment_pipe(const DrawState& state,
         if (is_plain_color(color.format) && surface_fits(color, memory.size()))
             pipe.color_targets[i] = compile_color_target(registers, i);
     }
+    pipe.keeps_colors = keeps_colors(pipe);
     return pipe;
 }
 
@@ -95,14 +121,20 @@ void write(const FragmentPipe& pipe,
     if (pipe.samples > 1) return write_samples(pipe, batch, fates, tap);
     fates.after_coverage = batch.live;
     batch.live = run_alpha_test(pipe, batch, tap);
-    fates.after_alpha = fates.after_stencil = fates.after_depth = batch.live;
-    if (!pipe.early_depth) {
-        const StencilDepthFates tested = run_depth_test(pipe, 0, batch, tap);
-        fates.after_stencil = tested.after_stencil;
-        fates.after_depth = tested.after_depth;
-    }
-    batch.live = fates.after_depth;
+    late_depth_test(pipe, batch, fates, tap);
     run_color_write(pipe, 0, batch, tap);
+}
+
+void write_kept(const FragmentPipe& pipe,
+                const LaneWords& colors,
+                FragmentBatch& batch,
+                FragmentFates& fates) {
+    fates.after_coverage = batch.live;
+    late_depth_test(pipe, batch, fates, nullptr);
+    if (!batch.live.any()) return;
+    for (const ColorTarget& target : pipe.color_targets)
+        if (target.write_mask != 0)
+            store_quads(target.surface, pipe.memory, batch, batch.live, colors);
 }
 
 } // namespace ffgpu

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "model/fragment/fragment_stages.h"
+#include "model/fragment/quad_access.h"
 #include "model/packets/draw_state.h"
 #include "model/packets/fragment_batch.h"
 #include "model/packets/stage_probe.h"
@@ -34,6 +35,9 @@ struct FragmentPipe {
     std::uint8_t samples = 1; // of a pixel of the targets
     bool early_depth = false; // early_depth_test() does what write() would do later.
     bool antialias = false;
+    // Nothing changes colours, tests their alpha or mixes them with others on their way from the
+    // primitives to the targets, which hold them as rgba8.
+    bool keeps_colors = false;
     EnvironmentProgram environments;
     FogCurve fog;
     StencilDepthState stencil_depth;
@@ -70,5 +74,11 @@ void write(const FragmentPipe& pipe,
            FragmentBatch& batch,
            FragmentFates& fates,
            const ProbeTap* tap = nullptr);
+
+// What shade() and write() do where the pipe keeps_colors, from the primitives' colours as words.
+void write_kept(const FragmentPipe& pipe,
+                const LaneWords& colors,
+                FragmentBatch& batch,
+                FragmentFates& fates);
 
 } // namespace ffgpu

@@ -35,6 +35,7 @@ struct PlaneArgument {
     std::uint32_t offset = 0;     // of the plane, in bytes from the batch; unused for a constant
     std::uint32_t step = 0;       // 1 for a plane, 0 for a constant
     std::uint16_t complement = 0; // 255: one minus the argument
+    std::uint8_t primary = 0;     // of the primary colour's plane as it is: its channel's bit
     alignas(64) std::array<std::uint16_t, 32> constant{}; // the widest vector of it
 };
 

@@ -102,9 +102,13 @@ HWY_INLINE V16 evaluate(const Arguments& a, std::size_t i, unsigned shift) {
     }
 }
 
+// `first`: which argument stands in the first one's place.
 template <CombineOp Op>
-void run_plane(const PlaneProgram& program, const FragmentBatch& batch, std::uint16_t* to) {
-    const PlaneReader arguments[4] = {{program.arguments[0], batch},
+void run_plane(const PlaneProgram& program,
+               const FragmentBatch& batch,
+               std::uint16_t* to,
+               unsigned first = 0) {
+    const PlaneReader arguments[4] = {{program.arguments[first], batch},
                                       {program.arguments[1], batch},
                                       {program.arguments[2], batch},
                                       {program.arguments[3], batch}};
@@ -119,10 +123,20 @@ void run_plane(const PlaneProgram& program, const FragmentBatch& batch, std::uin
     }
 }
 
+// Times one: of a white primary colour, which most textures are modulated with.
+void run_modulate(const PlaneProgram& program, const FragmentBatch& batch, std::uint16_t* to) {
+    const auto is_one = [&](unsigned i) {
+        return (program.arguments[i].primary & batch.full_channels) != 0;
+    };
+    if (is_one(0)) return run_plane<CombineOp::Replace>(program, batch, to, 1);
+    if (is_one(1)) return run_plane<CombineOp::Replace>(program, batch, to, 0);
+    run_plane<CombineOp::Modulate>(program, batch, to);
+}
+
 void run_channel(const PlaneProgram& program, const FragmentBatch& batch, std::uint16_t* to) {
     switch (program.op) {
     case CombineOp::Modulate:
-        return run_plane<CombineOp::Modulate>(program, batch, to);
+        return run_modulate(program, batch, to);
     case CombineOp::Add:
         return run_plane<CombineOp::Add>(program, batch, to);
     case CombineOp::AddSigned:

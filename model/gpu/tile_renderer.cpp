@@ -225,10 +225,21 @@ void TileRenderer::flush() {
     if (tap_) tap_->coverage();
     if (context.needs_depth) interpolate_depths();
     early_depth_test(context.pipe, batch_, pipe_tap());
-    if (batch_.live.any() || records_values()) shade_units(runs, covered);
-    finish_batch(covered);
+    if (keeps_constant_colors()) {
+        finish_kept(covered);
+    } else {
+        if (batch_.live.any() || records_values()) shade_units(runs, covered);
+        finish_batch(covered);
+    }
     if (context.antialias) batch_.antialias.fill(255); // Smooth primitives wrote theirs.
     collector_.clear();
+}
+
+// Who is told of stages, or of values, is told of all of them.
+bool TileRenderer::keeps_constant_colors() const {
+    return pixels_->pipe.keeps_colors && pixels_->units == 0 && pixels_->layout.color >= 0 &&
+           stages_.packs_constant_colors && !records_values() && !tap_ &&
+           has_constant_colors(collector_.runs());
 }
 
 // From the primitives' planes to the texture units' samples.
@@ -291,6 +302,22 @@ void TileRenderer::finish_batch(const FragmentMask& covered) {
     } else {
         fates_ = {};
     }
+    tell(covered, early);
+}
+
+// The same for a batch that keeps_constant_colors().
+void TileRenderer::finish_kept(const FragmentMask& covered) {
+    const FragmentMask early = batch_.live;
+    if (early.any()) {
+        pack_constant_colors(collector_.runs(), batch_.lanes(), colors_.words);
+        write_kept(pixels_->pipe, colors_, batch_, fates_);
+    } else {
+        fates_ = {};
+    }
+    tell(covered, early);
+}
+
+void TileRenderer::tell(const FragmentMask& covered, const FragmentMask& early) {
     count(covered, early);
     if (recording_.tile) record(covered, early);
 }

@@ -114,6 +114,8 @@ struct FragmentBatch {
     alignas(64) std::array<std::uint16_t,
                            BatchFragments> antialias; // 0 .. 255 coverage, if the draw has it
     ColorPlanes primary;
+    // Channels of `primary`, a bit each, that are known to be 255 in every lane.
+    std::uint8_t full_channels = 0;
     ColorPlanes secondary;                         // a is 0
     std::array<ColorPlanes, TextureUnits> texture; // samples; only of the draw's enabled units
     ColorPlanes color; // after the environments; then the running colour down to the blend

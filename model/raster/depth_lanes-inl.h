@@ -93,6 +93,11 @@ HWY_INLINE void depth_run(SubPixelPoint position,
     const SetupRecord& record = run.record;
     const DepthPlane& plane = record.depth;
     constexpr auto Half = std::int64_t{1} << (DepthPlane::FractionBits - 1);
+    if ((plane.dx | plane.dy) == 0) { // What faces the eye, and all of a flat picture.
+        const auto depth = (plane.origin + Half) >> DepthPlane::FractionBits;
+        const auto value = std::clamp<std::int64_t>(depth, record.depth_min, record.depth_max);
+        return fill_run(run, out, static_cast<std::uint32_t>(value));
+    }
     const auto origin = hn::Set(d, plane.origin + Half + plane.beside(position));
     const DepthStep dx(plane.dx), dy(plane.dy);
     const DepthLanes lanes(record);

@@ -81,6 +81,11 @@ bool needs_perspective(const InterpolantLayout& layout, std::span<const BatchRun
     });
 }
 
+bool has_constant_colors(std::span<const BatchRun> runs) {
+    return std::all_of(
+        runs.begin(), runs.end(), [](const BatchRun& run) { return run.record->constant_color; });
+}
+
 void interpolate_depth_scalar(std::span<const BatchRun> runs, FragmentBatch& batch) {
     for_each_fragment(runs, batch, [&](const Fragment& at) {
         batch.depth[at.lane] = depth_beside(at, {0, 0});
@@ -116,10 +121,10 @@ void interpolate_perspective_scalar(std::span<const BatchRun> runs,
                                     PerspectivePlanes& perspective) {
     for_each_fragment(runs, batch, [&](const Fragment& at) {
         const SetupRecord& record = at.record;
-        perspective.w[at.lane] =
-            record.perspective ? reciprocal(static_cast<float>(
-                                     std::max(at.at(record.inverse_w()), record.inverse_w_floor)))
-                               : 1.0f;
+        perspective.w[at.lane] = record.perspective && !record.flat
+                                     ? reciprocal(static_cast<float>(std::max(
+                                           at.at(record.inverse_w()), record.inverse_w_floor)))
+                                     : 1.0f;
     });
 }
 
@@ -127,6 +132,7 @@ void interpolate_colors_scalar(const InterpolantLayout& layout,
                                std::span<const BatchRun> runs,
                                const PerspectivePlanes& perspective,
                                FragmentBatch& batch) {
+    batch.full_channels = 0; // which is to know nothing
     const auto color = [&](const Fragment& at, int first, ColorPlanes& to, unsigned channels) {
         const std::array<std::uint16_t*, 4> planes{
             to.r.data(), to.g.data(), to.b.data(), to.a.data()};
@@ -142,16 +148,19 @@ void interpolate_colors_scalar(const InterpolantLayout& layout,
     for_each_fragment(runs, batch, [&](const Fragment& at) {
         const unsigned lane = at.lane;
         if (layout.color >= 0) {
-            color(at, layout.color, batch.primary, 4);
             if (at.record.constant_color) {
                 constant(lane, at.record.color, batch.primary);
                 batch.primary.a[lane] = at.record.color[3];
+            } else {
+                color(at, layout.color, batch.primary, 4);
             }
         }
         if (layout.secondary >= 0) {
-            color(at, layout.secondary, batch.secondary, 3);
             batch.secondary.a[lane] = 0;
-            if (at.record.constant_secondary) constant(lane, at.record.secondary, batch.secondary);
+            if (at.record.constant_secondary)
+                constant(lane, at.record.secondary, batch.secondary);
+            else
+                color(at, layout.secondary, batch.secondary, 3);
         }
         if (layout.fog >= 0)
             batch.fog_coordinate[lane] =

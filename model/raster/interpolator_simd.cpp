@@ -56,14 +56,6 @@ private:
     float scale_, highest_;
 };
 
-template <class F>
-HWY_INLINE void
-fill(F, std::uint16_t* plane, std::size_t first, std::size_t end, std::uint16_t value) {
-    const hn::Rebind<std::uint16_t, F> d;
-    for (std::size_t lane = first; lane < end; lane += hn::Lanes(d))
-        store_lanes(d, hn::Set(d, value), plane, lane);
-}
-
 // A colour whose planes stand at `first` in the layout.
 template <unsigned Channels>
 void color_run(const LaneRun& run,
@@ -72,13 +64,8 @@ void color_run(const LaneRun& run,
                const PerspectivePlanes& planes,
                const std::array<std::uint16_t*, Channels>& out) {
     if (constant) {
-        const bool few = run.end - run.first <= hn::MaxLanes(PairFloats());
-        for (std::size_t i = 0; i < Channels; ++i) {
-            if (few)
-                fill(PairFloats(), out[i], run.first, run.end, constant[i]);
-            else
-                fill(Floats(), out[i], run.first, run.end, constant[i]);
-        }
+        for (std::size_t i = 0; i < Channels; ++i)
+            fill_run(run, out[i], std::uint16_t{constant[i]});
         return;
     }
     const std::array<float, Channels> scales =
@@ -95,8 +82,9 @@ HWY_INLINE void depth_beside(SubPixelPoint position,
                              std::span<const BatchRun> runs,
                              const FragmentBatch& batch,
                              std::uint32_t* out) {
-    for_runs(
-        runs, batch, [&](const LaneRun& run) HWY_ATTR { depth_run(position, run, batch, out); });
+    for_runs(runs, batch.quad_count, [&](const LaneRun& run) HWY_ATTR {
+        depth_run(position, run, batch, out);
+    });
 }
 
 void InterpolateDepth(std::span<const BatchRun> runs, FragmentBatch& batch) {
@@ -119,9 +107,9 @@ void InterpolatePerspective(std::span<const BatchRun> runs,
                             const FragmentBatch& batch,
                             PerspectivePlanes& planes) {
     place_quads(batch, planes);
-    for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
+    for_runs(runs, batch.quad_count, [&](const LaneRun& run) HWY_ATTR {
         const SetupRecord& record = run.record;
-        if (!record.perspective) {
+        if (!record.perspective || record.flat) {
             std::fill(planes.w.begin() + run.first, planes.w.begin() + run.end, 1.0f);
             return;
         }
@@ -143,6 +131,16 @@ HWY_INLINE V in_fog_range_lanes(V value) {
     return hn::IfThenElseZero(hn::Ge(hn::Abs(value), hn::Set(d, LeastFog)), large);
 }
 
+std::uint8_t full_channels(std::span<const BatchRun> runs) {
+    std::uint32_t all = ~0u; // A channel is 255 in it where it is in each run.
+    for (const BatchRun& run : runs)
+        all &= run.record->constant_color ? std::bit_cast<std::uint32_t>(run.record->color) : 0;
+    unsigned full = 0;
+    for (unsigned i = 0; i < 4; ++i)
+        full |= unsigned{(all >> 8 * i & 255) == 255} << i;
+    return static_cast<std::uint8_t>(full);
+}
+
 void InterpolateColors(const InterpolantLayout& layout,
                        std::span<const BatchRun> runs,
                        const PerspectivePlanes& planes,
@@ -152,8 +150,9 @@ void InterpolateColors(const InterpolantLayout& layout,
     const std::array<std::uint16_t*, 4> primary{
         one.r.data(), one.g.data(), one.b.data(), one.a.data()};
     const std::array<std::uint16_t*, 3> secondary{two.r.data(), two.g.data(), two.b.data()};
-    if (layout.secondary >= 0) fill(Floats(), two.a.data(), 0, batch.lanes(), 0);
-    for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
+    batch.full_channels = layout.color < 0 ? std::uint8_t{0} : full_channels(runs);
+    if (layout.secondary >= 0) std::fill_n(two.a.begin(), batch.lanes(), std::uint16_t{0});
+    for_runs(runs, batch.quad_count, [&](const LaneRun& run) HWY_ATTR {
         const SetupRecord& record = run.record;
         const auto constant = [](bool is, const std::array<std::uint8_t, 4>& color) {
             return is ? color.data() : nullptr;
@@ -177,6 +176,12 @@ void InterpolateColors(const InterpolantLayout& layout,
                                           batch.fog_coordinate.data(),
                                           lane);
                           });
+    });
+}
+
+void PackConstantColors(std::span<const BatchRun> runs, unsigned lanes, std::uint32_t* words) {
+    for_runs(runs, lanes / 4, [&](const LaneRun& run) HWY_ATTR {
+        fill_run(run, words, std::bit_cast<std::uint32_t>(run.record.color));
     });
 }
 
@@ -225,7 +230,7 @@ void coordinate_runs(const TexCoordSource& source,
                      const PerspectivePlanes& planes,
                      const FragmentBatch& batch,
                      const std::array<float*, 3>& out) {
-    for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
+    for_runs(runs, batch.quad_count, [&](const LaneRun& run) HWY_ATTR {
         if (source.divides(run.record)) return divided_run(run, source, planes, out);
         for_planes<Count>(
             run, source.first, planes, [&](unsigned i, auto value, std::size_t lane) HWY_ATTR {
@@ -259,7 +264,7 @@ void InterpolateDirections(const TexCoordSource& source,
                            TexCoordPlanes& out) {
     const std::array<float*, 3> all = begin_coordinates(source, batch.lanes(), out);
     if (source.carried == 0) return;
-    for_runs(runs, batch, [&](const LaneRun& run) HWY_ATTR {
+    for_runs(runs, batch.quad_count, [&](const LaneRun& run) HWY_ATTR {
         const std::array<float, 3> scales = direction_scales(run.record, source);
         for (unsigned i = 0; i < source.coordinates(); ++i) {
             for_integers_of(
@@ -293,6 +298,7 @@ HWY_EXPORT(InterpolateDepth);
 HWY_EXPORT(InterpolateSampleDepths);
 HWY_EXPORT(InterpolatePerspective);
 HWY_EXPORT(InterpolateColors);
+HWY_EXPORT(PackConstantColors);
 HWY_EXPORT(InterpolateTexCoords);
 HWY_EXPORT(InterpolateDirections);
 
@@ -319,6 +325,12 @@ void interpolate_colors(const InterpolantLayout& layout,
                         FragmentBatch& batch) {
     HWY_DYNAMIC_DISPATCH(InterpolateColors)(layout, runs, perspective, batch);
     if (layout.fog >= 0) check_ordinary({batch.fog_coordinate.data(), batch.lanes()});
+}
+
+void pack_constant_colors(std::span<const BatchRun> runs,
+                          unsigned lanes,
+                          std::span<std::uint32_t, BatchFragments> words) {
+    HWY_DYNAMIC_DISPATCH(PackConstantColors)(runs, lanes, words.data());
 }
 
 void interpolate_tex_coords(const InterpolantLayout& layout,

@@ -38,11 +38,11 @@ struct LaneRun {
     std::size_t first, end;
 };
 
-// Calls body(run) for each run of the batch.
+// Calls body(run) for each run of a batch.
 template <class Body>
-HWY_INLINE void for_runs(std::span<const BatchRun> runs, const FragmentBatch& batch, Body&& body) {
+HWY_INLINE void for_runs(std::span<const BatchRun> runs, unsigned quad_count, Body&& body) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const unsigned end = i + 1 < runs.size() ? runs[i + 1].first_quad : batch.quad_count;
+        const unsigned end = i + 1 < runs.size() ? runs[i + 1].first_quad : quad_count;
         body(LaneRun{*runs[i].record, std::size_t{4} * runs[i].first_quad, std::size_t{4} * end});
     }
 }
@@ -55,10 +55,27 @@ HWY_INLINE void store_lanes(D d, hn::Vec<D> value, hn::TFromD<D>* plane, std::si
         return;
     }
     const hn::CappedTag<hn::TFromD<D>, 4> quad;
-    alignas(64) std::array<hn::TFromD<D>, 16> all;
+    alignas(64) std::array<hn::TFromD<D>, 64 / sizeof(hn::TFromD<D>)> all;
     hn::Store(value, d, all.data());
     for (std::size_t i = 0; lane + i < BatchFragments; i += 4)
         hn::StoreU(hn::Load(quad, all.data() + i), quad, plane + lane + i);
+}
+
+template <class D>
+HWY_INLINE void fill(D d, const LaneRun& run, hn::TFromD<D>* plane, hn::TFromD<D> value) {
+    for (std::size_t lane = run.first; lane < run.end; lane += hn::Lanes(d))
+        store_lanes(d, hn::Set(d, value), plane, lane);
+}
+
+template <class T>
+HWY_INLINE void fill_run(const LaneRun& run, T* plane, T value) {
+    const std::size_t lanes = run.end - run.first;
+    if (lanes <= hn::MaxLanes(PairFloats()))
+        fill(hn::Rebind<T, PairFloats>(), run, plane, value);
+    else if (lanes <= hn::MaxLanes(Floats()))
+        fill(hn::Rebind<T, Floats>(), run, plane, value);
+    else
+        fill(hn::CappedTag<T, 64 / sizeof(T)>(), run, plane, value);
 }
 
 // The lanes of a vector's quads, a vector a quarter of them: the number of each lane's quad.

@@ -101,6 +101,113 @@ TEST_CASE("The stages' scalar forms yield the bits of single fragments") {
     require_equal_forms(ReferenceFragmentStages);
 }
 
+namespace {
+
+// Registers by which nothing touches colours on their way to the targets.
+void keep_colors(Scene& scene) {
+    Registers& r = *scene.registers;
+    r.combiners = {};
+    r.fog.mode = FogMode::Off;
+    r.fragment.color_sum = r.fragment.alpha_test = false;
+    r.blend.enable = r.blend.logic_op_enable = false;
+    r.blend.write_mask = 0xf;
+    scene.state.antialias = false;
+    for (Surface& color : r.targets.color)
+        if (color.format != Format::Rgba8) color = {};
+}
+
+void touch_colors(unsigned how, Scene& scene) {
+    Registers& r = *scene.registers;
+    switch (how) {
+    case 0:
+        r.combiners[0].enable = true;
+        scene.state.units = 1;
+        return;
+    case 1:
+        r.fog.mode = FogMode::Linear;
+        return;
+    case 2:
+        r.fragment.color_sum = true;
+        return;
+    case 3:
+        r.fragment.alpha_test = true;
+        return;
+    case 4:
+        r.blend = {.enable = true, .rgb_source = BlendFactor::SourceAlpha};
+        return;
+    case 5:
+        r.blend.logic_op_enable = true;
+        r.blend.logic_op = LogicOp::Xor;
+        return;
+    case 6:
+        r.blend.write_mask = 7;
+        return;
+    case 7:
+        r.targets.color[0].format = Format::Rgb565;
+        return;
+    case 8:
+        r.fragment.srgb_targets = 3;
+        return;
+    case 9:
+        scene.state.antialias = true;
+        return;
+    }
+}
+
+} // namespace
+
+TEST_CASE("Colours that nothing touches are written as the pipe's stages write them") {
+    auto kept = std::make_unique<Run>();
+    auto staged = std::make_unique<Run>();
+    for (std::uint32_t seed = 0, tried = 0; tried < 500; ++seed) {
+        INFO("seed " << seed);
+        Draws draws(seed);
+        kept->scene = {};
+        test::randomize(draws, kept->scene);
+        if (kept->scene.state.samples > 1) continue;
+        ++tried;
+        keep_colors(kept->scene);
+        test::randomize(draws, kept->scene, kept->batch);
+        staged->scene = kept->scene;
+        staged->batch = kept->batch;
+        LaneWords colors;
+        for (unsigned lane = 0; lane < BatchFragments; ++lane) {
+            const ColorPlanes& from = kept->batch.primary;
+            colors.words[lane] = from.r[lane] | static_cast<unsigned>(from.g[lane]) << 8 |
+                                 static_cast<unsigned>(from.b[lane]) << 16 |
+                                 static_cast<unsigned>(from.a[lane]) << 24;
+        }
+        const FragmentPipe kept_pipe = kept->scene.compile();
+        REQUIRE(kept_pipe.keeps_colors);
+        early_depth_test(kept_pipe, kept->batch);
+        write_kept(kept_pipe, colors, kept->batch, kept->fates);
+        const FragmentPipe staged_pipe = staged->scene.compile(ReferenceFragmentStages);
+        early_depth_test(staged_pipe, staged->batch);
+        shade(staged_pipe, staged->batch);
+        write(staged_pipe, staged->batch, staged->fates);
+        REQUIRE(kept->fates.after_coverage == staged->fates.after_coverage);
+        REQUIRE(kept->fates.after_alpha == staged->fates.after_alpha);
+        REQUIRE(kept->fates.after_stencil == staged->fates.after_stencil);
+        REQUIRE(kept->fates.after_depth == staged->fates.after_depth);
+        REQUIRE(kept->batch.live == staged->batch.live);
+        REQUIRE((kept->scene.memory == staged->scene.memory));
+    }
+}
+
+TEST_CASE("Whatever touches colours is seen when the pipe is compiled") {
+    for (unsigned how = 0; how < 10; ++how) {
+        INFO("how " << how);
+        Scene scene;
+        scene.memory.resize(64 * 64 * 4);
+        scene.registers->targets.color[0] = {
+            .address = 0, .format = Format::Rgba8, .width = 64, .height = 64, .stride = 256};
+        keep_colors(scene);
+        REQUIRE(scene.compile().keeps_colors);
+        touch_colors(how, scene);
+        CHECK_FALSE(scene.compile().keeps_colors);
+    }
+}
+
 TEST_CASE("No byte changes but those of live fragments' pixels") {
     auto run = std::make_unique<Run>();
     for (std::uint32_t seed = 5000; seed < 5200; ++seed) {

@@ -279,6 +279,10 @@ inline void randomize(Draws& draws, Scene& scene, FragmentBatch& batch) {
     for (std::uint16_t& coverage : batch.antialias)
         coverage = random_channel(draws);
     randomize(draws, batch.primary);
+    batch.full_channels = draws.coin() ? 0 : static_cast<std::uint8_t>(draws.below(16));
+    unsigned channel = 0;
+    for (auto* plane : {&batch.primary.r, &batch.primary.g, &batch.primary.b, &batch.primary.a})
+        if ((batch.full_channels >> channel++ & 1) != 0) plane->fill(255);
     randomize(draws, batch.secondary);
     for (ColorPlanes& samples : batch.texture)
         randomize(draws, samples);

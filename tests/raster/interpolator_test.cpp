@@ -1,6 +1,7 @@
 #include "model/raster/interpolator.h"
 #include "tests/raster/raster_helpers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -61,6 +62,7 @@ void for_each_batch(unsigned seed, Visit&& visit) {
             c.x = a.x + random.between(-900, 900), c.y = a.y + random.between(-900, 900);
         }
         if (i % 7 == 0) b.attributes = c.attributes = a.attributes;
+        if (i % 6 == 0) b.depth = c.depth = a.depth;
         if (i % 31 == 0) a.attributes[2] = 0;
         if (i % 37 == 0) a.attributes[9] = -0x1p59f;
         if (i % 41 == 0) a.attributes[13] = b.attributes[13] = 0;
@@ -84,6 +86,42 @@ bool same_lanes(const Array& a, const Array& b, unsigned lanes) {
 bool same_colors(const ColorPlanes& a, const ColorPlanes& b, unsigned lanes) {
     return same_lanes(a.r, b.r, lanes) && same_lanes(a.g, b.g, lanes) &&
            same_lanes(a.b, b.b, lanes) && same_lanes(a.a, b.a, lanes);
+}
+
+// Words of the runs whose colour is constant, against the specification's planes.
+void check_packed_colors(std::span<const BatchRun> runs, const FragmentBatch& scalar) {
+    std::array<std::uint32_t, BatchFragments> words;
+    pack_constant_colors(runs, scalar.lanes(), words);
+    bool all_constant = true;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        all_constant = all_constant && runs[i].record->constant_color;
+        if (!runs[i].record->constant_color) continue;
+        const unsigned end = i + 1 < runs.size() ? runs[i + 1].first_quad : scalar.quad_count;
+        for (unsigned lane = 4 * runs[i].first_quad; lane < 4 * end; ++lane) {
+            const ColorPlanes& color = scalar.primary;
+            const auto alpha = static_cast<std::uint32_t>(color.a[lane]);
+            REQUIRE(words[lane] == (color.r[lane] | static_cast<unsigned>(color.g[lane]) << 8 |
+                                    static_cast<unsigned>(color.b[lane]) << 16 | alpha << 24));
+        }
+    }
+    REQUIRE(has_constant_colors(runs) == all_constant);
+}
+
+// What is said to be full is, and of runs of white all is said to be.
+void check_full_channels(std::span<const BatchRun> runs, const FragmentBatch& batch) {
+    const ColorPlanes& color = batch.primary;
+    const std::array<const std::uint16_t*, 4> planes{
+        color.r.data(), color.g.data(), color.b.data(), color.a.data()};
+    for (unsigned i = 0; i < 4; ++i) {
+        const bool constant = std::all_of(runs.begin(), runs.end(), [&](const BatchRun& run) {
+            return run.record->constant_color && run.record->color[i] == 255;
+        });
+        REQUIRE((batch.full_channels >> i & 1) == unsigned{constant});
+        if (constant)
+            REQUIRE(std::all_of(planes[i], planes[i] + batch.lanes(), [](std::uint16_t value) {
+                return value == 255;
+            }));
+    }
 }
 
 void compare_forms() {
@@ -115,6 +153,8 @@ void compare_forms() {
             REQUIRE(same_lanes(vector->w, scalar->w, lanes));
             REQUIRE(same_colors(batch.primary, scalar_batch->primary, lanes));
             REQUIRE(same_colors(batch.secondary, scalar_batch->secondary, lanes));
+            check_packed_colors(runs, *scalar_batch);
+            check_full_channels(runs, batch);
             REQUIRE(same_lanes(batch.fog_coordinate, scalar_batch->fog_coordinate, lanes));
             for (const unsigned unit : {0u, 1u, 3u}) {
                 const auto same = [&] {
