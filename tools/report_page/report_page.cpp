@@ -111,7 +111,8 @@ std::string write_report(const ReportOptions& options) {
     if (asset(ChartLibrary).empty())
         throw InputError("report: ffgpu was built without a chart library: install libjs-chart.js "
                          "and build it again");
-    if (options.output == "-") throw InputError("report: -o -: expected a file: a page is not printed");
+    if (options.output == "-")
+        throw InputError("report: -o -: expected a file: a page is not printed");
     std::vector<std::string> folders{options.folder};
     if (!options.other.empty()) folders.push_back(options.other);
     std::vector<RunFigures> runs;
