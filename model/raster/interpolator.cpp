@@ -121,10 +121,10 @@ void interpolate_perspective_scalar(std::span<const BatchRun> runs,
                                     PerspectivePlanes& perspective) {
     for_each_fragment(runs, batch, [&](const Fragment& at) {
         const SetupRecord& record = at.record;
-        perspective.w[at.lane] = record.perspective && !record.flat
-                                     ? reciprocal(static_cast<float>(std::max(
-                                           at.at(record.inverse_w()), record.inverse_w_floor)))
-                                     : 1.0f;
+        perspective.w[at.lane] =
+            record.perspective ? reciprocal(static_cast<float>(
+                                     std::max(at.at(record.inverse_w()), record.inverse_w_floor)))
+                               : 1.0f;
     });
 }
 
@@ -148,19 +148,16 @@ void interpolate_colors_scalar(const InterpolantLayout& layout,
     for_each_fragment(runs, batch, [&](const Fragment& at) {
         const unsigned lane = at.lane;
         if (layout.color >= 0) {
+            color(at, layout.color, batch.primary, 4);
             if (at.record.constant_color) {
                 constant(lane, at.record.color, batch.primary);
                 batch.primary.a[lane] = at.record.color[3];
-            } else {
-                color(at, layout.color, batch.primary, 4);
             }
         }
         if (layout.secondary >= 0) {
+            color(at, layout.secondary, batch.secondary, 3);
             batch.secondary.a[lane] = 0;
-            if (at.record.constant_secondary)
-                constant(lane, at.record.secondary, batch.secondary);
-            else
-                color(at, layout.secondary, batch.secondary, 3);
+            if (at.record.constant_secondary) constant(lane, at.record.secondary, batch.secondary);
         }
         if (layout.fog >= 0)
             batch.fog_coordinate[lane] =

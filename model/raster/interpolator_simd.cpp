@@ -109,7 +109,7 @@ void InterpolatePerspective(std::span<const BatchRun> runs,
     place_quads(batch, planes);
     for_runs(runs, batch.quad_count, [&](const LaneRun& run) HWY_ATTR {
         const SetupRecord& record = run.record;
-        if (!record.perspective || record.flat) {
+        if (!record.perspective) {
             std::fill(planes.w.begin() + run.first, planes.w.begin() + run.end, 1.0f);
             return;
         }

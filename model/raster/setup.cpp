@@ -46,7 +46,6 @@ bool set_up(const SetupContext& context,
     if (context.clip.empty()) return false;
     at.coverage = CoverageKind::Centre;
     at.stipple = StippleKind::None;
-    at.flat = false;
     at.front_facing = primitive.front_facing;
     at.key = primitive.key;
     at.covers_nothing = false;

@@ -61,7 +61,6 @@ struct alignas(StoredPlane) SetupRecord {
     bool perspective = false;        // Attribute planes hold a / w; that of 1 / w is behind them.
     bool constant_color = false;     // All vertices alike: `color` is the value itself.
     bool constant_secondary = false; // The same.
-    bool flat = false;               // Nothing else is carried: no plane is read, and none is kept.
     std::uint8_t plane_count = 0;
     std::uint8_t divided_units = 0; // A bit a texture unit whose q is not 1 at every vertex.
     std::array<std::uint8_t, 4> color{}, secondary{}; // r g b a, 0 .. 255
@@ -99,8 +98,7 @@ struct alignas(StoredPlane) SetupRecord {
     AttributePlane plane(unsigned i) const { return planes()[i].plane(); }
     AttributePlane inverse_w() const { return plane(plane_count); }
 
-    unsigned kept_planes() const { return flat ? 0 : plane_count + unsigned{perspective}; }
-    std::size_t bytes() const { return bytes_for(kept_planes()); }
+    std::size_t bytes() const { return bytes_for(plane_count + std::size_t{perspective}); }
     static constexpr std::size_t bytes_for(std::size_t planes) {
         return sizeof(SetupRecord) + planes * sizeof(StoredPlane);
     }

@@ -14,16 +14,6 @@ bool goes_in_groups(const SetupContext& context) {
            context.layout.count < MaxInterpolants;
 }
 
-namespace {
-
-bool is_flat(const InterpolantLayout& layout, const SetupRecord& record) {
-    const unsigned primary = layout.color < 0 ? 0 : 4, secondary = layout.secondary < 0 ? 0 : 3;
-    return layout.count == primary + secondary && (primary == 0 || record.constant_color) &&
-           (secondary == 0 || record.constant_secondary);
-}
-
-} // namespace
-
 void set_up_triangles_scalar(const SetupContext&,
                              std::span<const Primitive>,
                              TriangleGroup& group) {
@@ -59,9 +49,9 @@ void write_record(const SetupContext& context,
     record.depth_min = group.depth_min[i];
     record.depth_max = group.depth_max[i];
     record.inverse_w_floor = group.inverse_w_floor[i];
-    record.flat = is_flat(context.layout, record);
     StoredPlane* const planes = record.planes();
-    for (unsigned plane = 0; plane < record.kept_planes(); ++plane)
+    const unsigned count = record.plane_count + unsigned{record.perspective};
+    for (unsigned plane = 0; plane < count; ++plane)
         planes[plane] = group.planes[plane][i];
 }
 

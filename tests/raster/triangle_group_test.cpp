@@ -33,7 +33,7 @@ InterpolantLayout random_layout(Random& random) {
 
 // What groups have seen, so that the test tells of each kind.
 struct Seen {
-    unsigned alone = 0, empty = 0, nothing = 0, plain = 0, constant = 0, perspective = 0, flat = 0;
+    unsigned alone = 0, empty = 0, nothing = 0, plain = 0, constant = 0, perspective = 0;
 };
 
 struct Triangles {
@@ -120,12 +120,6 @@ void compare_records(const SetupRecord& a, const SetupRecord& b, const SetupCont
     if (a.constant_secondary) REQUIRE(std::memcmp(a.secondary.data(), b.secondary.data(), 3) == 0);
     if (a.perspective) REQUIRE(a.inverse_w_floor == b.inverse_w_floor);
     const InterpolantLayout& layout = setup.layout;
-    if (b.flat) {
-        REQUIRE(layout.count == (layout.color < 0 ? 0 : 4) + (layout.secondary < 0 ? 0 : 3));
-        REQUIRE((layout.color < 0 || a.constant_color));
-        REQUIRE((layout.secondary < 0 || a.constant_secondary));
-        return; // It has no planes.
-    }
     for (int i = 0; i < a.plane_count + int{a.perspective}; ++i) {
         if (a.constant_color && i >= layout.color && i < layout.color + 4) continue;
         if (a.constant_secondary && i >= layout.secondary && i < layout.secondary + 3) continue;
@@ -162,7 +156,6 @@ void compare_group(const Triangles& scene, unsigned count, TriangleGroup& group,
         write_record(scene.setup, group, i, primitive, lane.record());
         compare_records(one.record(), lane.record(), scene.setup);
         ++seen.plain;
-        seen.flat += lane.record().flat;
         seen.constant += one.record().constant_color;
         seen.perspective += one.record().perspective;
     }
@@ -185,7 +178,6 @@ TEST_CASE("triangles in groups are set up as one by one, with each instruction s
         for (const unsigned kind :
              {seen.alone, seen.empty, seen.nothing, seen.constant, seen.perspective})
             CHECK(kind > 100);
-        CHECK(seen.flat > 50); // Few layouts carry colours alone.
     });
 }
 
