@@ -253,6 +253,7 @@ void interpolate_colors(const InterpolantLayout& layout,
                           attribute,
                           perspective,
                           batch.secondary);
+    batch.full_channels = 0; // What the units gave goes on, whatever it is.
     loop_log().count(AllThree, "", batch.live.count());
     if (layout.fog < 0) return;
     attribute.for_each_quad([&](const SetupRecord& record, unsigned q) {

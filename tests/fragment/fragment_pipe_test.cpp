@@ -56,6 +56,16 @@ void with_each_target(Test&& test) {
     test();
 }
 
+// What became of the fragments, and what the targets hold.
+void require_same_end(const Run& one, const Run& other) {
+    REQUIRE(one.fates.after_coverage == other.fates.after_coverage);
+    REQUIRE(one.fates.after_alpha == other.fates.after_alpha);
+    REQUIRE(one.fates.after_stencil == other.fates.after_stencil);
+    REQUIRE(one.fates.after_depth == other.fates.after_depth);
+    REQUIRE(one.batch.live == other.batch.live);
+    REQUIRE((one.scene.memory == other.scene.memory));
+}
+
 void require_equal_forms(const FragmentStages& stages) {
     auto batched = std::make_unique<Run>();
     auto single = std::make_unique<Run>();
@@ -81,13 +91,8 @@ void require_equal_forms(const FragmentStages& stages) {
 
         write(batched_pipe, batched->batch, batched->fates);
         test::write_one_by_one(single_pipe, single->batch, single->fates);
-        REQUIRE(batched->fates.after_coverage == single->fates.after_coverage);
-        REQUIRE(batched->fates.after_alpha == single->fates.after_alpha);
-        REQUIRE(batched->fates.after_stencil == single->fates.after_stencil);
-        REQUIRE(batched->fates.after_depth == single->fates.after_depth);
-        REQUIRE(batched->batch.live == single->batch.live);
+        require_same_end(*batched, *single);
         REQUIRE(batched->batch.samples == single->batch.samples);
-        REQUIRE((batched->scene.memory == single->scene.memory));
     }
 }
 
@@ -185,12 +190,7 @@ TEST_CASE("Colours that nothing touches are written as the pipe's stages write t
         early_depth_test(staged_pipe, staged->batch);
         shade(staged_pipe, staged->batch);
         write(staged_pipe, staged->batch, staged->fates);
-        REQUIRE(kept->fates.after_coverage == staged->fates.after_coverage);
-        REQUIRE(kept->fates.after_alpha == staged->fates.after_alpha);
-        REQUIRE(kept->fates.after_stencil == staged->fates.after_stencil);
-        REQUIRE(kept->fates.after_depth == staged->fates.after_depth);
-        REQUIRE(kept->batch.live == staged->batch.live);
-        REQUIRE((kept->scene.memory == staged->scene.memory));
+        require_same_end(*kept, *staged);
     }
 }
 
