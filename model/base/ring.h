@@ -24,9 +24,11 @@ public:
     T& back() { return items_[place(count_ - 1)]; }
     const T& back() const { return items_[place(count_ - 1)]; }
 
-    void push_back(T item) {
+    void push_back(T item) { append() = std::move(item); }
+    // The place behind the last, for its owner to fill: what is in it is of no meaning.
+    T& append() {
         if (count_ == mask_ + 1) grow();
-        items_[place(count_++)] = std::move(item);
+        return items_[place(count_++)];
     }
     void pop_front() {
         if constexpr (!std::is_trivially_destructible_v<T>) items_[first_] = T{};

@@ -19,22 +19,33 @@ FixedMemory::FixedMemory(sc_core::sc_module_name name,
 tlm::tlm_sync_enum FixedMemory::on_forward(tlm::tlm_generic_payload& payload,
                                            tlm::tlm_phase& phase,
                                            sc_core::sc_time&) {
-    if (answers_.empty()) wake(); // to say that it waits
-    answers_.push_back({now() + latency_, &payload});
-    wake(now() + latency_);
+    RequestTag& request = *payload.get_extension<RequestTag>();
+    request.payload = &payload; // where the client has made the tag
+    take(request, 0);
     phase = tlm::END_REQ;
     return tlm::TLM_UPDATED;
+}
+
+bool FixedMemory::take(RequestTag& request, std::uint32_t) {
+    if (answers_.empty()) wake(); // to say that it waits
+    answers_.push_back({now() + latency_, &request});
+    wake(now() + latency_);
+    return true;
+}
+
+void FixedMemory::answer_by_socket(RequestTag& request) {
+    request.payload->set_response_status(tlm::TLM_OK_RESPONSE);
+    tlm::tlm_phase phase = tlm::BEGIN_RESP;
+    sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
+    socket_->nb_transport_bw(*request.payload, phase, delay);
 }
 
 Activity FixedMemory::step() {
     bool answered = false;
     for (; !answers_.empty() && answers_.front().at <= now(); answered = true) {
-        tlm::tlm_generic_payload& payload = *answers_.front().payload;
+        RequestTag& request = *answers_.front().request;
         answers_.pop_front();
-        payload.set_response_status(tlm::TLM_OK_RESPONSE);
-        tlm::tlm_phase phase = tlm::BEGIN_RESP;
-        sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
-        socket_->nb_transport_bw(payload, phase, delay);
+        client_ ? client_->done(request) : answer_by_socket(request);
     }
     if (answered) return Activity::Busy;
     // One that came in this cycle is seen in the next, whoever is called first.

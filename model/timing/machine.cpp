@@ -232,6 +232,7 @@ void Machine::connect_links() {
     connect_memory(scan_out, screen_requests, screen_responses);
     memory->connect(arbiter);
     arbiter.socket.bind(memory->target());
+    if (clock.pace() != Pace::EveryCycle) arbiter.go_directly(*memory);
 }
 
 MemoryArbiter::Ports Machine::memory_ports() {

@@ -11,7 +11,8 @@ MemoryArbiter::MemoryArbiter(sc_core::sc_module_name name,
                              Ports ports,
                              InFlight& in_flight)
     : Unit(name, clock)
-    , config_(config)
+    , mapping_(config)
+    , channels_(config.channels)
     , ports_(std::move(ports))
     , in_flight_(in_flight)
     , pending_(config.channels, nullptr)
@@ -26,20 +27,20 @@ Activity MemoryArbiter::step() {
     std::uint64_t wanting = 0; // ports with a request, a bit each
     for (std::size_t port = 0; port < ports_.requests_in.size(); ++port)
         wanting |= std::uint64_t{ports_.requests_in[port]->arrival() <= cycle} << port;
-    std::uint32_t left = config_.channels;
+    std::uint32_t left = channels_;
     while (left > 0 && wanting != 0) {
         const std::uint32_t sent = send_round(wanting, left);
         if (sent == 0) break;
         left -= sent;
     }
-    if (left < config_.channels) {
+    if (left < channels_) {
         if (wanting == 0) rest_as(Activity::Idle);
         return Activity::Busy;
     }
     return wanting != 0 ? Activity::StalledOutput : Activity::Idle;
 }
 
-std::uint32_t MemoryArbiter::send_round(std::uint64_t& wanting, std::uint32_t most) {
+inline std::uint32_t MemoryArbiter::send_round(std::uint64_t& wanting, std::uint32_t most) {
     const std::size_t ports = ports_.requests_in.size();
     std::uint32_t sent = 0;
     const std::uint64_t before = (std::uint64_t{1} << next_port_) - 1;
@@ -47,7 +48,7 @@ std::uint32_t MemoryArbiter::send_round(std::uint64_t& wanting, std::uint32_t mo
         for (; turn != 0 && sent < most; turn &= turn - 1) {
             const auto port = static_cast<std::size_t>(std::countr_zero(turn));
             const Channel<MemoryRequest>& requests = *ports_.requests_in[port];
-            const std::uint32_t channel = memory_channel(config_, requests.front().address);
+            const std::uint32_t channel = mapping_.channel(requests.front().address);
             if (!is_free(channel)) continue;
             send(port, channel);
             if (!requests.can_pop()) wanting &= ~(turn & -turn);
@@ -60,39 +61,51 @@ std::uint32_t MemoryArbiter::send_round(std::uint64_t& wanting, std::uint32_t mo
 
 void MemoryArbiter::send(std::size_t port, std::uint32_t channel) {
     Channel<MemoryRequest>& requests = *ports_.requests_in[port];
-    const std::uint64_t number = requests.popped();
-    const MemoryRequest& request = requests.front();
-    check(is_in_one_place(config_, request.address, request.bytes),
-          "a request across an interleave or a row");
-    tlm::tlm_generic_payload& payload = pool_.acquire(request, port, number);
-    if (observer_) observer_->sent(request, now());
+    RequestTag& tag = pool_.acquire(requests.front(), port, requests.popped());
     requests.drop();
+    check(mapping_.is_in_one_place(tag.request.address, tag.request.bytes),
+          "a request across an interleave or a row");
+    if (observer_) observer_->sent(tag.request, now());
+    pending_[channel] = &tag;
+    if (direct_ ? direct_->take(tag, channel) : send_by_socket(tag)) pending_[channel] = nullptr;
+}
+
+bool MemoryArbiter::send_by_socket(const RequestTag& tag) {
     tlm::tlm_phase phase = tlm::BEGIN_REQ;
     sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
-    pending_[channel] = &payload;
-    if (socket->nb_transport_fw(payload, phase, delay) == tlm::TLM_UPDATED)
-        pending_[channel] = nullptr;
+    tlm::tlm_generic_payload& payload = PayloadPool::filled_in(tag);
+    return socket->nb_transport_fw(payload, phase, delay) == tlm::TLM_UPDATED;
 }
 
 tlm::tlm_sync_enum MemoryArbiter::on_backward(tlm::tlm_generic_payload& payload,
                                               tlm::tlm_phase& phase,
                                               sc_core::sc_time&) {
-    const MemoryRequest& request = payload.get_extension<RequestTag>()->request;
+    RequestTag& tag = *payload.get_extension<RequestTag>();
     if (phase == tlm::END_REQ) {
-        const std::uint32_t channel = memory_channel(config_, request.address);
-        pending_[channel] = nullptr;
-        taken_at_[channel] = now();
-        wake();
+        taken(tag);
         return tlm::TLM_ACCEPTED;
     }
-    if (counts_) statistics_.on_done(request, now());
-    if (ledger_) ledger_->moved(request, now());
-    if (waits_) waits_->done(request, now());
-    if (observer_) observer_->done(request, now());
+    done(tag);
+    return tlm::TLM_COMPLETED;
+}
+
+void MemoryArbiter::taken(const RequestTag& tag) {
+    const std::uint32_t channel = mapping_.channel(tag.request.address);
+    pending_[channel] = nullptr;
+    taken_at_[channel] = now();
+    wake();
+}
+
+void MemoryArbiter::done(RequestTag& tag) {
+    const MemoryRequest& request = tag.request;
+    const Cycle cycle = now();
+    if (counts_) statistics_.on_done(request, cycle);
+    if (ledger_) ledger_->moved(request, cycle);
+    if (waits_) waits_->done(request, cycle);
+    if (observer_) observer_->done(request, cycle);
     if (!request.write) ports_.responses_out[request.port]->push(request.ticket);
     if (request.client != Client::ScanOut) in_flight_.leave(); // No frame waits for the screen.
-    payload.release();
-    return tlm::TLM_COMPLETED;
+    tag.payload->release();
 }
 
 } // namespace ffgpu::timing

@@ -5,15 +5,18 @@
 //
 // The protocol is the base protocol's, without END_RESP: the memory answers BEGIN_REQ with
 // TLM_UPDATED and END_REQ, or takes the request later by END_REQ on the backward path; when all is
-// done it calls BEGIN_RESP. Reads and writes are both answered, in any order.
+// done it calls BEGIN_RESP. Reads and writes are both answered, in any order. A memory of ours can
+// be told so without the socket (direct_memory.h).
 
 #pragma once
 
 #include "model/timing/channel.h"
 #include "model/timing/command_ledger.h"
 #include "model/timing/config.h"
+#include "model/timing/direct_memory.h"
 #include "model/timing/in_flight.h"
 #include "model/timing/memory/address_mapping.h"
+#include "model/timing/memory_module.h"
 #include "model/timing/memory_observer.h"
 #include "model/timing/memory_payload.h"
 #include "model/timing/memory_request.h"
@@ -26,7 +29,7 @@
 
 namespace ffgpu::timing {
 
-class MemoryArbiter final : public Unit {
+class MemoryArbiter final : public Unit, private DirectClient {
 public:
     struct Ports {
         // A port each, of one client or another; responses are tickets of reads that are done, null
@@ -42,6 +45,8 @@ public:
                   InFlight& in_flight);
 
     tlm_utils::simple_initiator_socket<MemoryArbiter> socket{"socket"};
+    // To the memory that is bound to the socket, past it where that can be.
+    void go_directly(MemoryModule& memory) { direct_ = memory.go_directly(*this); }
     std::string state() const override;
     bool waits_outside() const override { return pool_.first_used() != nullptr; }
     const ClientStatistics& statistics() const { return statistics_; }
@@ -61,16 +66,22 @@ private:
     // `wanting`: ports with a request, a bit each.
     std::uint32_t send_round(std::uint64_t& wanting, std::uint32_t most);
     void send(std::size_t port, std::uint32_t channel);
+    bool send_by_socket(const RequestTag& tag);
     bool is_free(std::uint32_t channel) const {
         return !pending_[channel] && taken_at_[channel] < now();
     }
     tlm::tlm_sync_enum
     on_backward(tlm::tlm_generic_payload& payload, tlm::tlm_phase& phase, sc_core::sc_time& delay);
+    // DirectClient
+    void taken(const RequestTag& tag) override;
+    void done(RequestTag& tag) override;
 
-    const MemoryConfig config_;
+    const AddressMapping mapping_;
+    const std::uint32_t channels_;
     const Ports ports_;
     InFlight& in_flight_;
     PayloadPool pool_;
+    DirectMemory* direct_ = nullptr; // null: by the socket
     ClientStatistics statistics_;
     MemoryObserver* observer_ = nullptr;
     MemoryObserver* waits_ = nullptr;
@@ -78,7 +89,7 @@ private:
     bool counts_ = true;
     std::size_t next_port_ = 0;
     // Per memory channel: the request that it has not taken yet, and when it took one late.
-    std::vector<tlm::tlm_generic_payload*> pending_;
+    std::vector<const RequestTag*> pending_;
     std::vector<Cycle> taken_at_;
 };
 

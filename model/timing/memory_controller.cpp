@@ -1,21 +1,28 @@
 #include "model/timing/memory_controller.h"
 
-#include "model/timing/memory/address_mapping.h"
-
 #include <algorithm>
+#include <utility>
 
 namespace ffgpu::timing {
 
-DramRequest to_dram(const MemoryConfig& config, tlm::tlm_generic_payload& payload) {
-    const MemoryRequest& request = payload.get_extension<RequestTag>()->request;
-    const DramPlace place = place_of(config, request.address);
+namespace {
+
+DramRequest to_dram(const AddressMapping& mapping, const MemoryRequest& request, void* payload) {
+    const DramPlace place = mapping.place(request.address);
     return {.bank = place.bank,
             .row = place.row,
-            .offset = static_cast<std::uint32_t>(row_offset(config, request.address)),
+            .offset = static_cast<std::uint32_t>(mapping.row_offset(request.address)),
             .bytes = request.bytes,
             .write = request.write,
             .client = static_cast<std::uint32_t>(request.client),
-            .payload = &payload};
+            .payload = payload};
+}
+
+} // namespace
+
+DramRequest to_dram(const MemoryConfig& config, tlm::tlm_generic_payload& payload) {
+    const MemoryRequest& request = payload.get_extension<RequestTag>()->request;
+    return to_dram(AddressMapping(config), request, &payload);
 }
 
 MemoryController::MemoryController(sc_core::sc_module_name name,
@@ -24,11 +31,12 @@ MemoryController::MemoryController(sc_core::sc_module_name name,
                                    std::size_t arrivals)
     : Unit(name, clock)
     , config_(config)
+    , mapping_(config)
     , statistics_(config_)
     , lanes_(config.channels) {
     const Cycle there = 1 + config.latency / 2;
     for (std::uint32_t number = 0; number < config.channels; ++number) {
-        lanes_[number].arrivals = std::make_unique<Channel<tlm::tlm_generic_payload*>>(
+        lanes_[number].arrivals = std::make_unique<Channel<RequestTag*>>(
             clock, config.queue + (arrivals > 0 ? arrivals : there), there);
         lanes_[number].dram = std::make_unique<DramChannel>(
             config_, number, statistics_, clock.pace() == Pace::EveryCycle);
@@ -59,24 +67,29 @@ tlm::tlm_sync_enum MemoryController::on_forward(tlm::tlm_generic_payload& payloa
                                                 tlm::tlm_phase& phase,
                                                 sc_core::sc_time&) {
     check(phase == tlm::BEGIN_REQ, "the arbiter only begins requests");
-    Lane& lane = lanes_[memory_channel(config_, payload.get_address())];
-    if (!lane.arrivals->can_push()) {
-        lane.refused = &payload;
-        lane.due = std::min(lane.due, now() + 1);
-        wake();
-        return tlm::TLM_ACCEPTED;
-    }
-    send(lane, payload);
+    RequestTag& request = *payload.get_extension<RequestTag>();
+    request.payload = &payload; // where the client has made the tag
+    if (!take(request, mapping_.channel(payload.get_address()))) return tlm::TLM_ACCEPTED;
     phase = tlm::END_REQ;
     return tlm::TLM_UPDATED;
 }
 
-void MemoryController::send(Lane& lane, tlm::tlm_generic_payload& payload) {
-    lane.arrivals->push(&payload);
+bool MemoryController::take(RequestTag& request, std::uint32_t channel) {
+    Lane& lane = lanes_[channel];
+    if (!lane.arrivals->can_push()) {
+        lane.refused = &request;
+        lane.due = std::min(lane.due, now() + 1);
+        wake();
+        return false;
+    }
+    lane.arrivals->push(&request);
+    return true;
 }
 
 void MemoryController::start(Lane& lane, MemoryCycle at) {
-    lane.dram->push(to_dram(config_, *lane.arrivals->pop()), at);
+    RequestTag* const request = lane.arrivals->front();
+    lane.arrivals->drop();
+    lane.dram->push(to_dram(mapping_, request->request, request), at);
 }
 
 // When a column has gone out all is known of its request: when the bus carries its data, and when
@@ -87,8 +100,7 @@ void MemoryController::answer(Lane& lane) {
         const auto& [request, data] = served.front();
         const Cycle last = core_time(data.end);
         if (tells_carrying()) carry(lane, {std::max(core_time(data.begin + 1), now()), last});
-        lane.responses.push_back(
-            {last + way_back(), static_cast<tlm::tlm_generic_payload*>(request.payload)});
+        lane.responses.push_back({last + way_back(), static_cast<RequestTag*>(request.payload)});
     }
 }
 
@@ -103,52 +115,57 @@ void MemoryController::accept_arrivals(Lane& lane, MemoryCycle at) {
     while (lane.arrivals->can_pop() && lane.dram->has_room())
         start(lane, at);
     if (lane.refused && lane.arrivals->can_push()) {
-        tlm::tlm_generic_payload& payload = *lane.refused;
-        lane.refused = nullptr;
-        send(lane, payload);
-        tlm::tlm_phase phase = tlm::END_REQ;
-        sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
-        socket_->nb_transport_bw(payload, phase, delay);
+        RequestTag& request = *std::exchange(lane.refused, nullptr);
+        lane.arrivals->push(&request);
+        client_ ? client_->taken(request) : say(request, tlm::END_REQ);
     }
 }
 
 void MemoryController::deliver(Lane& lane) {
     while (!lane.responses.empty() && lane.responses.front().at <= now()) {
-        tlm::tlm_generic_payload& payload = *lane.responses.front().payload;
+        RequestTag& request = *lane.responses.front().request;
         lane.responses.pop_front();
-        payload.set_response_status(tlm::TLM_OK_RESPONSE);
-        tlm::tlm_phase phase = tlm::BEGIN_RESP;
-        sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
-        socket_->nb_transport_bw(payload, phase, delay);
+        client_ ? client_->done(request) : say(request, tlm::BEGIN_RESP);
     }
 }
 
+// By the socket.
+void MemoryController::say(RequestTag& request, tlm::tlm_phase phase) {
+    if (phase == tlm::BEGIN_RESP) request.payload->set_response_status(tlm::TLM_OK_RESPONSE);
+    sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
+    socket_->nb_transport_bw(*request.payload, phase, delay);
+}
+
 void MemoryController::step(Lane& lane) {
-    const MemoryCycle begin = memory_time(now() - 1), end = memory_time(now());
-    lane.dram->advance(begin); // What went by while asleep: refreshes.
-    if (lane.refused || (lane.arrivals->can_pop() && lane.dram->has_room()))
-        accept_arrivals(lane, begin);
-    lane.dram->advance(end);
-    if (!lane.dram->served().empty()) answer(lane);
-    while (!lane.carryings.empty() && lane.carryings.front().last < now())
+    const Cycle cycle = now();
+    const MemoryCycle begin = memory_time(cycle - 1);
+    DramChannel& dram = *lane.dram;
+    dram.advance(begin); // What went by while asleep: refreshes.
+    const bool may_arrive = lane.arrivals->can_pop() && dram.has_room();
+    if (may_arrive || (lane.refused && !lane.arrivals->is_full())) accept_arrivals(lane, begin);
+    dram.advance(memory_time(cycle));
+    if (!dram.served().empty()) answer(lane);
+    while (!lane.carryings.empty() && lane.carryings.front().last < cycle)
         lane.carryings.pop_front();
-    lane.moves = !lane.carryings.empty() && lane.carryings.front().first <= now();
-    lane.waits = lane.dram->has_waiting() || !lane.carryings.empty() || lane.arrivals->can_pop();
-    if (!lane.responses.empty() && lane.responses.front().at <= now()) deliver(lane);
+    lane.moves = !lane.carryings.empty() && lane.carryings.front().first <= cycle;
+    lane.waits = dram.has_waiting() || !lane.carryings.empty() || lane.arrivals->can_pop();
+    if (!lane.responses.empty() && lane.responses.front().at <= cycle) deliver(lane);
     lane.due = next_work(lane);
-    lane.is_behind = lane.dram->has_waiting() && lane.due > core_time(lane.dram->next_work() + 1);
+    lane.is_behind = dram.has_waiting() && lane.due > core_time(dram.next_work() + 1);
 }
 
 // Busy while a bus carries data; all else that it does for a request is a stall.
 Activity MemoryController::step() {
+    const Cycle cycle = now();
     bool moving = false, waiting = false;
-    next_work_ = Never;
+    Cycle next = Never;
     for (Lane& lane : lanes_) {
-        if (lane.is_due(now())) step(lane);
+        if (lane.is_due(cycle)) step(lane);
         moving |= lane.moves;
         waiting |= lane.waits;
-        next_work_ = std::min(next_work_, lane.due);
+        next = std::min(next, lane.due);
     }
+    next_work_ = next;
     return moving ? Activity::Busy : waiting ? Activity::StalledMemory : Activity::Idle;
 }
 

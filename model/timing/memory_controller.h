@@ -1,12 +1,14 @@
 // MemoryController: the timed shell of the memory. Requests come through a TLM-2.0 target socket,
-// take half of `latency` to their channel's queue, are served there (memory/dram_channel.h), and
-// take the other half back. Both ways hold as many requests as they are long.
+// or past it (direct_memory.h), take half of `latency` to their channel's queue, are served there
+// (memory/dram_channel.h), and take the other half back. Both ways hold as many requests as they
+// are long.
 
 #pragma once
 
 #include "model/base/ring.h"
 #include "model/timing/channel.h"
 #include "model/timing/config.h"
+#include "model/timing/memory/address_mapping.h"
 #include "model/timing/memory/dram_channel.h"
 #include "model/timing/memory_module.h"
 #include "model/timing/memory_payload.h"
@@ -22,7 +24,7 @@ namespace ffgpu::timing {
 // The request as its channel sees it.
 DramRequest to_dram(const MemoryConfig& config, tlm::tlm_generic_payload& payload);
 
-class MemoryController final : public Unit, public MemoryModule {
+class MemoryController final : public Unit, public MemoryModule, private DirectMemory {
 public:
     // `arrivals`: requests that a channel holds before its queue, beside those on their way; 0: as
     // many as are on their way.
@@ -35,6 +37,10 @@ public:
     Unit* unit() override { return this; }
     // The queues' producer, so that a freed place wakes it.
     void connect(Unit& arbiter) override;
+    DirectMemory* go_directly(DirectClient& client) override {
+        client_ = &client;
+        return this;
+    }
     void settle() override;
     std::string state() const override;
     void leave_out_figures() override;
@@ -44,15 +50,15 @@ public:
 private:
     struct Response {
         Cycle at = 0;
-        tlm::tlm_generic_payload* payload = nullptr;
+        RequestTag* request = nullptr;
     };
     // Cycles of the core, from the first to the last, in each of which the bus carries data.
     struct Carrying {
         Cycle first = 0, last = 0;
     };
     struct Lane {
-        std::unique_ptr<Channel<tlm::tlm_generic_payload*>> arrivals;
-        tlm::tlm_generic_payload* refused = nullptr; // BEGIN_REQ that found no place
+        std::unique_ptr<Channel<RequestTag*>> arrivals;
+        RequestTag* refused = nullptr; // It found no place.
         std::unique_ptr<DramChannel> dram;
         Ring<Response> responses; // in the order of their data
         Ring<Carrying> carryings; // from the one of this cycle on, gaps between them
@@ -74,7 +80,8 @@ private:
     Cycle next_work(const Lane& lane) const;
     tlm::tlm_sync_enum
     on_forward(tlm::tlm_generic_payload& payload, tlm::tlm_phase& phase, sc_core::sc_time& delay);
-    void send(Lane& lane, tlm::tlm_generic_payload& payload);
+    // DirectMemory
+    bool take(RequestTag& request, std::uint32_t channel) override;
     void start(Lane& lane, MemoryCycle at);
     // Else nobody sees whether a bus carries data. Commands of several channels come as mixed as
     // with that: looks at a channel make up for its refreshes.
@@ -84,6 +91,7 @@ private:
     static void carry(Lane& lane, const Carrying& carrying);
     void accept_arrivals(Lane& lane, MemoryCycle at);
     void deliver(Lane& lane);
+    void say(RequestTag& request, tlm::tlm_phase phase);
     // Memory cycles that are over when core cycle `now` is.
     MemoryCycle memory_time(Cycle now) const {
         if (config_.memory_clocks == config_.core_clocks) return now;
@@ -96,6 +104,8 @@ private:
     }
 
     const MemoryConfig config_;
+    const AddressMapping mapping_;
+    DirectClient* client_ = nullptr; // null: who asks does so by the socket
     tlm_utils::simple_target_socket<MemoryController> socket_{"socket"};
     DramStatistics statistics_;
     std::vector<Lane> lanes_;

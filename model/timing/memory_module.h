@@ -4,6 +4,7 @@
 #pragma once
 
 #include "model/base/statistics.h"
+#include "model/timing/direct_memory.h"
 #include "model/timing/memory_request.h"
 #include "model/timing/unit.h"
 
@@ -29,6 +30,9 @@ public:
     virtual Unit* unit() { return nullptr; }
     // The arbiter sleeps until a channel wakes it.
     virtual void connect(Unit&) {}
+    // From now on this client's requests come past the socket, which stays bound; null: they do
+    // not. Before the first.
+    virtual DirectMemory* go_directly(DirectClient&) { return nullptr; }
     // A frame has ended: bring the statistics up to date.
     virtual void settle() {}
     // Nobody will read the statistics.

@@ -12,6 +12,7 @@ namespace ffgpu::timing {
 
 struct RequestTag : tlm::tlm_extension<RequestTag> {
     MemoryRequest request;
+    tlm::tlm_generic_payload* payload = nullptr; // that it belongs to
 
     tlm::tlm_extension_base* clone() const override { return new RequestTag(*this); }
     void copy_from(const tlm::tlm_extension_base& from) override {
@@ -29,19 +30,29 @@ public:
         }
     }
 
-    // A payload with one reference, filled in for `request`, the `number`-th of its port. It
-    // carries no data: values come from the functional GPU.
-    tlm::tlm_generic_payload&
-    acquire(const MemoryRequest& request, std::size_t port, std::uint64_t number) {
+    // The tag of a payload with one reference, for `request`, the `number`-th of its port.
+    RequestTag& acquire(const MemoryRequest& request, std::size_t port, std::uint64_t number) {
         if (free_.empty()) {
             all_.push_back(new tlm::tlm_generic_payload(this));
             tags_.push_back(std::make_unique<RequestTag>());
+            tags_.back()->payload = all_.back();
             all_.back()->set_extension(tags_.back().get());
-            free_.push_back(all_.back());
+            free_.push_back(tags_.back().get());
         }
-        tlm::tlm_generic_payload& payload = *free_.back();
+        RequestTag& tag = *free_.back();
         free_.pop_back();
-        payload.acquire();
+        tag.payload->acquire();
+        tag.request = request;
+        tag.request.port = port;
+        tag.request.number = number;
+        return tag;
+    }
+
+    // What the socket's other end reads of a payload. It carries no data: values come from the
+    // functional GPU.
+    static tlm::tlm_generic_payload& filled_in(const RequestTag& tag) {
+        const MemoryRequest& request = tag.request;
+        tlm::tlm_generic_payload& payload = *tag.payload;
         payload.set_command(request.write ? tlm::TLM_WRITE_COMMAND : tlm::TLM_READ_COMMAND);
         payload.set_address(request.address);
         payload.set_data_length(request.bytes);
@@ -50,10 +61,6 @@ public:
         payload.set_byte_enable_ptr(nullptr);
         payload.set_dmi_allowed(false);
         payload.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
-        MemoryRequest& tagged = payload.get_extension<RequestTag>()->request;
-        tagged = request;
-        tagged.port = port;
-        tagged.number = number;
         return payload;
     }
 
@@ -69,12 +76,14 @@ public:
     }
     std::size_t used() const { return all_.size() - free_.size(); }
 
-    void free(tlm::tlm_generic_payload* payload) override { free_.push_back(payload); }
+    void free(tlm::tlm_generic_payload* payload) override {
+        free_.push_back(payload->get_extension<RequestTag>());
+    }
 
 private:
     std::vector<tlm::tlm_generic_payload*> all_;
     std::vector<std::unique_ptr<RequestTag>> tags_;
-    std::vector<tlm::tlm_generic_payload*> free_;
+    std::vector<RequestTag*> free_;
 };
 
 } // namespace ffgpu::timing

@@ -1,7 +1,5 @@
 #include "model/timing/memory_waits.h"
 
-#include "model/timing/memory/address_mapping.h"
-
 #include <algorithm>
 
 namespace ffgpu::timing {
@@ -20,6 +18,7 @@ void merge(WaitPaths& paths, Moment& last, const Moment& next) {
 
 MemoryWaits::MemoryWaits(const MemoryConfig& config, bool is_ours)
     : config_(config)
+    , mapping_(config)
     , is_ours_(is_ours)
     , cycle_(static_cast<float>(16 * config.core_clocks / config.memory_clocks) / 16)
     , channels_(config.channels) {}
@@ -72,7 +71,7 @@ const Moment& MemoryWaits::answer(WaitPaths& paths,
                                   const MemoryRequest& request,
                                   const Moment* asked,
                                   Cycle now) {
-    last_ = memory_channel(config_, request.address);
+    last_ = mapping_.channel(request.address);
     Channel& channel = channels_[last_];
     found_.begin(now);
     if (asked) found_.add(own(channel.last, *asked, request, now));

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "model/timing/memory/address_mapping.h"
 #include "model/timing/memory/config.h"
 #include "model/timing/memory_request.h"
 #include "model/timing/memory_turns.h"
@@ -53,6 +54,7 @@ private:
     turn(const Moment& before, const Moment* asked, const MemoryRequest& request, Cycle now) const;
 
     const MemoryConfig config_;
+    const AddressMapping mapping_;
     const bool is_ours_;
     const float cycle_; // of the memory's clock, in the machine's, in whole sixteenths
     std::vector<Channel> channels_;

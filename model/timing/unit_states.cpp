@@ -169,8 +169,8 @@ std::string ScanOut::state() const {
 
 std::string MemoryArbiter::state() const {
     std::size_t refused = 0;
-    for (const tlm::tlm_generic_payload* const payload : pending_)
-        refused += payload != nullptr;
+    for (const RequestTag* const request : pending_)
+        refused += request != nullptr;
     std::string text = fmt::format(
         "{} requests sent and not answered, {} of them not taken", pool_.used(), refused);
     if (const MemoryRequest* const first = pool_.first_used())

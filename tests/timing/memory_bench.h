@@ -112,6 +112,7 @@ inline BenchResult run_memory(const MemoryConfig& config,
         port.channel().connect("client_requests", client, arbiter);
         memory->connect(arbiter);
         arbiter.socket.bind(memory->target());
+        arbiter.go_directly(*memory);
         client.attach();
         arbiter.attach();
         if (Unit* unit = memory->unit()) unit->attach();

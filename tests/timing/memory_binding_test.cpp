@@ -3,6 +3,7 @@
 #include "docs/examples/dram_memory.h"
 #include "docs/examples/latency_memory.h"
 #include "model/timing/gpu_timing.h"
+#include "model/timing/memory_kinds.h"
 #include "model/work/command_assembler.h"
 #include "tests/timing/analytic_scenes.h"
 #include "tests/timing/memory_bench.h"
@@ -47,6 +48,51 @@ TEST_CASE("a DRAM bound from outside has every figure of ours") {
         const Figures ours = machine_figures(config, {});
         CHECK(ours.at("memory_data_cycles") > 0);
         CHECK(machine_figures(config, outside) == ours);
+    }
+}
+
+// One of ours, of which nobody knows the way past the socket.
+class SocketAlone final : public MemoryModule {
+public:
+    explicit SocketAlone(std::unique_ptr<MemoryModule> memory)
+        : memory_(std::move(memory)) {}
+
+    tlm::tlm_target_socket<>& target() override { return memory_->target(); }
+    Unit* unit() override { return memory_->unit(); }
+    void connect(Unit& arbiter) override { memory_->connect(arbiter); }
+    void settle() override { memory_->settle(); }
+    std::vector<const StatisticsGroup*> statistics() const override {
+        return memory_->statistics();
+    }
+
+private:
+    const std::unique_ptr<MemoryModule> memory_;
+};
+
+TEST_CASE("requests that go past the socket are answered as those that go through it") {
+    const MakeMemory by_socket = [](const Clock& clock, const MemoryConfig& config) {
+        return std::make_unique<SocketAlone>(configured_memory(clock, config));
+    };
+    Dice dice(11);
+    for (std::uint64_t i = 0; i < 40; ++i) {
+        MemoryConfig config;
+        config.kind = i % 8 == 0 ? MemoryKind::Fixed : MemoryKind::Dram;
+        config.channels = 1u << dice.below(3);
+        config.queue = 1 + static_cast<std::uint32_t>(dice.below(20)); // few: arrivals are refused
+        config.latency = static_cast<std::uint32_t>(dice.below(40));
+        config.core_clocks = 1 + static_cast<std::uint32_t>(dice.below(3));
+        std::vector<MemoryRequest> list = line_stream(600);
+        for (MemoryRequest& request : list) {
+            request.address = 64 * dice.below(1 << 12);
+            request.write = dice.below(3) == 0;
+        }
+        const BenchResult direct = run_memory(config, list, 64, configured_memory);
+        const BenchResult expected = run_memory(config, list, 64, by_socket);
+        CAPTURE(i);
+        CHECK(direct.done.size() > 300);
+        CHECK(direct.done == expected.done);
+        CHECK(direct.cycles == expected.cycles);
+        CHECK(direct.figures == expected.figures);
     }
 }
 

@@ -5,18 +5,13 @@
 
 #pragma once
 
-#include "model/base/powers_of_two.h"
 #include "model/timing/memory/config.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 
 namespace ffgpu::timing {
-
-inline std::uint32_t memory_channel(const MemoryConfig& config, std::uint64_t address) {
-    return static_cast<std::uint32_t>(quotient(address, config.interleave_bytes)) &
-           (config.channels - 1);
-}
 
 struct DramPlace {
     std::uint32_t channel = 0;
@@ -24,41 +19,78 @@ struct DramPlace {
     std::uint64_t row = 0;
 };
 
-inline std::uint32_t bank_of(const MemoryConfig& config, std::uint64_t row_of_bank) {
-    if (config.bank_hash == work::IndexHash::Modulo)
-        return static_cast<std::uint32_t>(row_of_bank) & (config.banks - 1);
-    return static_cast<std::uint32_t>(work::SetIndex(config.banks, config.bank_hash)(row_of_bank));
+class AddressMapping {
+public:
+    explicit AddressMapping(const MemoryConfig& config)
+        : interleave_(config.interleave_bytes)
+        , channels_(config.channels)
+        , row_(config.row_bytes)
+        , banks_(config.banks)
+        , one_place_(std::min(config.interleave_bytes, config.row_bytes))
+        , bank_of_(config.banks, config.bank_hash) {}
+
+    std::uint32_t channel(std::uint64_t address) const {
+        return static_cast<std::uint32_t>(channels_.remainder(interleave_.quotient(address)));
+    }
+    // In the row.
+    std::uint64_t row_offset(std::uint64_t address) const {
+        return row_.remainder(in_channel(address));
+    }
+    DramPlace place(std::uint64_t address) const {
+        const std::uint64_t row_of_bank = row_.quotient(in_channel(address));
+        return {.channel = channel(address),
+                .bank = static_cast<std::uint32_t>(bank_of_(row_of_bank)),
+                .row = banks_.quotient(row_of_bank)};
+    }
+    // Whether [address, address + bytes) is one row of one channel.
+    bool is_in_one_place(std::uint64_t address, std::uint32_t bytes) const {
+        const std::uint64_t last = address + bytes - 1;
+        if (one_place_.quotient(address) == one_place_.quotient(last)) return true;
+        const DramPlace begin = place(address), end = place(last);
+        return (channels_.is_one() ||
+                interleave_.quotient(address) == interleave_.quotient(last)) &&
+               begin.row == end.row && begin.bank == end.bank;
+    }
+
+private:
+    // A power of two whose shift is worked out once.
+    class Power {
+    public:
+        explicit Power(std::uint32_t value)
+            : shift_(std::countr_zero(value))
+            , mask_(value - 1) {}
+        std::uint64_t quotient(std::uint64_t value) const { return value >> shift_; }
+        std::uint64_t remainder(std::uint64_t value) const { return value & mask_; }
+        std::uint64_t product(std::uint64_t value) const { return value << shift_; }
+        bool is_one() const { return mask_ == 0; }
+
+    private:
+        int shift_;
+        std::uint64_t mask_;
+    };
+
+    // Of the channel's own bytes.
+    std::uint64_t in_channel(std::uint64_t address) const {
+        const std::uint64_t block = channels_.quotient(interleave_.quotient(address));
+        return interleave_.product(block) + interleave_.remainder(address);
+    }
+
+    Power interleave_, channels_, row_, banks_, one_place_;
+    work::SetIndex bank_of_;
+};
+
+// For who asks now and then.
+
+inline std::uint32_t memory_channel(const MemoryConfig& config, std::uint64_t address) {
+    return AddressMapping(config).channel(address);
 }
 
-// Of the channel's own bytes.
-inline std::uint64_t in_channel(const MemoryConfig& config, std::uint64_t address) {
-    const std::uint64_t block =
-        quotient(quotient(address, config.interleave_bytes), config.channels);
-    return block * config.interleave_bytes + remainder(address, config.interleave_bytes);
-}
-
-// In the row.
 inline std::uint64_t row_offset(const MemoryConfig& config, std::uint64_t address) {
-    return remainder(in_channel(config, address), config.row_bytes);
+    return AddressMapping(config).row_offset(address);
 }
 
 inline DramPlace place_of(const MemoryConfig& config, std::uint64_t address) {
-    const std::uint64_t row_of_bank = quotient(in_channel(config, address), config.row_bytes);
-    return {.channel = memory_channel(config, address),
-            .bank = bank_of(config, row_of_bank),
-            .row = quotient(row_of_bank, config.banks)};
-}
-
-// Whether [address, address + bytes) is one row of one channel.
-inline bool
-is_in_one_place(const MemoryConfig& config, std::uint64_t address, std::uint32_t bytes) {
-    const std::uint64_t last = address + bytes - 1;
-    const std::uint64_t one_place = std::min(config.interleave_bytes, config.row_bytes);
-    if (quotient(address, one_place) == quotient(last, one_place)) return true;
-    const DramPlace begin = place_of(config, address), end = place_of(config, last);
-    return (config.channels == 1 || quotient(address, config.interleave_bytes) ==
-                                        quotient(last, config.interleave_bytes)) &&
-           begin.row == end.row && begin.bank == end.bank;
+    return AddressMapping(config).place(address);
 }
 
 } // namespace ffgpu::timing

@@ -29,7 +29,7 @@ void DramChannel::push(const DramRequest& request, MemoryCycle now) {
 }
 
 // Mostly it is enough to look at what has come.
-void DramChannel::wait_also_for(const DramRequest& request, MemoryCycle now) {
+inline void DramChannel::wait_also_for(const DramRequest& request, MemoryCycle now) {
     const auto soonest =
         rests_ ? scheduler_.soonest_of(request, waiting_, device_, now) : std::nullopt;
     if (soonest && *soonest > now) {
@@ -64,7 +64,7 @@ void DramChannel::rest(const DramCommand& none, MemoryCycle now) {
 
 // Behind a command mostly nothing can go out, and nobody has to come back to see that. What is
 // pushed meanwhile has the cycle looked at again.
-void DramChannel::look_ahead(MemoryCycle next) {
+inline void DramChannel::look_ahead(MemoryCycle next) {
     next_work_ = next;
     if (next >= refresh_due_ || config_.page_policy == PagePolicy::Timeout) return;
     scheduler_.choose(waiting_, device_, next, planned_);
@@ -97,7 +97,7 @@ void DramChannel::work_on_refresh(MemoryCycle now) {
     next_work_ = now + 1;
 }
 
-void DramChannel::issue(const DramCommand& command, MemoryCycle now) {
+inline void DramChannel::issue(const DramCommand& command, MemoryCycle now) {
     WaitingRequest& waiting = waiting_[command.index];
     const DramRequest& request = waiting.request;
     scheduler_.issued(command);
@@ -127,23 +127,25 @@ void DramChannel::precharge(std::uint32_t bank, MemoryCycle now) {
     waiting_.set_open_row(bank, DramDevice::NoRow);
 }
 
-void DramChannel::serve(std::size_t index, MemoryCycle now) {
-    const WaitingRequest waiting = waiting_[index];
-    const DramRequest& request = waiting.request;
+inline void DramChannel::serve(std::size_t index, MemoryCycle now) {
+    ServedRequest& served = served_.append();
+    served.request = waiting_[index].request;
+    const RowResult result = waiting_[index].result;
     waiting_.remove(index);
 
+    const DramRequest& request = served.request;
     const bool turns = request.write != device_.last_was_write();
     const bool is_first = !device_.has_carried_data();
-    const DataBurst data = device_.column(request, now);
+    const DataBurst data = served.data = device_.column(request, now);
     if (counts_) {
         if (turns && !is_first) observer_.on_turnaround();
         tell(now);
         charge_until(data, request.bytes, turns ? LostTo::Turnaround : LostTo::NoRequest);
         causes_.restart(now, LostTo::Column);
-        observer_.on_access(number_, request, waiting.result);
+        observer_.on_access(number_, request, result);
     }
 
-    policy_.learn(request.bank, request.row, waiting.result);
+    policy_.learn(request.bank, request.row, result);
     const auto wanted = [&] { return is_wanted(request.bank); };
     const bool closes = policy_.closes_behind(request.bank, wanted);
     if (commands_) tell_columns(request, closes, now);
@@ -151,7 +153,6 @@ void DramChannel::serve(std::size_t index, MemoryCycle now) {
         device_.auto_precharge(request.bank);
         waiting_.set_open_row(request.bank, DramDevice::NoRow);
     }
-    served_.push_back({request, data});
 }
 
 void DramChannel::tell_columns(const DramRequest& request, bool closes, MemoryCycle now) const {

@@ -116,7 +116,7 @@ void DramScheduler::find_row(Search& search) const {
 // False, and nothing found, where a column could go out, or the oldest request may not be passed.
 // Else no request was passed too often, so that a bank works for its oldest one if nobody waits for
 // the row that it has open.
-bool DramScheduler::find_without_column(Search& search) const {
+inline bool DramScheduler::find_without_column(Search& search) const {
     const WaitingRequests& waiting = search.waiting;
     if (waiting.front().passed >= limit_) return false;
     BanksFound found;
@@ -143,7 +143,7 @@ bool DramScheduler::find_without_column(Search& search) const {
 }
 
 // The oldest column of each bank and kind, from the oldest to the youngest.
-void DramScheduler::find_column_by_bits(Search& search) const {
+inline void DramScheduler::find_column_by_bits(Search& search) const {
     const WaitingRequests& waiting = search.waiting;
     const bool may_pass = waiting.front().passed < limit_;
     for (WaitingRequests::Bits left = waiting.hits(); left != 0;) {

@@ -35,6 +35,7 @@ public:
     // A saturating counter a bank learns whether rows left open were of use: a conflict says no, a
     // hit yes, and so does the row that was closed and comes back.
     void learn(std::uint32_t bank, std::uint64_t row, RowResult result) {
+        if (config_.page_policy != PagePolicy::Adaptive) return; // Nobody asks.
         const bool closing_is_right = result == RowResult::Conflict ||
                                       (result == RowResult::Miss && closed_row_[bank] != row);
         std::uint8_t& count = conflicts_[bank];

@@ -12,7 +12,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace ffgpu::timing {
@@ -32,39 +31,41 @@ public:
         : banks_(banks)
         , of_bank_(std::max(std::size_t{banks}, BankTimes::Most), 0) {}
 
-    bool empty() const { return requests_.empty(); }
-    std::size_t size() const { return requests_.size(); }
-    WaitingRequest& operator[](std::size_t i) { return requests_[i]; }
-    const WaitingRequest& operator[](std::size_t i) const { return requests_[i]; }
-    const WaitingRequest& front() const { return requests_.front(); }
-    auto begin() const { return requests_.begin(); }
-    auto end() const { return requests_.end(); }
+    bool empty() const { return count_ == 0; }
+    std::size_t size() const { return count_; }
+    WaitingRequest& operator[](std::size_t i) { return places_[first_ + i]; }
+    const WaitingRequest& operator[](std::size_t i) const { return places_[first_ + i]; }
+    const WaitingRequest& front() const { return places_[first_]; }
+    const WaitingRequest* begin() const { return places_.data() + first_; }
+    const WaitingRequest* end() const { return begin() + count_; }
 
     // `open_row` of its bank.
     void push(const DramRequest& request, std::uint64_t open_row) {
-        if (const std::size_t i = requests_.size(); i < MostWithBits) {
-            of_bank_[request.bank] |= Bits{1} << i;
-            of_kind_[request.write] |= Bits{1} << i;
-            if (request.row == open_row) hits_ |= Bits{1} << i;
+        if (count_ < MostWithBits) {
+            const Bits it = Bits{1} << count_;
+            of_bank_[request.bank] |= it;
+            of_kind_[request.write] |= it;
+            if (request.row == open_row) hits_ |= it;
         }
-        requests_.push_back({.request = request});
+        if (first_ + count_ == places_.size()) make_room();
+        WaitingRequest& place = places_[first_ + count_++];
+        place.request = request;
+        place.result = RowResult::Hit;
+        place.passed = 0;
     }
 
-    // Takes the request out; those before it have been passed.
+    // Takes the request out. Those before it have been passed, and move up; mostly there is none.
     void remove(std::size_t index) {
-        for (std::size_t i = 0; i < index; ++i)
-            ++requests_[i].passed;
-        requests_.erase(requests_.begin() + static_cast<std::ptrdiff_t>(index));
+        for (std::size_t i = index; i > 0; --i) {
+            (*this)[i] = (*this)[i - 1];
+            ++(*this)[i].passed;
+        }
+        ++first_;
+        --count_;
+        if (index == 0) return for_all_bits([](Bits& bits) { bits >>= 1; });
         if (index >= MostWithBits) return;
         const Bits before = (Bits{1} << index) - 1;
-        const auto close_gap = [&](Bits& bits) {
-            bits = (bits & before) | ((bits >> 1) & ~before);
-        };
-        for (Bits& bits : std::span(of_bank_).first(banks_))
-            close_gap(bits);
-        for (Bits& bits : of_kind_)
-            close_gap(bits);
-        close_gap(hits_);
+        for_all_bits([=](Bits& bits) { bits = (bits & before) | ((bits >> 1) & ~before); });
     }
 
     // The bank has another row open, or none.
@@ -72,7 +73,7 @@ public:
         hits_ &= ~of_bank_[bank];
         for (Bits left = of_bank_[bank]; left != 0; left &= left - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(left));
-            if (requests_[i].request.row == row) hits_ |= left & -left;
+            if ((*this)[i].request.row == row) hits_ |= left & -left;
         }
     }
 
@@ -85,7 +86,24 @@ public:
     Bits of_kind(bool write) const { return of_kind_[write]; }
 
 private:
-    std::vector<WaitingRequest> requests_;
+    template <class Change>
+    void for_all_bits(const Change& change) {
+        for (std::size_t bank = 0; bank < banks_; ++bank)
+            change(of_bank_[bank]);
+        for (Bits& bits : of_kind_)
+            change(bits);
+        change(hits_);
+    }
+
+    // Behind the last, where half of the places are free; else there are as many again.
+    void make_room() {
+        if (2 * count_ >= places_.size()) places_.resize(2 * places_.size() + 8);
+        std::copy_n(places_.begin() + static_cast<std::ptrdiff_t>(first_), count_, places_.begin());
+        first_ = 0;
+    }
+
+    std::vector<WaitingRequest> places_;
+    std::size_t first_ = 0, count_ = 0; // those in use
     std::size_t banks_;
     std::vector<Bits> of_bank_;     // those behind the last stay empty
     std::array<Bits, 2> of_kind_{}; // reads, writes
