@@ -65,9 +65,22 @@ def resident_megabytes(command):
 
 
 def ratios_of(first, second, rounds):
-    """Processor time of the second command over that of the first, which run in turn."""
-    pairs = [(processor_seconds(first), processor_seconds(second)) for _ in range(rounds)]
-    return [other / one for one, other in pairs if one and other]
+    """Processor time of the second command over that of the first, a ratio a round.
+
+    A round is a burst in which they run in turn until they have taken a second: the least of the one over
+    the least of the other, as what takes some milliseconds differs by half from run to run.
+    """
+    ratios = []
+    for _ in range(rounds):
+        burst = []
+        while sum(map(sum, burst)) < 1:
+            pair = processor_seconds(first), processor_seconds(second)
+            if not all(pair):
+                return []
+            burst.append(pair)
+        ones, others = zip(*burst)
+        ratios.append(min(others) / min(ones))
+    return ratios
 
 
 def spread(ratios):
