@@ -124,8 +124,8 @@ HWY_INLINE hn::Vec<IntsOf<F>> lanes_at(F, const StoredPlane& plane, hn::Vec<Ints
     alignas(16) static constexpr std::int32_t AllButFirst[4] = {0, -1, -1, -1};
     const IntsOf<F> d;
     const auto* const last = reinterpret_cast<const std::int32_t*>(&plane.high);
-    const auto offset = hn::And(hn::LoadDup128(d, last), hn::LoadDup128(d, AllButFirst));
-    return hn::Add(corners, offset);
+    const auto others = hn::MaskFromVec(hn::LoadDup128(d, AllButFirst));
+    return hn::Add(corners, hn::IfThenElseZero(others, hn::LoadDup128(d, last)));
 }
 
 // The planes from one on, of a run.
