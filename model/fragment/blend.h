@@ -37,7 +37,7 @@ ColorOperation color_operation(const Blend& state);
 
 // --- On batches: rgba8 words, one a lane --------------------------------------------------------
 
-void pack_color(const ColorPlanes& planes, unsigned lanes, LaneWords& colors);
+void pack_color(const FragmentBatch& batch, LaneWords& colors);
 
 // Blends batch.color with `colors`, in place. The kernel is chosen for the state.
 using BlendKernel = void (*)(const Blend& state, const FragmentBatch& batch, LaneWords& colors);

@@ -40,9 +40,9 @@ HWY_INLINE void store_words(const Color& color, LaneWords& words, unsigned lane)
     hn::StoreInterleaved2(rg, ba, D16(), halves(words, lane));
 }
 
-void pack_color_lanes(const ColorPlanes& planes, unsigned lanes, LaneWords& colors) {
-    for (unsigned i = 0; i < lanes; i += Lanes16)
-        store_words(load_planes(planes, i), colors, i);
+void pack_color_lanes(const FragmentBatch& batch, LaneWords& colors) {
+    for (unsigned i = 0; i < batch.lanes(); i += Lanes16)
+        store_words(load_planes(batch.color, i), colors, i);
 }
 
 // --- Blending -----------------------------------------------------------------------------------
@@ -190,8 +190,8 @@ namespace ffgpu {
 HWY_EXPORT(pack_color_lanes);
 HWY_EXPORT(choose_kernel);
 
-void pack_color(const ColorPlanes& planes, unsigned lanes, LaneWords& colors) {
-    HWY_DYNAMIC_DISPATCH(pack_color_lanes)(planes, lanes, colors);
+void pack_color(const FragmentBatch& batch, LaneWords& colors) {
+    HWY_DYNAMIC_DISPATCH(pack_color_lanes)(batch, colors);
 }
 
 void apply_logic_op(LogicOp op, const LaneWords& source, LaneWords& destination, unsigned lanes) {

@@ -77,7 +77,7 @@ void apply_operation(const ColorStage& stage,
                      LaneWords& colors) {
     if (stage.operation == ColorOperation::Blend) return stage.kernel(stage.state, batch, colors);
     LaneWords source;
-    pack_color(batch.color, batch.lanes(), source);
+    pack_color(batch, source);
     if (stage.operation == ColorOperation::Replace) {
         colors = source;
         return;
@@ -99,7 +99,7 @@ void write_color(const ColorStage& stage,
     const Surface& surface = target.surface;
     LaneWords colors;
     if (stage.operation == ColorOperation::Replace && writes_all_channels(target)) {
-        pack_color(batch.color, batch.lanes(), colors);
+        pack_color(batch, colors);
         return store_colors(stage, surface, batch, memory, colors);
     }
     load_colors(surface, memory, batch, colors);

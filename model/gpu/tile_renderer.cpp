@@ -2,7 +2,6 @@
 
 #include "model/arith/range.h"
 #include "model/arith/reciprocal.h"
-#include "model/fragment/blend.h"
 #include "model/memory/clear.h"
 #include "model/raster/image_fragments.h"
 #include "model/raster/smooth_coverage.h"
@@ -309,7 +308,7 @@ void TileRenderer::finish_batch(const FragmentMask& covered) {
 void TileRenderer::finish_kept(std::span<const BatchRun> runs, const FragmentMask& covered) {
     const FragmentMask early = batch_.live;
     if (early.any()) {
-        pack_kept(runs, covered);
+        interpolate_kept(runs);
         write_kept(pixels_->pipe, colors_, batch_, fates_);
     } else {
         fates_ = {};
@@ -317,10 +316,11 @@ void TileRenderer::finish_kept(std::span<const BatchRun> runs, const FragmentMas
     tell(covered, early);
 }
 
-void TileRenderer::pack_kept(std::span<const BatchRun> runs, const FragmentMask& covered) {
-    if (has_constant_colors(runs)) return pack_constant_colors(runs, batch_.lanes(), colors_.words);
-    shade_units(runs, covered);
-    pack_color(batch_.primary, batch_.lanes(), colors_);
+void TileRenderer::interpolate_kept(std::span<const BatchRun> runs) {
+    const InterpolantLayout& layout = pixels_->layout;
+    if (needs_perspective(layout, runs))
+        stages_.interpolate_perspective(runs, batch_, perspective_);
+    interpolate_color_words(layout, runs, perspective_, batch_.lanes(), colors_.words);
 }
 
 void TileRenderer::tell(const FragmentMask& covered, const FragmentMask& early) {

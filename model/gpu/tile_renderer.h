@@ -63,7 +63,7 @@ private:
     bool keeps_colors() const;
     void finish_batch(const FragmentMask& covered);
     void finish_kept(std::span<const BatchRun> runs, const FragmentMask& covered);
-    void pack_kept(std::span<const BatchRun> runs, const FragmentMask& covered);
+    void interpolate_kept(std::span<const BatchRun> runs);
     void tell(const FragmentMask& covered, const FragmentMask& after_early_depth);
     void interpolate_depths();
     void begin_samples();

@@ -154,7 +154,7 @@ HWY_INLINE void for_few_integers(F d, const RunPlanes& planes, Begin&& begin, Bo
     const auto corners = hn::BitCast(ints, planes.places_from(d, lane));
     const auto quads = hn::SetTableIndices(ints, QuadOfLane.data());
     const auto at = hn::BitCast(HalvesOf<F>(), hn::TableLookupLanes(corners, quads));
-    const auto shared = begin(d, lane);
+    auto shared = begin(d, lane);
     for (unsigned i = 0; i < Count; ++i) {
         const StoredPlane& plane = planes.stored[i];
         body(shared, i, lanes_at(d, plane, corners_at(d, plane, at)), lane);
@@ -175,7 +175,7 @@ HWY_INLINE void for_many_integers(F d, const RunPlanes& planes, Begin&& begin, B
             const std::size_t lane = first + quarter * N;
             if (lane >= run.end) break;
             const auto quads = hn::SetTableIndices(ints, QuadOfLane.data() + quarter * N);
-            const auto shared = begin(d, lane);
+            auto shared = begin(d, lane);
             for (unsigned i = 0; i < Count; ++i)
                 body(shared,
                      i,
