@@ -11,23 +11,25 @@
 #include "driver/lower/targets.h"
 #include "driver/lower/texture_image.h"
 #include "driver/lower/transform.h"
+#include "model/base/in_place.h"
 
 namespace ffgpu::gl {
 namespace {
 
 void lower_matrices(const State& state, RegisterFile& registers) {
-    registers.wanted.transform = lower_transform(state.transform);
+    make_in_place(registers.wanted.transform, [&] { return lower_transform(state.transform); });
     registers.update<&Registers::transform>();
 }
 
 void lower_lighting(const LightingState& lighting, RegisterFile& registers) {
-    registers.wanted.lighting = lower_lighting(lighting);
+    make_in_place(registers.wanted.lighting, [&] { return lower_lighting(lighting); });
     registers.update<&Registers::lighting>();
     for (unsigned i = 0; i < Lights; ++i)
-        registers.wanted.lights[i] = lower_light(lighting.lights[i]);
+        make_in_place(registers.wanted.lights[i], [&] { return lower_light(lighting.lights[i]); });
     registers.update<&Registers::lights>();
     for (unsigned i = 0; i < 2; ++i)
-        registers.wanted.materials[i] = lower_material(lighting.materials[i]);
+        make_in_place(registers.wanted.materials[i],
+                      [&] { return lower_material(lighting.materials[i]); });
     registers.update<&Registers::materials>();
 }
 

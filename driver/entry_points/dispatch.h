@@ -14,12 +14,14 @@
 
 namespace ffgpu::gl {
 
-// Out of line, so that vertices outside of lists keep no registers for it. False: the list has the
-// command, and it is not to be carried out.
+// While a list is being compiled. Out of line to the end, so that vertices outside of lists keep no
+// registers for it.
 template <Command Id, CommandClass Class, auto Function, class... Arguments>
-[[gnu::noinline, gnu::cold]] bool compile_and_execute(Context& context, Arguments... arguments) {
+[[gnu::noinline, gnu::cold]] auto dispatch_to_list(Context& context, Arguments... arguments) {
+    using Result = std::invoke_result_t<decltype(Function), Context&, Arguments...>;
     compile<Id, Class, Function>(context, arguments...);
-    return context.lists().executing_too();
+    if (!context.lists().executing_too()) return Result();
+    return execute<Class, Function>(context, arguments...);
 }
 
 template <Command Id, CommandClass Class, auto Function, class... Arguments>
@@ -29,10 +31,8 @@ auto dispatch(Arguments... arguments) noexcept {
     if (!context) return Result();
     try {
         if constexpr (Class != CommandClass::Immediate) {
-            if (context->lists().compiling()) [[unlikely]] {
-                if (!compile_and_execute<Id, Class, Function>(*context, arguments...))
-                    return Result();
-            }
+            if (context->lists().compiling()) [[unlikely]]
+                return dispatch_to_list<Id, Class, Function>(*context, arguments...);
         }
         return execute<Class, Function>(*context, arguments...);
     } catch (const std::bad_alloc&) {

@@ -17,11 +17,11 @@ StencilDepthFates test_depth_target(const StencilDepthState& state,
         for (std::uint32_t& pixel : pixels.words)
             pixel <<= 8;
     const StencilDepthFates fates = test_stencil_depth(state, batch, pixels);
-    if (!state.writes()) return fates;
+    const FragmentMask& written = state.stencil ? batch.live : fates.after_depth;
+    if (!state.writes() || !written.any()) return fates;
     if (narrow)
         for (std::uint32_t& pixel : pixels.words)
             pixel >>= 8;
-    const FragmentMask& written = state.stencil ? batch.live : fates.after_depth;
     store_quads(target, memory, batch, written, pixels);
     return fates;
 }

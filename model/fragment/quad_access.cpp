@@ -222,6 +222,12 @@ void store_sized(const QuadSurface<Pixel, std::byte>& surface,
             [&](unsigned q) { surface.store(q, pixels + 4 * q); });
         return;
     }
+    if (surface.even()) { // As above: quads without a lane in the mask keep what they have.
+        const FragmentMask lanes = mask;
+        for (unsigned q = 0; q < quads; ++q)
+            surface.store_masked(q, lanes.quad(q), pixels + 4 * q);
+        return;
+    }
     for_live_quads(mask, quads, [&](unsigned q, unsigned lanes) {
         if (surface.is_whole(q))
             surface.store_masked(q, lanes, pixels + 4 * q);

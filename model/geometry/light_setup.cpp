@@ -1,5 +1,7 @@
 #include "model/geometry/light_setup.h"
 
+#include "model/base/in_place.h"
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -76,13 +78,16 @@ LightingSetup make_lighting_setup(const Lighting& lighting,
     setup.two_sided = lighting.two_sided;
     setup.separate_specular = lighting.separate_specular;
     setup.scene_ambient = xyz(lighting.scene_ambient);
-    setup.sides[0] = make_material_side(materials[0], lighting.color_material_front);
-    setup.sides[1] = make_material_side(materials[1], lighting.color_material_back);
+    make_in_place(setup.sides[0],
+                  [&] { return make_material_side(materials[0], lighting.color_material_front); });
+    make_in_place(setup.sides[1],
+                  [&] { return make_material_side(materials[1], lighting.color_material_back); });
 
     const bool specular =
         setup.sides[0].has_specular || (setup.two_sided && setup.sides[1].has_specular);
     for (const Light& light : lights)
-        if (light.enable) setup.lights[setup.count++] = make_light_source(light);
+        if (light.enable)
+            make_in_place(setup.lights[setup.count++], [&] { return make_light_source(light); });
 
     // The viewer's place matters to the specular terms alone.
     setup.local_viewer = lighting.local_viewer && specular;

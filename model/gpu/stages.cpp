@@ -29,7 +29,7 @@ constinit const Stages FastStages{
     .interpolate_directions = interpolate_directions,
     .sample = sample,
     .fragment = &FastFragmentStages,
-    .packs_constant_colors = true,
+    .packs_kept_colors = true,
     .passes_over_hidden = true,
     .remembers_clears = true,
 };
@@ -50,7 +50,7 @@ constinit const Stages ReferenceStages{
     .interpolate_directions = interpolate_directions_scalar,
     .sample = sample_without_observer,
     .fragment = &ReferenceFragmentStages,
-    .packs_constant_colors = false,
+    .packs_kept_colors = false,
     .passes_over_hidden = false,
     .remembers_clears = false,
 };

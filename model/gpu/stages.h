@@ -63,8 +63,8 @@ struct Stages {
 
     const FragmentStages* fragment;
 
-    // Constant colours that no stage changes go to the targets as words (write_kept).
-    bool packs_constant_colors = false;
+    // Colours that no stage changes go to the targets as words (write_kept).
+    bool packs_kept_colors = false;
     // Blocks in which every fragment fails the early depth test are counted and passed over
     // (hidden_blocks.h).
     bool passes_over_hidden = false;

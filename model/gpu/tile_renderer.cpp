@@ -225,8 +225,8 @@ void TileRenderer::flush() {
     if (tap_) tap_->coverage();
     if (context.needs_depth) interpolate_depths();
     early_depth_test(context.pipe, batch_, pipe_tap());
-    if (keeps_constant_colors()) {
-        finish_kept(covered);
+    if (keeps_colors()) {
+        finish_kept(runs, covered);
     } else {
         if (batch_.live.any() || records_values()) shade_units(runs, covered);
         finish_batch(covered);
@@ -236,10 +236,9 @@ void TileRenderer::flush() {
 }
 
 // Who is told of stages, or of values, is told of all of them.
-bool TileRenderer::keeps_constant_colors() const {
+bool TileRenderer::keeps_colors() const {
     return pixels_->pipe.keeps_colors && pixels_->units == 0 && pixels_->layout.color >= 0 &&
-           stages_.packs_constant_colors && !records_values() && !tap_ &&
-           has_constant_colors(collector_.runs());
+           stages_.packs_kept_colors && !records_values() && !tap_;
 }
 
 // From the primitives' planes to the texture units' samples.
@@ -305,16 +304,23 @@ void TileRenderer::finish_batch(const FragmentMask& covered) {
     tell(covered, early);
 }
 
-// The same for a batch that keeps_constant_colors().
-void TileRenderer::finish_kept(const FragmentMask& covered) {
+// The same for a batch that keeps_colors(), which is not shaded yet.
+void TileRenderer::finish_kept(std::span<const BatchRun> runs, const FragmentMask& covered) {
     const FragmentMask early = batch_.live;
     if (early.any()) {
-        pack_constant_colors(collector_.runs(), batch_.lanes(), colors_.words);
+        interpolate_kept(runs);
         write_kept(pixels_->pipe, colors_, batch_, fates_);
     } else {
         fates_ = {};
     }
     tell(covered, early);
+}
+
+void TileRenderer::interpolate_kept(std::span<const BatchRun> runs) {
+    const InterpolantLayout& layout = pixels_->layout;
+    if (needs_perspective(layout, runs))
+        stages_.interpolate_perspective(runs, batch_, perspective_);
+    interpolate_color_words(layout, runs, perspective_, batch_.lanes(), colors_.words);
 }
 
 void TileRenderer::tell(const FragmentMask& covered, const FragmentMask& early) {

@@ -60,9 +60,10 @@ private:
     void shade_units(std::span<const BatchRun> runs, const FragmentMask& covered);
     void sample_unit(unsigned unit, const FragmentMask& covered);
     bool is_cube(unsigned unit) const { return pixels_->textures[unit].kind == TextureKind::Cube; }
-    bool keeps_constant_colors() const;
+    bool keeps_colors() const;
     void finish_batch(const FragmentMask& covered);
-    void finish_kept(const FragmentMask& covered);
+    void finish_kept(std::span<const BatchRun> runs, const FragmentMask& covered);
+    void interpolate_kept(std::span<const BatchRun> runs);
     void tell(const FragmentMask& covered, const FragmentMask& after_early_depth);
     void interpolate_depths();
     void begin_samples();
@@ -97,7 +98,7 @@ private:
     FragmentFates fates_;         // of the batch
     SampleMasks covered_samples_; // of the batch, where targets are multisampled
     SampleDepths sample_depths_;
-    LaneWords colors_; // of the batch, where they keep constant
+    LaneWords colors_; // of the batch, where nothing changes them
     QuadCollector collector_{batch_, stages_.pack_quads};
     TileCoverage coverage_, windows_;
     HiddenBlocks hidden_;

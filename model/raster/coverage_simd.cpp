@@ -277,15 +277,21 @@ CoverTileForm choose_cover_windows() {
     return HWY_DYNAMIC_DISPATCH(CoverWindows);
 }
 
-void cover_windows(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
-    static const CoverTileForm cover = choose_cover_windows();
-    cover(edges, tile, coverage);
-}
+namespace {
+
+// Chosen before any is called: for each small triangle a look-up, or the guard of one that is done
+// once, would be felt.
+const CoverTileForm ChosenCoverTile = choose_cover_tile();
+const CoverTileForm ChosenCoverWindows = choose_cover_windows();
+
+} // namespace
 
 void cover_tile(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
-    // A call for each small triangle would feel Highway's own look-up.
-    static const CoverTileForm cover = choose_cover_tile();
-    cover(edges, tile, coverage);
+    ChosenCoverTile(edges, tile, coverage);
+}
+
+void cover_windows(const EdgeSet& edges, const Rectangle& tile, TileCoverage& coverage) {
+    ChosenCoverWindows(edges, tile, coverage);
 }
 
 } // namespace ffgpu

@@ -81,11 +81,6 @@ bool needs_perspective(const InterpolantLayout& layout, std::span<const BatchRun
     });
 }
 
-bool has_constant_colors(std::span<const BatchRun> runs) {
-    return std::all_of(
-        runs.begin(), runs.end(), [](const BatchRun& run) { return run.record->constant_color; });
-}
-
 void interpolate_depth_scalar(std::span<const BatchRun> runs, FragmentBatch& batch) {
     for_each_fragment(runs, batch, [&](const Fragment& at) {
         batch.depth[at.lane] = depth_beside(at, {0, 0});

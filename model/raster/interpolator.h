@@ -53,11 +53,12 @@ void interpolate_colors(const InterpolantLayout& layout,
                         const PerspectivePlanes& perspective,
                         FragmentBatch& batch);
 
-// Where every run's colour is constant: the colours alone, as the words that rgba8 targets hold.
-bool has_constant_colors(std::span<const BatchRun> runs);
-void pack_constant_colors(std::span<const BatchRun> runs,
-                          unsigned lanes,
-                          std::span<std::uint32_t, BatchFragments> words);
+// The primary colour alone, which the layout has, as the words that rgba8 targets hold.
+void interpolate_color_words(const InterpolantLayout& layout,
+                             std::span<const BatchRun> runs,
+                             const PerspectivePlanes& perspective,
+                             unsigned lanes,
+                             std::span<std::uint32_t, BatchFragments> words);
 
 void interpolate_tex_coords(const InterpolantLayout& layout,
                             unsigned unit,

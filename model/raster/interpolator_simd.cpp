@@ -19,6 +19,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // clang-format off: after foreach_target.h
+#include "model/raster/color_lanes-inl.h"
 #include "model/raster/depth_lanes-inl.h"
 #include "model/raster/plane_lanes-inl.h"
 // clang-format on
@@ -26,57 +27,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace ffgpu {
 namespace HWY_NAMESPACE {
-
-// A colour's channel of a primitive: product * scale clamped to 0 .. 255, then floor(that + 1/2).
-// As powers of two are exact, the limit is scaled instead, and product and sum are one rounding.
-class ColorRounding {
-public:
-    explicit ColorRounding(float scale)
-        : scale_(scale)
-        , highest_(std::bit_cast<float>(std::bit_cast<std::uint32_t>(255.0f) +
-                                        std::bit_cast<std::uint32_t>(1.0f) -
-                                        std::bit_cast<std::uint32_t>(scale))) {}
-
-    template <class V>
-    HWY_INLINE void store(V product, std::uint16_t* plane, std::size_t lane) const {
-        const hn::DFromV<V> d;
-        const hn::RebindToUnsigned<decltype(d)> words;
-        const hn::Rebind<std::uint16_t, decltype(d)> halves;
-        const V clamped = hn::Min(hn::Max(product, hn::Zero(d)), hn::Set(d, highest_));
-        const V sum = hn::MulAdd(clamped, hn::Set(d, scale_), hn::Set(d, 0.5f));
-        // With its last bit it is no integer, so that less 1/2 it is rounded as the floor is.
-        const auto inside = hn::Or(hn::BitCast(words, sum), hn::Set(words, 1));
-        const V shifted = hn::Add(hn::BitCast(d, inside), hn::Set(d, ToLowerBits - 0.5f));
-        store_lanes(halves, hn::TruncateTo(halves, hn::BitCast(words, shifted)), plane, lane);
-    }
-
-private:
-    // Adding it leaves a small integer in the lower bits.
-    static constexpr float ToLowerBits = 0x1p23f;
-    float scale_, highest_;
-};
-
-// A colour whose planes stand at `first` in the layout.
-template <unsigned Channels>
-void color_run(const LaneRun& run,
-               int first,
-               const std::uint8_t* constant,
-               const PerspectivePlanes& planes,
-               const std::array<std::uint16_t*, Channels>& out) {
-    if (constant) {
-        for (std::size_t i = 0; i < Channels; ++i)
-            fill_run(run, out[i], std::uint16_t{constant[i]});
-        return;
-    }
-    const std::array<float, Channels> scales =
-        scales_of<Channels>(run, static_cast<unsigned>(first));
-    for_products<Channels>(run,
-                           static_cast<unsigned>(first),
-                           planes,
-                           planes.w.data(),
-                           [&](unsigned i, auto product, std::size_t lane)
-                               HWY_ATTR { ColorRounding(scales[i]).store(product, out[i], lane); });
-}
 
 HWY_INLINE void depth_beside(SubPixelPoint position,
                              std::span<const BatchRun> runs,
@@ -179,9 +129,16 @@ void InterpolateColors(const InterpolantLayout& layout,
     });
 }
 
-void PackConstantColors(std::span<const BatchRun> runs, unsigned lanes, std::uint32_t* words) {
+void InterpolateColorWords(unsigned first,
+                           std::span<const BatchRun> runs,
+                           unsigned lanes,
+                           const PerspectivePlanes& planes,
+                           std::uint32_t* words) {
     for_runs(runs, lanes / 4, [&](const LaneRun& run) HWY_ATTR {
-        fill_run(run, words, std::bit_cast<std::uint32_t>(run.record.color));
+        if (run.record.constant_color)
+            fill_run(run, words, std::bit_cast<std::uint32_t>(run.record.color));
+        else
+            color_words_run(run, first, planes, words);
     });
 }
 
@@ -298,7 +255,7 @@ HWY_EXPORT(InterpolateDepth);
 HWY_EXPORT(InterpolateSampleDepths);
 HWY_EXPORT(InterpolatePerspective);
 HWY_EXPORT(InterpolateColors);
-HWY_EXPORT(PackConstantColors);
+HWY_EXPORT(InterpolateColorWords);
 HWY_EXPORT(InterpolateTexCoords);
 HWY_EXPORT(InterpolateDirections);
 
@@ -327,10 +284,13 @@ void interpolate_colors(const InterpolantLayout& layout,
     if (layout.fog >= 0) check_ordinary({batch.fog_coordinate.data(), batch.lanes()});
 }
 
-void pack_constant_colors(std::span<const BatchRun> runs,
-                          unsigned lanes,
-                          std::span<std::uint32_t, BatchFragments> words) {
-    HWY_DYNAMIC_DISPATCH(PackConstantColors)(runs, lanes, words.data());
+void interpolate_color_words(const InterpolantLayout& layout,
+                             std::span<const BatchRun> runs,
+                             const PerspectivePlanes& perspective,
+                             unsigned lanes,
+                             std::span<std::uint32_t, BatchFragments> words) {
+    HWY_DYNAMIC_DISPATCH(InterpolateColorWords)
+    (static_cast<unsigned>(layout.color), runs, lanes, perspective, words.data());
 }
 
 void interpolate_tex_coords(const InterpolantLayout& layout,

@@ -124,8 +124,8 @@ HWY_INLINE hn::Vec<IntsOf<F>> lanes_at(F, const StoredPlane& plane, hn::Vec<Ints
     alignas(16) static constexpr std::int32_t AllButFirst[4] = {0, -1, -1, -1};
     const IntsOf<F> d;
     const auto* const last = reinterpret_cast<const std::int32_t*>(&plane.high);
-    const auto offset = hn::And(hn::LoadDup128(d, last), hn::LoadDup128(d, AllButFirst));
-    return hn::Add(corners, offset);
+    const auto others = hn::MaskFromVec(hn::LoadDup128(d, AllButFirst));
+    return hn::Add(corners, hn::IfThenElseZero(others, hn::LoadDup128(d, last)));
 }
 
 // The planes from one on, of a run.
@@ -154,7 +154,7 @@ HWY_INLINE void for_few_integers(F d, const RunPlanes& planes, Begin&& begin, Bo
     const auto corners = hn::BitCast(ints, planes.places_from(d, lane));
     const auto quads = hn::SetTableIndices(ints, QuadOfLane.data());
     const auto at = hn::BitCast(HalvesOf<F>(), hn::TableLookupLanes(corners, quads));
-    const auto shared = begin(d, lane);
+    auto shared = begin(d, lane);
     for (unsigned i = 0; i < Count; ++i) {
         const StoredPlane& plane = planes.stored[i];
         body(shared, i, lanes_at(d, plane, corners_at(d, plane, at)), lane);
@@ -175,7 +175,7 @@ HWY_INLINE void for_many_integers(F d, const RunPlanes& planes, Begin&& begin, B
             const std::size_t lane = first + quarter * N;
             if (lane >= run.end) break;
             const auto quads = hn::SetTableIndices(ints, QuadOfLane.data() + quarter * N);
-            const auto shared = begin(d, lane);
+            auto shared = begin(d, lane);
             for (unsigned i = 0; i < Count; ++i)
                 body(shared,
                      i,

@@ -140,9 +140,15 @@ PackQuads choose_pack_quads() {
     return HWY_DYNAMIC_DISPATCH(Pack);
 }
 
+namespace {
+
+// Chosen before any is called: a look-up a block would be felt, and so would a guard.
+const PackQuads ChosenPackQuads = choose_pack_quads();
+
+} // namespace
+
 PackedQuads pack_quads(const BlockCoverage& block, std::uint16_t* x, std::uint16_t* y) {
-    static const PackQuads pack = choose_pack_quads(); // A look-up a block would be felt.
-    return pack(block, x, y);
+    return ChosenPackQuads(block, x, y);
 }
 
 } // namespace ffgpu

@@ -25,7 +25,8 @@ void write_record(const SetupContext& context,
                   unsigned i,
                   const Primitive& triangle,
                   SetupRecord& record) {
-    const auto bit = [i](TriangleGroup::Bits bits) { return (bits >> i & 1) != 0; };
+    const unsigned place = 1u << i;
+    const auto bit = [place](TriangleGroup::Bits bits) { return (bits & place) != 0; };
     record.box = group.box[i];
     for (unsigned edge = 0; edge < 3; ++edge)
         record.edges[edge] = group.edges[edge][i];

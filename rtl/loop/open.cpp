@@ -43,7 +43,7 @@ public:
         choose_raster_units();
         choose_fragment_units();
         table_.fragment = &fragment_;
-        table_.packs_constant_colors = false; // which no unit would see
+        table_.packs_kept_colors = false; // which no unit would see
     }
 
     const Stages& table() const override { return table_; }

@@ -85,6 +85,7 @@ inline const std::map<std::string, Layers> Allowed = {
       "driver/texture",
       "driver/framebuffer",
       "driver/lower",
+      "model/base",
       "model/device"}},
     {"driver/images",
      {"driver",

@@ -88,23 +88,19 @@ bool same_colors(const ColorPlanes& a, const ColorPlanes& b, unsigned lanes) {
            same_lanes(a.b, b.b, lanes) && same_lanes(a.a, b.a, lanes);
 }
 
-// Words of the runs whose colour is constant, against the specification's planes.
-void check_packed_colors(std::span<const BatchRun> runs, const FragmentBatch& scalar) {
+// Colours as words against the specification's planes.
+void check_color_words(const InterpolantLayout& layout,
+                       std::span<const BatchRun> runs,
+                       const PerspectivePlanes& perspective,
+                       const FragmentBatch& scalar) {
     std::array<std::uint32_t, BatchFragments> words;
-    pack_constant_colors(runs, scalar.lanes(), words);
-    bool all_constant = true;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        all_constant = all_constant && runs[i].record->constant_color;
-        if (!runs[i].record->constant_color) continue;
-        const unsigned end = i + 1 < runs.size() ? runs[i + 1].first_quad : scalar.quad_count;
-        for (unsigned lane = 4 * runs[i].first_quad; lane < 4 * end; ++lane) {
-            const ColorPlanes& color = scalar.primary;
-            const auto alpha = static_cast<std::uint32_t>(color.a[lane]);
-            REQUIRE(words[lane] == (color.r[lane] | static_cast<unsigned>(color.g[lane]) << 8 |
-                                    static_cast<unsigned>(color.b[lane]) << 16 | alpha << 24));
-        }
+    interpolate_color_words(layout, runs, perspective, scalar.lanes(), words);
+    const ColorPlanes& color = scalar.primary;
+    for (unsigned lane = 0; lane < scalar.lanes(); ++lane) {
+        const auto alpha = static_cast<std::uint32_t>(color.a[lane]);
+        REQUIRE(words[lane] == (color.r[lane] | static_cast<unsigned>(color.g[lane]) << 8 |
+                                static_cast<unsigned>(color.b[lane]) << 16 | alpha << 24));
     }
-    REQUIRE(has_constant_colors(runs) == all_constant);
 }
 
 // What is said to be full is, and of runs of white all is said to be.
@@ -153,7 +149,7 @@ void compare_forms() {
             REQUIRE(same_lanes(vector->w, scalar->w, lanes));
             REQUIRE(same_colors(batch.primary, scalar_batch->primary, lanes));
             REQUIRE(same_colors(batch.secondary, scalar_batch->secondary, lanes));
-            check_packed_colors(runs, *scalar_batch);
+            check_color_words(layout, runs, *vector, *scalar_batch);
             check_full_channels(runs, batch);
             REQUIRE(same_lanes(batch.fog_coordinate, scalar_batch->fog_coordinate, lanes));
             for (const unsigned unit : {0u, 1u, 3u}) {
