@@ -27,6 +27,23 @@ if(FFGPU_SANITIZE)
   target_link_options(ffgpu_options INTERFACE -fsanitize=${FFGPU_SANITIZE} -fno-sanitize=vptr)
 endif()
 
+# Calls between files that lie apart, but are taken so often that the linker is to inline them.
+# ffgpu_inlined_by_linker(files...): the files, of the current folder; ffgpu_links_inlined(target
+# scope): whose linker does it. Other targets link the same files as ever.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT FFGPU_SANITIZE)
+  set(FFGPU_OPTIMIZES_AT_LINK ON)
+endif()
+function(ffgpu_inlined_by_linker)
+  if(FFGPU_OPTIMIZES_AT_LINK)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS "$<$<CONFIG:Release>:-flto;-ffat-lto-objects>")
+  endif()
+endfunction()
+function(ffgpu_links_inlined target scope)
+  if(FFGPU_OPTIMIZES_AT_LINK)
+    target_link_options(${target} ${scope} $<$<CONFIG:Release>:-flto=auto>)
+  endif()
+endfunction()
+
 # ffgpu_library(name folder [EXCLUDE subfolder ...] [LINKS ...]): a static library of all .cpp files
 # of the folder, but for those of the subfolders.
 function(ffgpu_library name folder)

@@ -112,10 +112,13 @@ private:
     // Copies the attributes behind the position, which is written: whole, as they were written a
     // moment before (one_store.h). What is too much of one goes with the next.
     void finish_vertex() {
-        for (unsigned i = 0; i < placed_count_; ++i)
+        // Once: the compiler cannot tell that a vertex does not lie over them.
+        float* const vertex = cursor_;
+        const unsigned count = placed_count_;
+        for (unsigned i = 0; i < count; ++i)
             std::memcpy(
-                cursor_ + placed_[i].offset, pending_[placed_[i].attribute].data(), sizeof(Vec4));
-        cursor_ += format_.stride;
+                vertex + placed_[i].offset, pending_[placed_[i].attribute].data(), sizeof(Vec4));
+        cursor_ = vertex + format_.stride;
         --room_;
     }
 

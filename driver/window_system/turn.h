@@ -44,31 +44,30 @@ public:
     // In each of the exported functions: a call more would be a tenth of glVertex.
     [[gnu::always_inline]] TurnIn() {
         if (detail::owns_turn) [[likely]] {
-            const unsigned depth = detail::turn_state.inside.load(std::memory_order_relaxed);
-            detail::turn_state.inside.store(depth + 1, std::memory_order_relaxed);
+            depth_ = detail::turn_state.inside.load(std::memory_order_relaxed);
+            detail::turn_state.inside.store(depth_ + 1, std::memory_order_relaxed);
             // The compiler keeps store and load in order; membarrier in the other thread makes
             // the processor do so where it matters.
             std::atomic_signal_fence(std::memory_order_seq_cst);
-            if (depth > 0 || !detail::turn_state.shared.load(std::memory_order_acquire)) [[likely]]
+            if (depth_ > 0 || !detail::turn_state.shared.load(std::memory_order_acquire)) [[likely]]
                 return;
             detail::turn_state.inside.store(0, std::memory_order_release);
         }
-        biased_ = detail::lock_turn();
+        depth_ = detail::lock_turn() ? 0 : InMutex;
     }
     ~TurnIn() {
-        if (biased_) [[likely]] {
-            const unsigned depth = detail::turn_state.inside.load(std::memory_order_relaxed);
-            detail::turn_state.inside.store(depth - 1, std::memory_order_release);
-        } else {
+        if (depth_ != InMutex) [[likely]]
+            detail::turn_state.inside.store(depth_, std::memory_order_release);
+        else
             detail::unlock_turn();
-        }
     }
     TurnIn(const TurnIn&) = delete;
     TurnIn& operator=(const TurnIn&) = delete;
 
 private:
     [[no_unique_address]] const Environment environment_{};
-    bool biased_ = true;
+    unsigned depth_ = 0; // of the owner's calls around this one
+    static constexpr unsigned InMutex = ~0u;
 };
 
 using Turn = TurnIn<FloatEnvironment>;
