@@ -29,7 +29,7 @@ endif()
 
 # Calls between files that lie apart, but are taken so often that the linker is to inline them.
 # ffgpu_inlined_by_linker(files...): the files, of the current folder; ffgpu_links_inlined(target
-# scope): whose linker does it. Other targets link the same files as ever.
+# scope): the linker of all that they go into is told to use all processors for it.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT FFGPU_SANITIZE)
   set(FFGPU_OPTIMIZES_AT_LINK ON)
 endif()
