@@ -78,9 +78,12 @@ void draw_indexed(VertexContext& context,
     const std::uint32_t size = whole_vertices(type, static_cast<std::uint32_t>(indices.size()));
     if (size == 0) return;
     indices = indices.first(size);
-    const auto [least, most] = std::minmax_element(indices.begin(), indices.end());
-    const std::uint32_t first = *least;
-    const std::uint64_t range = std::uint64_t{*most} - first + 1;
+    std::uint32_t first = indices.front(), last = first;
+    for (const std::uint32_t i : indices) { // In lanes, other than std::minmax_element.
+        first = std::min(first, i);
+        last = std::max(last, i);
+    }
+    const std::uint64_t range = std::uint64_t{last} - first + 1;
     const std::size_t stride = arrays.format().stride;
     DrawPath& path = context.draw_path();
 

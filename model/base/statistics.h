@@ -49,6 +49,12 @@ public:
                 counters_[i] += part->counters_[i].value();
         }
     }
+    // A group of the same counters gives up what it has counted.
+    void take_over(StatisticsGroup& other) {
+        for (std::size_t i = 0; i < counters_.size(); ++i)
+            counters_[i] += other.counters_[i].value();
+        other.reset();
+    }
     void reset() {
         for (Counter& counter : counters_)
             counter.reset();

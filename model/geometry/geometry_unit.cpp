@@ -26,6 +26,16 @@ bool has_edge_flags(PrimitiveType type) {
            type == PrimitiveType::Polygon;
 }
 
+ElementChunks chunks_of(const DrawCommand& command, bool whole_polygons) {
+    const bool outline = whole_polygons && command.primitive == PrimitiveType::Polygon;
+    const bool indexed = command.index_type != IndexType::None;
+    return {chunk_rule(command.primitive),
+            command.count,
+            outline   ? OutlineChunk
+            : indexed ? IndexedChunk
+                      : PlainChunk};
+}
+
 VertexNeeds vertex_needs(const PrimitiveSetup& registers, PrimitiveType type) {
     const auto either_mode = [&](PolygonMode mode) {
         return registers.front_mode == mode || registers.back_mode == mode;
@@ -102,7 +112,46 @@ void GeometryUnit::run(const DrawState& state,
     if (!setup_.window.visible) return;
     stage_.start(setup_, feedback_, work);
     assembler_.start(command);
-    run_chunks(command, elements);
+    const ElementChunks chunks = chunks_of(command, stage_.whole_polygons());
+    for (std::uint32_t i = 0; i < chunks.count(); ++i)
+        run_chunk(command, elements, chunks[i]);
+    count_primitives();
+}
+
+std::uint32_t GeometryUnit::separate_chunks(const DrawState& state,
+                                            const DrawCommand& command) const {
+    const PrimitiveSetup& registers = state.regs().primitive;
+    const bool filled =
+        registers.front_mode == PolygonMode::Fill && registers.back_mode == PolygonMode::Fill;
+    // A polygon's triangles share its number and are counted on.
+    if (!filled || !is_polygon(command.primitive) || command.primitive == PrimitiveType::Polygon ||
+        command.count == 0)
+        return 1;
+    const ElementChunks chunks = chunks_of(command, false);
+    if (chunks.count() == 1) return 1;
+    const ElementReader elements(memory_, command, state.regs().vertex_format);
+    return elements.in_memory() ? chunks.count() : 1;
+}
+
+void GeometryUnit::begin_separate_chunks(const DrawCommand& command) {
+    ++stats_.draws;
+    assembler_.start(command);
+}
+
+void GeometryUnit::draw_chunk(const DrawState& state,
+                              const DrawCommand& command,
+                              std::uint32_t chunk,
+                              PrimitiveSink& sink) {
+    feedback_ = nullptr;
+    work_ = nullptr;
+    primitives_.start(&sink);
+    set_up(state, state.layout, vertex_needs(state.regs().primitive, command.primitive));
+    if (!setup_.window.visible) return;
+    stage_.start(setup_, nullptr, nullptr);
+    assembler_.start(command);
+    run_chunk(command,
+              ElementReader(memory_, command, state.regs().vertex_format),
+              chunks_of(command, false)[chunk]);
     count_primitives();
 }
 
@@ -116,35 +165,25 @@ void GeometryUnit::set_up(const DrawState& state,
     pool_.start(setup_);
 }
 
-void GeometryUnit::run_chunks(const DrawCommand& command, const ElementReader& elements) {
-    const ChunkRule rule = chunk_rule(command.primitive);
-    const std::uint32_t hub = rule.hub ? 1 : 0;
-    std::uint32_t size = elements.indexed() ? IndexedChunk : PlainChunk;
-    if (command.primitive == PrimitiveType::Polygon && stage_.whole_polygons()) size = OutlineChunk;
+void GeometryUnit::run_chunk(const DrawCommand& command,
+                             const ElementReader& elements,
+                             const ElementChunks::Chunk& chunk) {
+    const std::uint32_t hub = chunk_rule(command.primitive).hub;
+    elements_.resize(hub + chunk.end - chunk.begin);
+    if (hub) elements.read(0, std::span(elements_).first(1));
+    elements.read(chunk.begin, std::span(elements_).subspan(hub));
+    if (work_)
+        work_->vertices.insert(
+            work_->vertices.end(), elements_.end() - chunk.fresh, elements_.end());
+    stats_.vertices_fetched += chunk.fresh;
 
-    const std::byte* const vertices = memory_.data() + command.vertex_address;
-    std::uint32_t seen = 0; // elements before it have been counted
-    for (std::uint32_t begin = hub; seen < command.count;) {
-        const std::uint32_t end = command.count - begin <= size ? command.count : begin + size;
-        elements_.resize(hub + end - begin);
-        if (rule.hub) elements.read(0, std::span(elements_).first(1));
-        elements.read(begin, std::span(elements_).subspan(hub));
-        if (work_) {
-            const std::uint32_t fresh = end - seen;
-            work_->vertices.insert(work_->vertices.end(), elements_.end() - fresh, elements_.end());
-        }
-        stats_.vertices_fetched += end - seen;
-
-        make_slots(elements);
-        shade_vertices(vertices);
-        assembler_.assemble({.slots = slots_,
-                             .first = begin,
-                             .is_first = begin == hub,
-                             .is_last = end == command.count});
-        primitives_.flush();
-        seen = end;
-        begin = end - rule.overlap;
-    }
+    make_slots(elements);
+    shade_vertices(memory_.data() + command.vertex_address);
+    assembler_.assemble({.slots = slots_,
+                         .first = chunk.begin,
+                         .is_first = chunk.begin == hub,
+                         .is_last = chunk.end == command.count});
+    primitives_.flush();
 }
 
 void GeometryUnit::make_slots(const ElementReader& elements) {

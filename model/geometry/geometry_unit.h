@@ -4,12 +4,13 @@
 //     pool -> assembly -> clipping, facing, culling, modes -> PrimitiveSink
 //
 // Draws of any length go through in chunks of some thousand elements, so memory is bounded. A unit
-// serves one thread.
+// serves one thread; the chunks of one draw can be carried out by several units at once.
 
 #pragma once
 
 #include "model/base/statistics.h"
 #include "model/device/commands.h"
+#include "model/geometry/element_chunks.h"
 #include "model/geometry/primitive_assembler.h"
 #include "model/geometry/reuse_table.h"
 #include "model/geometry/vertex_fetch.h"
@@ -57,6 +58,16 @@ public:
               PrimitiveSink& sink,
               GeometryWork* work = nullptr);
 
+    // How many chunks of the draw can be carried out apart, by several units and in any order:
+    // together they hand over what draw() does, chunk after chunk. 1: it has to be one draw().
+    std::uint32_t separate_chunks(const DrawState& state, const DrawCommand& command) const;
+    // Once for such a draw, by the unit that carries out the draws before and after it.
+    void begin_separate_chunks(const DrawCommand& command);
+    void draw_chunk(const DrawState& state,
+                    const DrawCommand& command,
+                    std::uint32_t chunk,
+                    PrimitiveSink& sink);
+
     // DrawOutput::Feedback: writes the draw's records into `memory`.
     void feedback(const DrawState& state, const DrawCommand& command, std::span<std::byte> memory);
 
@@ -69,7 +80,9 @@ private:
              const DrawCommand& command,
              GeometryWork* work);
     void set_up(const DrawState& state, const InterpolantLayout& layout, VertexNeeds needs);
-    void run_chunks(const DrawCommand& command, const ElementReader& elements);
+    void run_chunk(const DrawCommand& command,
+                   const ElementReader& elements,
+                   const ElementChunks::Chunk& chunk);
     void make_slots(const ElementReader& elements);
     void shade_vertices(const std::byte* vertices);
     void count_primitives();

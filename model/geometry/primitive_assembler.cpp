@@ -21,14 +21,39 @@ ChunkRule chunk_rule(PrimitiveType type) {
     }
 }
 
+namespace {
+
+// The key of the chunk's first primitive. A polygon is one primitive, whatever its chunks.
+std::uint32_t first_key(PrimitiveType type, const ElementChunk& chunk) {
+    switch (type) {
+    case PrimitiveType::Lines:
+    case PrimitiveType::QuadStrip:
+        return chunk.first / 2;
+    case PrimitiveType::Triangles:
+        return chunk.first / 3;
+    case PrimitiveType::Quads:
+        return chunk.first / 4;
+    case PrimitiveType::TriangleFan:
+        return chunk.first - 1;
+    case PrimitiveType::LineLoop:
+        return chunk.is_first ? 0 : chunk.first;
+    case PrimitiveType::Polygon:
+        return 0;
+    default:
+        return chunk.first;
+    }
+}
+
+} // namespace
+
 void PrimitiveAssembler::start(const DrawCommand& command) {
     type_ = command.primitive;
-    key_ = 0;
     if (!command.continue_line_stipple) stage_.reset_line_stipple();
 }
 
 void PrimitiveAssembler::assemble(const ElementChunk& chunk) {
     first_ = chunk.first - (chunk_rule(type_).hub ? 1 : 0);
+    key_ = first_key(type_, chunk);
     switch (type_) {
     case PrimitiveType::Points:
         return points(chunk.slots);

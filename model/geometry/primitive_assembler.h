@@ -34,7 +34,7 @@ public:
         , stage_(stage) {}
 
     void start(const DrawCommand& command);
-    // Chunks of a draw come in order.
+    // Those whose primitives count on from each other (line stipple) come in order.
     void assemble(const ElementChunk& chunk);
 
 private:

@@ -33,6 +33,7 @@ void Bin::reset(int width, int height) {
     commands_.clear();
     used_ = 0;
     word_count_ = 0;
+    told_pixels_ = 0;
     cleared_ = {};
     tile_size_ = asked_tile_size_ ? asked_tile_size_ : tile_size_for(width, height);
     const auto size = static_cast<unsigned>(tile_size_);
@@ -44,7 +45,7 @@ void Bin::reset(int width, int height) {
 
 bool Bin::full() const {
     return used_ + MaxSetupRecordBytes > arena_bytes_ || word_count_ >= MaxWords ||
-           commands_.size() >= MaxCommands;
+           commands_.size() >= MaxCommands || told_pixels_ >= MaxToldPixels;
 }
 
 std::size_t Bin::add_command(BinCommand command) {
@@ -95,11 +96,6 @@ void Bin::insert_whole(const Rectangle& area) {
     for (int y = tiles.y0; y < tiles.y1; ++y)
         for (int x = tiles.x0; x < tiles.x1; ++x)
             add_word(static_cast<std::uint32_t>(y * columns_ + x), word);
-}
-
-const std::vector<std::uint32_t>& Bin::busy_tiles() {
-    std::sort(busy_.begin(), busy_.end());
-    return busy_;
 }
 
 Rectangle Bin::tile_rectangle(std::uint32_t tile) const {

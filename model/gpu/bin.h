@@ -67,14 +67,18 @@ public:
     SetupRecord& next_record() { return *reinterpret_cast<SetupRecord*>(arena() + used_); }
     void insert();
 
+    // The last record may cover so many pixels, of which others will be told: some 80 bytes a quad,
+    // which wait for them. A bin is full when there are many.
+    void add_told_pixels(std::uint64_t pixels) { told_pixels_ += pixels; }
+
     // Adds the current command to all tiles that `area` touches.
     void insert_whole(const Rectangle& area);
 
     std::vector<BinCommand>& commands() { return commands_; }
     const std::vector<BinCommand>& commands() const { return commands_; }
 
-    // Tiles with work, in row order from the lower left.
-    const std::vector<std::uint32_t>& busy_tiles();
+    // Tiles with work, in any order.
+    const std::vector<std::uint32_t>& busy_tiles() const { return busy_; }
     Rectangle tile_rectangle(std::uint32_t tile) const;
 
     template <class Visit>
@@ -90,6 +94,7 @@ private:
     static constexpr unsigned TileShift = 19;
     static_assert(MaxSurfaceSize <= 1u << 12);
     static constexpr std::size_t MaxCommands = 1 << 10; // Each may hold registers.
+    static constexpr std::uint64_t MaxToldPixels = 1 << 18;
 
     struct Tile {
         std::vector<std::uint32_t> words;
@@ -119,6 +124,7 @@ private:
     std::unique_ptr<Line[]> arena_; // Left uninitialised: the host backs it as it is used.
     std::size_t used_ = 0;
     std::size_t word_count_ = 0;
+    std::uint64_t told_pixels_ = 0;
 };
 
 template <class Visit>

@@ -17,12 +17,12 @@ namespace ffgpu {
 FunctionalGpu::FunctionalGpu(const Config& config)
     : config_(config)
     , memory_(config.memory_bytes)
-    , geometry_(memory_.bytes(), config.stages->shade_vertices)
     , pool_(config.threads)
-    , bin_(static_cast<int>(config.tile_size), config.bin_bytes)
-    , under_way_(static_cast<int>(config.tile_size), config.bin_bytes)
+    , geometry_(pool_.threads())
+    , stock_(static_cast<int>(config.tile_size), config.bin_bytes)
     , pixel_contexts_(memory_.bytes(), *config_.stages->fragment) {
     check(config.threads >= 1, "a GPU needs a thread");
+    geometry_[0] = std::make_unique<GeometryWorker>(memory_.bytes(), *config.stages);
     for (unsigned i = 0; i < pool_.threads(); ++i)
         renderers_.push_back(std::make_unique<TileRenderer>(memory_.bytes(), *config.stages));
 }
@@ -72,8 +72,11 @@ void FunctionalGpu::reset() {
     frame_ = draw_number_ = 0;
     samples_ = 0;
     samples_pending_ = false;
-    geometry_.statistics().reset();
-    primitive_statistics_.reset();
+    for (const auto& worker : geometry_) {
+        if (!worker) continue;
+        worker->geometry.statistics().reset();
+        worker->binner.statistics().reset();
+    }
     fragment_statistics_.reset();
     host_statistics_.reset();
 }
@@ -103,7 +106,9 @@ void FunctionalGpu::finish() {
 }
 
 std::vector<const StatisticsGroup*> FunctionalGpu::statistics() const {
-    return {&geometry_.statistics(), &primitive_statistics_, &fragment_statistics_};
+    return {&geometry_[0]->geometry.statistics(),
+            &geometry_[0]->binner.statistics(),
+            &fragment_statistics_};
 }
 
 void FunctionalGpu::submit(const CommandStream& commands) {
@@ -147,22 +152,21 @@ void FunctionalGpu::write_register(const CommandReader::RegisterWrite& write) {
 void FunctionalGpu::clear(const ClearCommand& command) {
     prepare_context();
     begin_command({.kind = WorkKind::Clear, .clear = command});
-    bin_.insert_whole(context_->setup.clip);
+    bin().insert_whole(context_->setup.clip);
 }
 
 void FunctionalGpu::draw_image(const DrawImageCommand& command) {
     validate(command, memory_.size());
     prepare_context();
-    ++primitive_statistics_.draws;
+    ++primitive_statistics().draws;
     const std::uint64_t bytes = image_bytes(command);
     before_read(command.address, bytes);
     begin_command({.kind = WorkKind::Image,
                    .number = draw_number_++,
                    .image = std::make_unique<const DrawImageCommand>(command)});
-    bin_reads_.add(command.address, bytes);
-    bin_serial_ = bin_serial_ || bin_writes_.overlaps(command.address, bytes);
-    samples_pending_ = samples_pending_ || context_->pixels->count_samples;
-    bin_.insert_whole(image_bounds(command, context_->setup.clip, context_->setup.multisample));
+    bins_.reads.add(command.address, bytes);
+    bin_serial_ = bin_serial_ || bins_.writes.overlaps(command.address, bytes);
+    bin().insert_whole(image_bounds(command, context_->setup.clip, context_->setup.multisample));
     if (command.format != Format::Stencil8 || !records_values()) return;
     flush(); // No quad tells what it wrote.
     const Surface& depth = context_->regs().targets.depth;
@@ -203,7 +207,7 @@ void FunctionalGpu::end_frame() {
     if (sink_) {
         flush();
         sink_->end_frame(frame_);
-    } else if (!bin_.empty()) {
+    } else if (!bins_.empty()) {
         carry_out();
     }
     ++frame_;

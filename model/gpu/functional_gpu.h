@@ -4,19 +4,19 @@
 //     bin, tile by tile on the other threads while the next is filled, or on all:
 //         coverage -> early depth -> interpolation -> texture units -> environments .. write
 //
-// Geometry runs while commands are submitted; pixels wait in a bin until somebody may look at
-// them. Each tile works in the order of the commands, and no stage looks across tiles: the result
-// depends neither on the number of threads nor on the tile size.
+// Geometry runs while commands are submitted, that of long draws on all threads; pixels wait in a
+// bin until somebody may look at them. Each tile works in the order of the commands, and no stage
+// looks across tiles: the result depends neither on the number of threads nor on the tile size.
 
 #pragma once
 
 #include "model/device/command_reader.h"
 #include "model/device/device.h"
 #include "model/device/register_file.h"
-#include "model/geometry/geometry_unit.h"
-#include "model/gpu/bin_under_way.h"
+#include "model/gpu/bin_sequence.h"
+#include "model/gpu/bin_stock.h"
 #include "model/gpu/cleared_tiles.h"
-#include "model/gpu/range_set.h"
+#include "model/gpu/geometry_worker.h"
 #include "model/gpu/raster_statistics.h"
 #include "model/gpu/stages.h"
 #include "model/gpu/surface_journal.h"
@@ -24,7 +24,6 @@
 #include "model/gpu/tile_renderer.h"
 #include "model/memory/device_memory.h"
 #include "model/packets/stage_probe.h"
-#include "model/packets/window_vertex.h"
 #include "model/packets/work_stream.h"
 
 #include <memory>
@@ -32,7 +31,7 @@
 
 namespace ffgpu {
 
-class FunctionalGpu final : public Device, private PrimitiveSink {
+class FunctionalGpu final : public Device, private BinSupply {
 public:
     struct Config {
         unsigned threads = 1;   // that carry out tiles, the caller's included
@@ -80,6 +79,10 @@ public:
     const StatisticsGroup& host_statistics() const { return host_statistics_; }
 
 private:
+    GeometryUnit& geometry() { return geometry_[0]->geometry; }
+    PrimitiveStatistics& primitive_statistics() { return geometry_[0]->binner.statistics(); }
+    Bin& bin() { return *bins_.bins.back(); }
+
     // Commands.
     void execute(const CommandReader& reader);
     void write_register(const CommandReader::RegisterWrite& write);
@@ -94,27 +97,25 @@ private:
     // Draws.
     void prepare_context();
     void begin_command(BinCommand command);
-    void primitives(std::span<const Primitive> batch) override;
-    void bin_triangles(std::span<const Primitive> triangles);
-    void bin_triangle(const Primitive& triangle, unsigned place);
-    void bin_primitive(const Primitive& primitive);
-    SetupRecord& begin_record(const Primitive& primitive);
-    void tell_set_up(const SetupRecord& record);
-    void count_empty();
-    void count_area(const Rectangle& box, double double_area);
+    Bin& next_bin() override;
     void draw_in_geometry(const DrawCommand& command);
+    void draw_in_chunks(const DrawCommand& command, std::uint32_t number, std::uint32_t chunks);
+    class ChunkBins;
+    GeometryWorker& geometry_of(unsigned worker);
     bool reads_own_target(const DrawContext& context) const;
 
     // Bins.
     void before_read(std::uint64_t at, std::uint64_t bytes); // of memory by anybody but a bin
     void before_write(std::uint64_t at, std::uint64_t bytes);
     void forget_contents(std::uint64_t at, std::uint64_t bytes);
-    void flush(); // All that was submitted is in memory.
-    bool bin_is_full() const;
-    void carry_out(); // The bin at hand is drawn, perhaps while the next one is filled.
+    void flush();     // All that was submitted is in memory.
+    void carry_out(); // The bins at hand are drawn, perhaps while the next ones are filled.
     void finish_carrying();
-    void draw_and_record();
+    void put_under_way();
+    void end_under_way();
+    void draw_and_record(bool alone);
     void open_bin(const Targets& targets);
+    std::unique_ptr<Bin> make_bin();
     void tell_contents(const Targets& targets);
     bool records_values() const { return sink_ && detail_ == WorkDetail::Values; }
     void hand_over(std::vector<WorkTile> tiles, std::vector<std::shared_ptr<ChunkMemory>> memory);
@@ -123,21 +124,21 @@ private:
     const Config config_;
     DeviceMemory memory_;
     RegisterFile registers_;
-    GeometryUnit geometry_;
     ThreadPool pool_;
-    std::vector<std::unique_ptr<TileRenderer>> renderers_; // one a thread
+    std::vector<std::unique_ptr<GeometryWorker>> geometry_; // one a thread, as it is needed
+    std::vector<std::unique_ptr<TileRenderer>> renderers_;  // one a thread
     std::shared_ptr<ChunkPool> record_chunks_ = std::make_shared<ChunkPool>();
     WorkSink* sink_ = nullptr;
     WorkDetail detail_ = WorkDetail::Masks;
     bool hidden_ = false;
     StageProbe* probe_ = nullptr;
 
-    std::unique_ptr<TriangleGroup> group_ = std::make_unique<TriangleGroup>();
-    Bin bin_;
-    Targets bin_targets_; // what the bin draws into
-    RangeSet bin_reads_, bin_writes_;
+    BinStock stock_;
+    BinSequence bins_;      // Where commands go: to the last.
+    BinSequence under_way_; // Other threads draw them while the next are filled,
+    std::vector<std::uint32_t> under_way_tiles_; // tile by tile.
+    Targets bin_targets_;                        // what the bins draw into
     ClearedTargets cleared_;
-    BinUnderWay under_way_;
     bool bin_serial_ = false; // A draw reads what it writes: one thread, so that it repeats.
     PixelContexts pixel_contexts_;
     std::shared_ptr<const DrawContext> context_; // of the registers, where it is valid
@@ -146,7 +147,6 @@ private:
     std::shared_ptr<const PixelContext> binned_pixels_; // the last whose textures are in the sets
 
     // With a work sink.
-    std::uint64_t bin_area_ = 0;          // of the bin's primitives, in pixels, at most
     std::vector<HostTransfer> transfers_; // since the last bin was handed over
     bool draw_goes_on_ = false;           // The bin is full within a draw.
     GeometryWork geometry_work_;          // of the draw under way
@@ -157,13 +157,11 @@ private:
     SurfaceJournal journal_;       // with values, as contents_
     std::vector<std::shared_ptr<const SurfaceContent>> contents_;
 
-    std::uint32_t last_key_ = 0, next_piece_ = 0; // of the primitives of the draw under way
     std::uint32_t draw_number_ = 0;
     std::uint32_t frame_ = 0;
     std::uint64_t samples_ = 0;
     bool samples_pending_ = false; // The bin holds draws that count samples.
     FragmentStatistics fragment_statistics_;
-    PrimitiveStatistics primitive_statistics_;
     HostStatistics host_statistics_;
 };
 

@@ -17,15 +17,20 @@ void pause() {
 #endif
 }
 
-// What others do soon is waited for awake, some tens of microseconds: to sleep and to be woken
-// takes as long. Nothing is yielded: a scheduler may take it for a whole slice that was used.
+// What others do soon is waited for awake: to sleep and to be woken takes tens of microseconds, and
+// as long of the thread that wakes. So long is a caller with its own affairs between two lists of
+// jobs. Nothing is yielded: a scheduler may take it for a whole slice that was used.
 template <class Ready>
 bool comes_soon(Ready&& ready) {
-    constexpr int Looks = 1000;
-    for (int i = 0; i < Looks; ++i) {
-        if (ready()) return true;
-        pause();
-    }
+    constexpr std::chrono::microseconds Soon(100);
+    constexpr int LooksAtOnce = 16; // A look at the clock takes as long as one or two.
+    const auto end = ThreadBenefit::Clock::now() + Soon;
+    do {
+        for (int i = 0; i < LooksAtOnce; ++i) {
+            if (ready()) return true;
+            pause();
+        }
+    } while (ThreadBenefit::Clock::now() < end);
     return ready();
 }
 
@@ -58,10 +63,9 @@ void ThreadPool::start(std::size_t count, Job job) {
     check(count <= std::numeric_limits<std::uint32_t>::max(), "so many jobs at once");
     job_ = std::move(job);
     left_ = count;
-    const ThreadBenefit::Clock::time_point now = ThreadBenefit::Clock::now();
-    if (workers_.empty() || !benefit_.pays(now)) return run_alone(count);
+    if (!shares()) return run_alone(count);
     shared_ = true;
-    started_at_ = now;
+    started_at_ = ThreadBenefit::Clock::now();
     time_at_start_ = processor_time();
     {
         const std::lock_guard lock(mutex_);

@@ -29,6 +29,9 @@ public:
 
     unsigned threads() const { return static_cast<unsigned>(workers_.size()) + 1; }
 
+    // Whether other threads would take part in what begins now.
+    bool shares() const { return !workers_.empty() && benefit_.pays(ThreadBenefit::Clock::now()); }
+
     // The other threads begin to run `job` for each index below `count`; where there are none, or
     // where they were no help of late, the caller has run all when this returns. The list before
     // must have been waited for.

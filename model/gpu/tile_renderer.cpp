@@ -32,22 +32,32 @@ void TileRenderer::set_probe(StageProbe* probe) {
     tap_ = probe ? std::make_unique<StageTap>(*probe, batch_) : nullptr;
 }
 
-void TileRenderer::render(const Bin& bin, std::uint32_t tile, const Recording& recording) {
-    tile_ = bin.tile_rectangle(tile);
+void TileRenderer::render(const BinSequence& sequence,
+                          std::uint32_t tile,
+                          const Recording& recording) {
+    const Bin& first = *sequence.bins.front();
+    tile_ = first.tile_rectangle(tile);
     tile_number_ = tile;
-    cleared_ = &bin.cleared();
+    cleared_ = &first.cleared();
     if (recording.tile) {
         recording.tile->x = static_cast<std::uint16_t>(tile_.x0);
         recording.tile->y = static_cast<std::uint16_t>(tile_.y0);
     }
     recording_ = recording;
-    command_ = ~0u;
     pixels_ = nullptr;
     collector_.clear();
     collector_.begin_tile(tile_);
     hidden_.begin_tile(tile_);
     ++counts_.tiles;
-    bin.for_each_step(tile, [&](const Bin::Step& step) {
+    for (const auto& bin : sequence.bins)
+        render(*bin);
+    flush();
+    tell_drawn();
+}
+
+void TileRenderer::render(const Bin& bin) {
+    command_ = ~0u;
+    bin.for_each_step(tile_number_, [&](const Bin::Step& step) {
         if (step.command != command_) {
             begin_command(bin.commands()[step.command]);
             command_ = step.command;
@@ -58,8 +68,6 @@ void TileRenderer::render(const Bin& bin, std::uint32_t tile, const Recording& r
         else
             whole_command(bin.commands()[command_]);
     });
-    flush();
-    tell_drawn();
 }
 
 // Draws whose pixels are made alike share batches, unless they are to be told apart.

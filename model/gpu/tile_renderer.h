@@ -1,9 +1,9 @@
-// TileRenderer: carries out a bin's work in one tile. One for each thread; it holds the batch that
+// TileRenderer: carries out bins' work in one tile. One for each thread; it holds the batch that
 // the stages pass on, and calls them in the order of the pipe.
 
 #pragma once
 
-#include "model/gpu/bin.h"
+#include "model/gpu/bin_sequence.h"
 #include "model/gpu/hidden_blocks.h"
 #include "model/gpu/raster_statistics.h"
 #include "model/gpu/stage_tap.h"
@@ -33,7 +33,7 @@ public:
         WorkTile* tile = nullptr; // null: nowhere
         std::pmr::memory_resource* memory = nullptr;
     };
-    void render(const Bin& bin, std::uint32_t tile, const Recording& recording);
+    void render(const BinSequence& sequence, std::uint32_t tile, const Recording& recording);
 
     // From now on records tell values, too.
     void set_values(bool values) { values_ = values; }
@@ -44,6 +44,7 @@ public:
     FragmentCounts take_counts() { return std::exchange(counts_, {}); }
 
 private:
+    void render(const Bin& bin);
     void begin_command(const BinCommand& command);
     void draw_record(const SetupRecord& record);
     void draw_small(const SetupRecord& record);

@@ -1,0 +1,121 @@
+// Draws that are longer than a bin, or than a chunk of geometry, which threads share.
+
+#include "tests/gpu/scene.h"
+
+#include <random>
+
+#include <catch2/catch.hpp>
+
+using namespace ffgpu;
+using namespace ffgpu::test;
+
+namespace {
+
+struct Drawn {
+    std::vector<std::uint32_t> picture, depths;
+    std::vector<std::uint64_t> counts;
+
+    bool operator==(const Drawn&) const = default;
+};
+
+// Small and large triangles that are blended one over the other: their order shows. Each long draw
+// is followed by a short one, and some by a clear of a part.
+Drawn draw_long(const FunctionalGpu::Config& config) {
+    Scene scene(200, 150, config);
+    std::mt19937 random(11);
+    const auto unit = [&] { return static_cast<float>(random() & 0xffff) / 32768.0f - 1.0f; };
+    const auto vertices = [&](int count, float size) {
+        std::vector<Vertex> made;
+        float x = 0, y = 0;
+        for (int i = 0; i < count; ++i) {
+            if (i % 12 == 0) x = unit(), y = unit();
+            const float w = 1.5f + 0.5f * unit();
+            made.push_back({(x + size * unit()) * w,
+                            (y + size * unit()) * w,
+                            unit() * w,
+                            w,
+                            unit(),
+                            unit(),
+                            unit(),
+                            0.5f + 0.5f * unit(),
+                            unit(),
+                            unit()});
+        }
+        return made;
+    };
+    std::vector<std::uint32_t> texels;
+    for (std::uint32_t i = 0; i < 64 * 64; ++i)
+        texels.push_back(static_cast<std::uint32_t>(random()) | 0xff000000);
+    scene.registers.depth = {.test_enable = true, .write_enable = true};
+    scene.registers.blend.enable = true;
+    scene.registers.blend.rgb_source = BlendFactor::SourceAlpha;
+    scene.registers.blend.rgb_destination = BlendFactor::OneMinusSourceAlpha;
+    scene.clear(0xff402000);
+    int draw = 0;
+    for (const PrimitiveType type : {PrimitiveType::Triangles,
+                                     PrimitiveType::TriangleStrip,
+                                     PrimitiveType::TriangleFan,
+                                     PrimitiveType::Quads,
+                                     PrimitiveType::QuadStrip,
+                                     PrimitiveType::Triangles}) {
+        if (draw == 2) scene.texture(64, texels);
+        scene.registers.primitive.flat_shading = draw == 3;
+        scene.draw(type, vertices(2500 + 1500 * draw, draw % 2 ? 0.4f : 0.05f));
+        scene.draw(PrimitiveType::Triangles, vertices(12, 0.5f));
+        if (draw++ % 2 == 0) continue;
+        scene.registers.scissor = {20, 30, 40, 50};
+        scene.clear(0xff103050);
+        scene.registers.scissor = {0, 0, 200, 150};
+    }
+    Drawn drawn{scene.picture(), scene.depth_buffer(), {}};
+    for (const StatisticsGroup* group : scene.gpu.statistics())
+        for (const Counter& counter : group->counters())
+            drawn.counts.push_back(counter.value());
+    return drawn;
+}
+
+} // namespace
+
+TEST_CASE("long draws have one picture and one count, whoever shares them and however bins end") {
+    const Drawn alone = draw_long({.threads = 1});
+    CHECK(alone == draw_long({.threads = 1, .bin_bytes = 1 << 14}));
+    for (const unsigned threads : {2u, 3u, 5u})
+        for (const std::size_t bin_bytes : {std::size_t{1} << 14, std::size_t{1} << 19}) {
+            INFO(threads << " threads, bins of " << bin_bytes << " bytes");
+            const Drawn shared = draw_long({.threads = threads, .bin_bytes = bin_bytes});
+            CHECK((shared.picture == alone.picture));
+            CHECK((shared.depths == alone.depths));
+            CHECK(shared.counts == alone.counts);
+        }
+    CHECK(alone == draw_long({.threads = 3, .tile_size = 16, .stages = &ReferenceStages}));
+}
+
+TEST_CASE("samples are counted to the end of a draw that takes several bins") {
+    constexpr int Columns = 50, Rows = 40; // Each pixel of the target lies in one of the quads.
+    for (const unsigned threads : {1u, 2u}) {
+        Scene scene(2 * Columns, 2 * Rows, {.threads = threads, .bin_bytes = 1 << 14});
+        scene.clear(0);
+        scene.registers.fragment.count_samples = true;
+        std::vector<Vertex> vertices;
+        for (int row = 0; row < Rows; ++row)
+            for (int column = 0; column < Columns; ++column)
+                for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
+                    vertices.push_back({2.0f * static_cast<float>(column + x) / Columns - 1,
+                                        2.0f * static_cast<float>(row + y) / Rows - 1,
+                                        0,
+                                        1,
+                                        1,
+                                        1,
+                                        1,
+                                        1,
+                                        0,
+                                        0});
+        scene.draw(PrimitiveType::Quads, vertices);
+        CommandStream stream;
+        stream.add(Opcode::StoreSampleCounter, {TextureAt});
+        scene.gpu.submit(stream);
+        std::vector<std::uint64_t> count(1);
+        scene.gpu.read_memory(TextureAt, std::as_writable_bytes(std::span(count)));
+        CHECK(count[0] == 4u * Columns * Rows);
+    }
+}
