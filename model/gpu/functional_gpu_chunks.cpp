@@ -79,8 +79,7 @@ void FunctionalGpu::draw_in_chunks(const DrawCommand& command,
 
 GeometryWorker& FunctionalGpu::geometry_of(unsigned worker) {
     auto& of_worker = geometry_[worker];
-    if (!of_worker)
-        of_worker = std::make_unique<GeometryWorker>(memory_.bytes(), *config_.stages);
+    if (!of_worker) of_worker = std::make_unique<GeometryWorker>(memory_.bytes(), *config_.stages);
     return *of_worker;
 }
 

@@ -94,10 +94,10 @@ void PrimitiveBinner::bin_primitive(const Primitive& primitive) {
     const bool covers = set_up(context_->setup, primitive, record, listeners_.probe != nullptr);
     if (listeners_.probe)
         listeners_.probe->set_up({.draw = bin_->commands().back().number,
-                        .frame = bin_->commands().back().frame,
-                        .registers = &context_->regs(),
-                        .primitive = &primitive,
-                        .record = covers ? &record : nullptr});
+                                  .frame = bin_->commands().back().frame,
+                                  .registers = &context_->regs(),
+                                  .primitive = &primitive,
+                                  .record = covers ? &record : nullptr});
     if (!covers) return count_empty();
     count_area(record.box, double_area_of(record));
     if (record.covers_nothing) return;
@@ -122,8 +122,7 @@ void PrimitiveBinner::count_area(const Rectangle& box, double double_area) {
     if (!listeners_.work) return;
     listeners_.work->pieces.push_back(piece_box(box));
     const auto pixels = std::uint64_t(box.width()) * std::uint64_t(box.height());
-    bin_->add_told_pixels(
-        std::min(pixels, static_cast<std::uint64_t>(double_area * PerPixel) + 1));
+    bin_->add_told_pixels(std::min(pixels, static_cast<std::uint64_t>(double_area * PerPixel) + 1));
 }
 
 } // namespace ffgpu

@@ -38,8 +38,7 @@ public:
     };
 
     // The primitives that come are those of the draw that `bin` ends with, or of a chunk of it.
-    void
-    start(const DrawContext& context, Bin& bin, BinSupply& supply, const Listeners& listeners);
+    void start(const DrawContext& context, Bin& bin, BinSupply& supply, const Listeners& listeners);
     void primitives(std::span<const Primitive> batch) override;
 
     PrimitiveStatistics& statistics() { return statistics_; }

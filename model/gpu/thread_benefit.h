@@ -19,20 +19,24 @@ public:
     // What was gained is remembered up to MostCredit.
     void add(Duration helped, Duration waited, Clock::time_point now) {
         credit_ = std::min<Duration>(credit_ + helped - waited, MostCredit);
+        if (credit_ == MostCredit) rest_per_loss_ = LeastRestPerLoss;
         if (credit_ >= -MostLoss) return;
-        alone_until_ = now - RestPerLoss * credit_;
+        alone_until_ = now - rest_per_loss_ * credit_;
+        rest_per_loss_ = std::min(2 * rest_per_loss_, MostRestPerLoss);
         credit_ = {};
     }
 
-    // Whether to share what begins now: not for fifty times as long as was lost before.
+    // Whether to share what begins now: not for fifty times as long as was lost before, and each
+    // time twice that, unless as much as is remembered was gained in between.
     bool pays(Clock::time_point now) const { return now >= alone_until_; }
 
     static constexpr Duration MostCredit = std::chrono::milliseconds(4);
     static constexpr Duration MostLoss = std::chrono::milliseconds(1);
-    static constexpr int RestPerLoss = 50;
+    static constexpr int LeastRestPerLoss = 50, MostRestPerLoss = 400;
 
 private:
     Duration credit_ = {};
+    int rest_per_loss_ = LeastRestPerLoss;
     Clock::time_point alone_until_ = {};
 };
 

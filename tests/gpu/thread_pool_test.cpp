@@ -103,3 +103,23 @@ TEST_CASE("sharing pays until waiting has cost more than others have helped") {
     CHECK_FALSE(benefit.pays(begin + 299ms));
     CHECK(benefit.pays(begin + 300ms));
 }
+
+TEST_CASE("who loses again and again rests longer each time, until sharing has paid") {
+    using namespace std::chrono_literals;
+    ThreadBenefit benefit;
+    ThreadBenefit::Clock::time_point now{100s};
+    for (const auto rest : {100ms, 200ms, 400ms, 800ms, 800ms}) {
+        benefit.add(1ms, 3ms, now); // 2 ms lost
+        CHECK_FALSE(benefit.pays(now + rest - 1ms));
+        CHECK(benefit.pays(now + rest));
+        now += rest;
+    }
+    benefit.add(3ms, 0ms, now);
+    benefit.add(0ms, 5ms, now);
+    CHECK_FALSE(benefit.pays(now + 799ms));
+    now += 800ms;
+    benefit.add(4ms, 0ms, now);
+    benefit.add(0ms, 6ms, now);
+    CHECK_FALSE(benefit.pays(now + 99ms));
+    CHECK(benefit.pays(now + 100ms));
+}
