@@ -34,7 +34,7 @@ namespace ffgpu {
 class FunctionalGpu final : public Device, private BinSupply {
 public:
     struct Config {
-        unsigned threads = 1;   // that carry out tiles, the caller's included
+        unsigned threads = 1;   // for tiles and long draws, the caller's included
         unsigned tile_size = 0; // pixels: a multiple of 8 from 16 to 128; 0: by the targets
         std::uint64_t memory_bytes = DeviceMemory::DefaultBytes;
         std::size_t bin_bytes = std::size_t{512} << 10; // of records: they stay in a level-2 cache
