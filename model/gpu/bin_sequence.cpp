@@ -4,13 +4,12 @@
 
 namespace ffgpu {
 
-std::vector<std::uint32_t> BinSequence::busy_tiles() const {
-    std::vector<std::uint32_t> tiles;
+void BinSequence::busy_tiles(std::vector<std::uint32_t>& tiles) const {
+    tiles.clear();
     for (const auto& bin : bins)
         tiles.insert(tiles.end(), bin->busy_tiles().begin(), bin->busy_tiles().end());
     std::sort(tiles.begin(), tiles.end());
     tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
-    return tiles;
 }
 
 } // namespace ffgpu

@@ -25,8 +25,8 @@ struct BinSequence {
         return writes.overlaps(at, bytes) || reads.overlaps(at, bytes);
     }
 
-    // Tiles with work, in row order from the lower left.
-    std::vector<std::uint32_t> busy_tiles() const;
+    // Sets `tiles` to those with work, in row order from the lower left.
+    void busy_tiles(std::vector<std::uint32_t>& tiles) const;
 };
 
 } // namespace ffgpu

@@ -82,7 +82,7 @@ void FunctionalGpu::draw(const DrawCommand& command) {
 // What becomes of the draw before pixels is told where it ends, in the last bin that it reached.
 void FunctionalGpu::draw_in_geometry(const DrawCommand& command) {
     GeometryWork* const work = sink_ ? &geometry_work_ : nullptr;
-    geometry_work_ = {};
+    if (work) *work = {};
     geometry_[0]->binner.start(*context_, bin(), *this, {.work = work, .probe = probe_});
     geometry().draw(context_->state, command, geometry_[0]->binner, work);
     if (!sink_) return;
@@ -243,7 +243,7 @@ void FunctionalGpu::carry_out() {
 // The bins at hand; the next command opens others.
 void FunctionalGpu::put_under_way() {
     std::swap(bins_, under_way_);
-    under_way_tiles_ = under_way_.busy_tiles();
+    under_way_.busy_tiles(under_way_tiles_);
     ++host_statistics_.bins;
     binned_pixels_.reset();
     bin_serial_ = false;
