@@ -67,6 +67,11 @@ GeometryUnit::GeometryUnit(std::span<const std::byte> memory, ShadeVertices shad
     , stage_(pool_, primitives_)
     , assembler_(pool_, stage_) {}
 
+void GeometryUnit::reset() {
+    stats_.reset();
+    stage_.reset();
+}
+
 void GeometryUnit::draw(const DrawState& state,
                         const DrawCommand& command,
                         PrimitiveSink& sink,
@@ -133,9 +138,11 @@ std::uint32_t GeometryUnit::separate_chunks(const DrawState& state,
     return elements.in_memory() ? chunks.count() : 1;
 }
 
-void GeometryUnit::begin_separate_chunks(const DrawCommand& command) {
+void GeometryUnit::begin_separate_chunks(const DrawState& state, const DrawCommand& command) {
     ++stats_.draws;
-    assembler_.start(command);
+    set_up(state, state.layout, vertex_needs(state.regs().primitive, command.primitive));
+    // The line stipple's counter goes on over a draw that nothing is seen of.
+    if (setup_.window.visible) assembler_.start(command);
 }
 
 void GeometryUnit::draw_chunk(const DrawState& state,
@@ -218,8 +225,7 @@ void GeometryUnit::count_primitives() {
     stats_.primitives_outside += counts.outside;
     stats_.primitives_culled += counts.culled;
     stats_.primitives_degenerate += counts.degenerate;
-    stats_.primitives_out += primitives_.handed_over() - handed_over_before_;
-    handed_over_before_ = primitives_.handed_over();
+    stats_.primitives_out += primitives_.handed_over();
     work_ = nullptr;
 }
 

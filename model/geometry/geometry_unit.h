@@ -62,7 +62,7 @@ public:
     // together they hand over what draw() does, chunk after chunk. 1: it has to be one draw().
     std::uint32_t separate_chunks(const DrawState& state, const DrawCommand& command) const;
     // Once for such a draw, by the unit that carries out the draws before and after it.
-    void begin_separate_chunks(const DrawCommand& command);
+    void begin_separate_chunks(const DrawState& state, const DrawCommand& command);
     void draw_chunk(const DrawState& state,
                     const DrawCommand& command,
                     std::uint32_t chunk,
@@ -70,6 +70,9 @@ public:
 
     // DrawOutput::Feedback: writes the draw's records into `memory`.
     void feedback(const DrawState& state, const DrawCommand& command, std::span<std::byte> memory);
+
+    // Counters are zero, and so is the line stipple's.
+    void reset();
 
     const Stats& statistics() const { return stats_; }
     Stats& statistics() { return stats_; }
@@ -104,7 +107,6 @@ private:
     PrimitiveBatch primitives_;
     PrimitiveStage stage_;
     PrimitiveAssembler assembler_;
-    std::uint64_t handed_over_before_ = 0;
 
     // Of the current chunk.
     std::vector<std::uint32_t> elements_; // their vertex numbers

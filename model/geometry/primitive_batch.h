@@ -19,7 +19,12 @@ public:
 
     PrimitiveBatch();
 
-    void start(PrimitiveSink* sink) { sink_ = sink; }
+    // Begins anew, whatever an exception left of the draw before.
+    void start(PrimitiveSink* sink) {
+        sink_ = sink;
+        count_ = vertices_used_ = 0;
+        handed_over_ = 0;
+    }
 
     // Makes room: what is added next, up to these numbers, is not handed over before all of it
     // has been added.

@@ -28,6 +28,11 @@ void PrimitiveStage::reset_line_stipple() {
     stipple_was_reset_ = true;
 }
 
+void PrimitiveStage::reset() {
+    stipple_counter_ = 0;
+    stipple_was_reset_ = false;
+}
+
 // Adds what became of a primitive to the draw's work. A polygon that went on as triangles has told
 // theirs.
 template <class Body>

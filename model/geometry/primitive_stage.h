@@ -55,6 +55,8 @@ public:
         last_vertex_ = last_vertex;
     }
     void reset_line_stipple();
+    // As it was made: the line stipple is at its beginning, though no draw has put it there.
+    void reset();
 
     void point(std::uint32_t slot);
     // Provoking vertex: b.

@@ -29,7 +29,10 @@ FunctionalGpu::FunctionalGpu(const Config& config)
 
 // Other threads may draw still.
 FunctionalGpu::~FunctionalGpu() {
-    pool_.wait();
+    try {
+        pool_.wait();
+    } catch (...) { // Nobody is left to be told.
+    }
 }
 
 void FunctionalGpu::set_work_sink(WorkSink* sink, WorkDetail detail) {
@@ -74,7 +77,7 @@ void FunctionalGpu::reset() {
     samples_pending_ = false;
     for (const auto& worker : geometry_) {
         if (!worker) continue;
-        worker->geometry.statistics().reset();
+        worker->geometry.reset();
         worker->binner.statistics().reset();
     }
     fragment_statistics_.reset();

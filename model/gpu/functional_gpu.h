@@ -102,7 +102,7 @@ private:
     void draw_in_chunks(const DrawCommand& command, std::uint32_t number, std::uint32_t chunks);
     class ChunkBins;
     GeometryWorker& geometry_of(unsigned worker);
-    bool reads_own_target(const DrawContext& context) const;
+    bool reads_own_target(const DrawContext& context, const DrawCommand& command) const;
 
     // Bins.
     void before_read(std::uint64_t at, std::uint64_t bytes); // of memory by anybody but a bin

@@ -66,7 +66,7 @@ void FunctionalGpu::draw(const DrawCommand& command) {
         geometry().feedback(context_->state, command, memory_.bytes());
         return;
     }
-    const bool own_target = reads_own_target(*context_);
+    const bool own_target = reads_own_target(*context_, command);
     if (own_target) flush();
     begin_command({.kind = WorkKind::Draw, .number = number});
     bin_serial_ = bin_serial_ || own_target;
@@ -105,15 +105,20 @@ Bin& FunctionalGpu::next_bin() {
     return bin();
 }
 
-// Undefined in OpenGL, but it is to repeat, whatever the number of threads.
-bool FunctionalGpu::reads_own_target(const DrawContext& context) const {
+// Textures, vertices or indices. Undefined in OpenGL, but it is to repeat, whatever the number of
+// threads.
+bool FunctionalGpu::reads_own_target(const DrawContext& context, const DrawCommand& command) const {
     bool overlaps = false;
-    for_each_image(context, [&](const TextureImage& image) {
-        const std::uint64_t begin = image.address, end = begin + texture_bytes(image.shape);
+    const auto look_at = [&](std::uint64_t begin, std::uint64_t bytes) {
         for_each_target(context.regs().targets, [&](const Surface& surface) {
-            overlaps =
-                overlaps || (begin < surface.address + surface.bytes() && surface.address < end);
+            overlaps = overlaps || (begin < surface.address + surface.bytes() &&
+                                    surface.address < begin + bytes);
         });
+    };
+    look_at(command.vertex_address, vertex_bytes(command, context.regs().vertex_format));
+    look_at(command.index_address, index_bytes(command));
+    for_each_image(context, [&](const TextureImage& image) {
+        look_at(image.address, texture_bytes(image.shape));
     });
     return overlaps;
 }

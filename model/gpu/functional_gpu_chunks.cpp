@@ -44,7 +44,7 @@ void FunctionalGpu::draw_in_chunks(const DrawCommand& command,
                                    std::uint32_t chunks) {
     // Two for each thread even out what they take; their records stay in the caches.
     const std::uint32_t at_once = 2 * pool_.threads();
-    geometry().begin_separate_chunks(command);
+    geometry().begin_separate_chunks(context_->state, command);
     std::uint32_t count = 0;
     for (std::uint32_t first = 0; first < chunks; first += count) {
         count = chunks - first <= 2 * at_once ? chunks - first : at_once;

@@ -45,6 +45,7 @@ void TileRenderer::render(const BinSequence& sequence,
     }
     recording_ = recording;
     pixels_ = nullptr;
+    drawn_ = {};
     collector_.clear();
     collector_.begin_tile(tile_);
     hidden_.begin_tile(tile_);

@@ -3,6 +3,9 @@
 #include "model/geometry/element_chunks.h"
 #include "tests/geometry/scene.h"
 
+#include <new>
+#include <span>
+
 #include <catch2/catch.hpp>
 
 using namespace ffgpu;
@@ -86,7 +89,7 @@ TEST_CASE("units that take a long draw's chunks apart hand over what one does wi
             const std::uint32_t chunks = units[0].separate_chunks(state, command);
             REQUIRE(chunks == (indexed ? (count + 4091) / 4092 : (count + 1019) / 1020));
             std::vector<KeepingSink> sinks(chunks);
-            units[0].begin_separate_chunks(command);
+            units[0].begin_separate_chunks(state, command);
             for (std::uint32_t i = chunks; i-- > 0;) // From behind.
                 units[i % 2].draw_chunk(state, command, i, sinks[i]);
 
@@ -136,4 +139,27 @@ TEST_CASE("draws whose parts count on from each other are left whole") {
 
     scene.registers.primitive.back_mode = PolygonMode::Line;
     CHECK(chunks(PrimitiveType::Triangles) == 1);
+}
+
+TEST_CASE("a unit goes on as if nothing had been after a sink that threw") {
+    struct ThrowingSink final : PrimitiveSink {
+        void primitives(std::span<const Primitive>) override { throw std::bad_alloc(); }
+    };
+    Random random(43);
+    Scene scene;
+    add_vertices(scene, random, 3000);
+    scene.fill_memory();
+    DrawCommand command = scene.command(PrimitiveType::Triangles);
+    GeometryUnit used(scene.memory), fresh(scene.memory);
+    ThrowingSink full;
+    CHECK_THROWS_AS(used.draw(scene.state(), command, full), std::bad_alloc);
+    used.reset();
+
+    command.count = 30;
+    KeepingSink kept, expected;
+    used.draw(scene.state(), command, kept);
+    fresh.draw(scene.state(), command, expected);
+    REQUIRE(!expected.kept.empty());
+    REQUIRE(kept.kept.size() == expected.kept.size());
+    CHECK(used.statistics().primitives_out.value() == expected.kept.size());
 }

@@ -74,6 +74,20 @@ Drawn draw_long(const FunctionalGpu::Config& config) {
     return drawn;
 }
 
+// A line whose pattern begins where the draw before ended, if it is to.
+void draw_line(Scene& scene, float from, float to, bool goes_on) {
+    scene.registers.primitive.line_stipple = true;
+    scene.registers.primitive.line_stipple_pattern = 0x00ff;
+    const std::vector<Vertex> ends{{from, 0, 0, 1, 1, 1, 1, 1, 0, 0},
+                                   {to, 0, 0, 1, 1, 1, 1, 1, 0, 0}};
+    scene.into->write_memory(TextureAt, bytes_of(ends));
+    scene.command(DrawCommand{.primitive = PrimitiveType::LineStrip,
+                              .continue_line_stipple = goes_on,
+                              .count = 2,
+                              .vertex_count = 2,
+                              .vertex_address = TextureAt});
+}
+
 } // namespace
 
 TEST_CASE("long draws have one picture and one count, whoever shares them and however bins end") {
@@ -117,5 +131,59 @@ TEST_CASE("samples are counted to the end of a draw that takes several bins") {
         std::vector<std::uint64_t> count(1);
         scene.gpu.read_memory(TextureAt, std::as_writable_bytes(std::span(count)));
         CHECK(count[0] == 4u * Columns * Rows);
+    }
+}
+
+TEST_CASE("the line stipple goes on over a long draw without a viewport, whoever shares it") {
+    const auto pictured = [](unsigned threads) {
+        Scene scene(64, 8, {.threads = threads});
+        draw_line(scene, -1, -0.9f, false);
+        scene.registers.viewport.width = 0;
+        scene.draw(PrimitiveType::Triangles, std::vector<Vertex>(3000));
+        scene.registers.viewport.width = 64;
+        draw_line(scene, -0.9f, 1, true);
+        return scene.picture();
+    };
+    CHECK((pictured(3) == pictured(1)));
+}
+
+TEST_CASE("a GPU that was reset begins a line's pattern anew") {
+    Scene used(64, 8), fresh(64, 8);
+    draw_line(used, -1, -0.9f, false);
+    used.gpu.reset();
+    Scene sender(64, 8);
+    sender.into = &used.gpu;
+    draw_line(sender, -1, 1, true);
+    draw_line(fresh, -1, 1, true);
+    CHECK((used.picture() == fresh.picture()));
+}
+
+// Undefined in OpenGL.
+TEST_CASE("a long draw whose vertices or indices lie in its target is the same for all threads") {
+    constexpr std::uint32_t Size = 512, Count = 20000;
+    for (const bool indexed : {false, true}) {
+        const auto pictured = [&](unsigned threads) {
+            Scene scene(Size, Size, {.threads = threads});
+            const DeviceAddress at = indexed ? VerticesAt : ColorAt;
+            std::vector<Vertex> vertices(Count);
+            for (std::uint32_t i = 0; i < Count; ++i) {
+                const float x = static_cast<float>(i * 37 % 251) / 125 - 1;
+                const float y = static_cast<float>(i * 91 % 241) / 120 - 1;
+                vertices[i] = {x, y, 0, 1, x, y, 0.5f, 1, 0, 0};
+            }
+            std::vector<std::uint32_t> indices(Count);
+            for (std::uint32_t i = 0; i < Count; ++i)
+                indices[i] = i;
+            scene.gpu.write_memory(at, bytes_of(vertices));
+            if (indexed) scene.gpu.write_memory(ColorAt, bytes_of(indices));
+            scene.command(DrawCommand{.primitive = PrimitiveType::TriangleStrip,
+                                      .index_type = indexed ? IndexType::U32 : IndexType::None,
+                                      .count = Count,
+                                      .vertex_count = Count,
+                                      .vertex_address = at,
+                                      .index_address = ColorAt});
+            return scene.picture();
+        };
+        CHECK((pictured(3) == pictured(1)));
     }
 }
