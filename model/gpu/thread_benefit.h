@@ -15,8 +15,8 @@ public:
     using Duration = std::chrono::nanoseconds;
 
     // Of jobs that were shared: `helped` is the processor time that others spent on them, `waited`
-    // that for which the caller waited for them, or had no processor while they were under way.
-    // What was gained is remembered up to MostCredit.
+    // that for which the caller waited for them, or wanted a processor and had none while they were
+    // under way. What was gained is remembered up to MostCredit.
     void add(Duration helped, Duration waited, Clock::time_point now) {
         credit_ = std::min<Duration>(credit_ + helped - waited, MostCredit);
         if (credit_ == MostCredit) rest_per_loss_ = LeastRestPerLoss;

@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include <sys/resource.h>
+
 namespace ffgpu {
 namespace {
 
@@ -41,6 +43,13 @@ ThreadBenefit::Duration processor_time() {
     return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
+// How often this thread went to sleep by itself.
+long own_sleeps() {
+    rusage usage = {};
+    getrusage(RUSAGE_THREAD, &usage);
+    return usage.ru_nvcsw;
+}
+
 } // namespace
 
 ThreadPool::ThreadPool(unsigned threads) {
@@ -67,6 +76,7 @@ void ThreadPool::start(std::size_t count, Job job) {
     shared_ = true;
     started_at_ = ThreadBenefit::Clock::now();
     time_at_start_ = processor_time();
+    sleeps_at_start_ = own_sleeps();
     {
         const std::lock_guard lock(mutex_);
         tickets_ = {0, static_cast<std::uint32_t>(count)};
@@ -87,8 +97,8 @@ void ThreadPool::wait() {
 void ThreadPool::wait_for_others() {
     const auto is_done = [this] { return done(); };
     const ThreadBenefit::Clock::time_point begin = ThreadBenefit::Clock::now();
-    const ThreadBenefit::Duration kept_off =
-        begin - started_at_ - (processor_time() - time_at_start_);
+    ThreadBenefit::Duration kept_off = begin - started_at_ - (processor_time() - time_at_start_);
+    if (own_sleeps() != sleeps_at_start_) kept_off = {}; // It had nothing to do.
     if (!comes_soon(is_done)) {
         std::unique_lock lock(mutex_);
         done_.wait(lock, is_done);

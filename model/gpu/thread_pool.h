@@ -64,7 +64,8 @@ private:
     ThreadBenefit benefit_;
     bool shared_ = false; // Others take part in what is under way,
     ThreadBenefit::Clock::time_point started_at_;
-    ThreadBenefit::Duration time_at_start_ = {}; // the caller's processor time when that began.
+    ThreadBenefit::Duration time_at_start_ = {}; // the caller's processor time when that began,
+    long sleeps_at_start_ = 0;                   // and how often it had slept
     std::atomic<std::int64_t> helped_ = 0; // nanoseconds of the others' on jobs, not reckoned yet
 
     std::vector<std::thread> workers_;

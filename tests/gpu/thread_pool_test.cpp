@@ -83,6 +83,17 @@ TEST_CASE("threads that keep the caller waiting are left out for a while") {
     CHECK(of_others == 0);
 }
 
+TEST_CASE("a caller that sleeps while others work has lost nothing") {
+    using std::chrono::milliseconds;
+    ThreadPool pool(2);
+    for (int i = 0; i < 3; ++i) {
+        pool.start(2, [](unsigned, std::size_t) {});
+        std::this_thread::sleep_for(milliseconds(20)); // as a program between two frames
+        pool.wait();
+        CHECK(pool.shares());
+    }
+}
+
 TEST_CASE("sharing pays until waiting has cost more than others have helped") {
     using namespace std::chrono_literals;
     ThreadBenefit benefit;
