@@ -42,7 +42,9 @@ private:
 void FunctionalGpu::draw_in_chunks(const DrawCommand& command,
                                    std::uint32_t number,
                                    std::uint32_t chunks) {
-    // Two for each thread even out what they take; their records stay in the caches.
+    // Two for each thread even out what they take; their records stay in the caches. The last come
+    // together, up to twice as many, so that there is more for others to draw while the caller goes
+    // on.
     const std::uint32_t at_once = 2 * pool_.threads();
     geometry().begin_separate_chunks(context_->state, command);
     std::uint32_t count = 0;
