@@ -11,6 +11,11 @@ __attribute__((visibility("default"))) int sc_main(int, char**) {
 }
 
 namespace ffgpu::timing {
+namespace {
+
+constexpr std::size_t MostWaiting = 1 << 16; // quads of commands that wait to be made ready
+
+} // namespace
 
 GpuTiming::GpuTiming(const TimingConfig& config,
                      const Evaluation& evaluation,
@@ -21,9 +26,11 @@ GpuTiming::GpuTiming(const TimingConfig& config,
     machine_ = std::make_unique<Machine>(*context_, config, evaluation, make_memory);
     thread_ = std::make_unique<MachineThread>(*machine_);
     order_ = std::make_unique<work::MachineOrder>(config.work(), *thread_);
+    preparation_ = std::make_unique<work::JobThread>(MostWaiting);
 }
 
 GpuTiming::~GpuTiming() {
+    preparation_.reset();
     thread_.reset();
     const SimulationContext::Scope scope(*context_);
     machine_.reset();
@@ -31,23 +38,30 @@ GpuTiming::~GpuTiming() {
 
 void GpuTiming::command(std::shared_ptr<const work::WholeCommand> command) {
     check_values(machine_->config, *command, contents_told_);
-    order_->command(std::move(command));
+    const std::size_t weight = 1 + command->quads.size();
+    preparation_->push(weight, [this, command = std::move(command)]() mutable {
+        order_->command(std::move(command));
+    });
 }
 
 // It would end a scene and give the surface its place: a machine that does not follow values is the
 // same with and without.
 void GpuTiming::content(const std::shared_ptr<const SurfaceContent>& content) {
     contents_told_ = true;
-    if (!machine_->config.needs_values().empty()) order_->content(content);
+    if (machine_->config.needs_values().empty()) return;
+    preparation_->push(1, [this, content] { order_->content(content); });
 }
 
 void GpuTiming::host_transfer(const HostTransfer& transfer) {
-    order_->host_transfer(transfer);
+    preparation_->push(1, [this, transfer] { order_->host_transfer(transfer); });
 }
 
 void GpuTiming::end_frame(std::uint32_t frame) {
-    order_->end_frame(frame);
-    thread_->show(order_->shown());
+    preparation_->push(1, [this, frame] {
+        order_->end_frame(frame);
+        thread_->show(order_->shown());
+    });
+    frames_overlap_ ? preparation_->check_failure() : preparation_->drain();
 }
 
 void GpuTiming::leave_out_figures() {
@@ -55,10 +69,22 @@ void GpuTiming::leave_out_figures() {
 }
 
 void GpuTiming::let_frames_overlap() {
+    frames_overlap_ = true;
     thread_->let_frames_overlap();
 }
 
+void GpuTiming::post(std::function<void()> job) {
+    preparation_->push(1,
+                       [this, job = std::move(job)]() mutable { thread_->post(std::move(job)); });
+}
+
 void GpuTiming::catch_up() {
+    try {
+        preparation_->drain();
+    } catch (...) { // What was made ready before is carried out.
+        thread_->catch_up();
+        throw;
+    }
     thread_->catch_up();
 }
 

@@ -2,9 +2,9 @@
 // a pixel. machine.cpp wires the units and reads as the block diagram.
 //
 // Each GpuTiming has a SystemC simulation context of its own, so several can exist in a process,
-// one after the other or side by side. Its machine runs on a thread of its own, which also makes
-// the calls of on_frame and on_retire; SystemC keeps the current context in a global, so of several
-// machines one runs at a time.
+// one after the other or side by side. Commands are made ready on a thread of its own, and its
+// machine runs on another, which also makes the calls of on_frame and on_retire; SystemC keeps the
+// current context in a global, so of several machines one runs at a time.
 
 #pragma once
 
@@ -13,6 +13,7 @@
 #include "model/timing/config.h"
 #include "model/timing/memory_module.h"
 #include "model/timing/wait_paths.h"
+#include "model/work/job_thread.h"
 #include "model/work/machine_order.h"
 
 #include <cstdint>
@@ -72,8 +73,12 @@ public:
     // cycle depends on it. Before the first command.
     void leave_out_figures();
     // From now on end_frame() returns before that: the next frame is made ready while this one
-    // runs. For who listens on the machine's thread; who reads figures calls catch_up() before.
+    // runs, and what went wrong in it may come out of a later one's. For who listens, or reads
+    // figures, on the machine's thread; who reads them elsewhere calls catch_up() before.
     void let_frames_overlap();
+    // Calls `job` on the machine's thread, when the machine has gone as far as the commands so far
+    // allow: there it may read figures. What it throws ends the machine, as its own failures do.
+    void post(std::function<void()> job);
     // Runs the machine as far as the commands so far allow, which is otherwise put off while they
     // are few. No figure of a whole frame depends on it.
     void catch_up();
@@ -109,6 +114,8 @@ private:
     std::unique_ptr<MachineThread> thread_;     // uses the machine
     std::unique_ptr<work::MachineOrder> order_; // uses the thread
     bool contents_told_ = false;
+    bool frames_overlap_ = false;
+    std::unique_ptr<work::JobThread> preparation_; // uses order_
 };
 
 } // namespace ffgpu::timing

@@ -5,7 +5,7 @@
 namespace ffgpu::timing {
 namespace {
 
-constexpr std::size_t MostWeight = 1 << 15; // quads and lines that wait
+constexpr std::size_t MostWeight = 1 << 17; // quads and lines that wait
 
 } // namespace
 
@@ -59,8 +59,15 @@ void MachineThread::show(const work::PlacedLevel& picture) {
     jobs_.push(1, [this, picture] { machine_.show(picture); });
 }
 
+void MachineThread::post(std::function<void()> job) {
+    jobs_.push(1, [this, job = std::move(job)] {
+        machine_.run();
+        job();
+    });
+}
+
 void MachineThread::catch_up() {
-    jobs_.push(1, [this] { machine_.run(); });
+    post([] {});
     jobs_.drain();
 }
 

@@ -7,6 +7,8 @@
 #include "model/timing/machine.h"
 #include "model/work/job_thread.h"
 
+#include <functional>
+
 namespace ffgpu::timing {
 
 class MachineThread final : public work::MachineSink {
@@ -25,6 +27,8 @@ public:
     void texels_rewritten(std::vector<std::uint64_t>&& lines) override;
     void show(const work::PlacedLevel& picture);
 
+    // Calls it when the machine has read all that it was given before.
+    void post(std::function<void()> job);
     // Returns when the machine has read all that it was given.
     void catch_up();
 

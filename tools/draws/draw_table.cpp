@@ -54,23 +54,22 @@ void DrawTable::command(std::shared_ptr<const work::WholeCommand> command) {
 }
 
 void DrawTable::texel_line(const timing::QuadName& name, const timing::CacheLine& line) {
-    if (!line.missed) return;
-    const std::lock_guard lock(mutex_);
-    ++misses_[name.draw];
+    if (line.missed) ++misses_[name.draw];
 }
 
-std::uint64_t DrawTable::misses_of(const Row& row) {
+std::uint64_t DrawTable::misses_of(const Row& row) const {
     const bool is_draw =
         row.kind == timing::CommandKind::Draw || row.kind == timing::CommandKind::Image;
-    const std::lock_guard lock(mutex_);
     const auto found = is_draw ? misses_.find(row.number) : misses_.end();
     return found == misses_.end() ? 0 : found->second;
 }
 
-void DrawTable::write(std::uint64_t frame, const timing::FrameTiming* timed) {
+void DrawTable::write(std::uint64_t frame,
+                      std::span<const Row> rows,
+                      const timing::FrameTiming* timed) {
     auto costs = timed ? by_name(*timed) : std::map<Key, std::deque<timing::CommandCycles>>{};
     std::string text;
-    for (const Row& row : std::exchange(rows_, {})) {
+    for (const Row& row : rows) {
         text += fmt::format("{},{},{},{},",
                             frame,
                             timing::CommandKindNames[static_cast<std::size_t>(row.kind)],
@@ -86,7 +85,6 @@ void DrawTable::write(std::uint64_t frame, const timing::FrameTiming* timed) {
         text += fmt::format("{},{}\n", misses_of(row), costs_text(cost));
     }
     file_.write(text);
-    const std::lock_guard lock(mutex_);
     misses_.clear();
 }
 

@@ -12,8 +12,9 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ffgpu::tools {
@@ -31,24 +32,25 @@ public:
     // QuadObserver, on the machine's thread
     void texel_line(const timing::QuadName& name, const timing::CacheLine& line) override;
 
-    // The frame's commands are all here. `timed`: what the machine took; null: there is none.
-    void write(std::uint64_t frame, const timing::FrameTiming* timed);
-    void finish() { file_.commit(); }
-
-private:
     struct Row {
         timing::CommandKind kind = timing::CommandKind::Draw;
         std::uint32_t number = 0;
         std::string facts; // all columns but those before and those of time
     };
 
-    std::uint64_t misses_of(const Row& row);
+    // Those of the frame's commands, which are all here.
+    std::vector<Row> take_rows() { return std::exchange(rows_, {}); }
+    // `timed`: what the machine took, on its thread; null: there is none.
+    void write(std::uint64_t frame, std::span<const Row> rows, const timing::FrameTiming* timed);
+    void finish() { file_.commit(); }
+
+private:
+    std::uint64_t misses_of(const Row& row) const;
 
     WholeFile file_;
     DrawNotes& notes_;
-    std::vector<Row> rows_; // of the frame under way
-    std::mutex mutex_;
-    std::map<std::uint32_t, std::uint64_t> misses_; // of texel lines, by draw
+    std::vector<Row> rows_;                         // of the frame under way
+    std::map<std::uint32_t, std::uint64_t> misses_; // of texel lines, by draw; the machine's
 };
 
 } // namespace ffgpu::tools

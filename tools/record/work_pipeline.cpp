@@ -1,5 +1,8 @@
 #include "tools/record/work_pipeline.h"
 
+#include <utility>
+#include <vector>
+
 namespace ffgpu::tools {
 
 WorkPipeline::WorkPipeline(const Options& options, StatisticsReport& report)
@@ -11,9 +14,9 @@ WorkPipeline::WorkPipeline(const Options& options, StatisticsReport& report)
                                       : std::make_unique<work::WorkFileWriter>(options.save_work))
     , draw_pixels_(options.draw_pixels.empty() ? nullptr
                                                : std::make_unique<DrawPixels>(options.draw_pixels))
-    , meter_(report, timing_.get())
     , costs_(options.timing ? options.costs : nullptr)
     , on_frame_(options.on_frame)
+    , meter_(report, timing_.get())
     , assembler_(readers_) {
     if (timing_ && options.timing->series.interval_cycles > 0) series_.emplace(*timing_);
     if (timing_) readers_.add(*timing_);
@@ -37,15 +40,26 @@ void WorkPipeline::frame(const work::FrameFigures& figures, const Surface& shown
 void WorkPipeline::add(const work::FrameFigures& figures, const Surface& shown) {
     has_frame_ = true;
     if (file_) file_->frame(figures);
-    const std::optional<timing::FrameTiming> timed = meter_.add(figures);
-    if (costs_ && timed) costs_->frame_waited(timed->waited);
-    if (table_) table_->write(figures.number, timed ? &*timed : nullptr);
     if (draw_pixels_) draw_pixels_->frame(figures.number, shown);
-    on_frame_();
+    std::vector<DrawTable::Row> rows;
+    if (table_) rows = table_->take_rows();
+    meter_.add(
+        figures,
+        [this, number = figures.number, rows = std::move(rows)](const timing::FrameTiming* timed) {
+            if (costs_ && timed) costs_->frame_waited(timed->waited);
+            if (table_) table_->write(number, rows, timed);
+            on_frame_();
+        });
 }
 
 void WorkPipeline::drain() {
-    if (thread_) thread_->drain();
+    try {
+        if (thread_) thread_->drain();
+    } catch (...) {
+        if (timing_) timing_->catch_up();
+        throw;
+    }
+    if (timing_) timing_->catch_up();
 }
 
 HeatPlane WorkPipeline::block_bytes(const Surface& shown, bool depth) const {

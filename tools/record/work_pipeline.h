@@ -1,6 +1,6 @@
 // WorkPipeline: what reads the work stream beside the drawing, on a thread of its own: the machine
-// in time, and the file that keeps the work. The statistics of a frame are put together there,
-// because only there is it known what the frame took.
+// in time, and the file that keeps the work. The statistics of a frame are put together where the
+// machine runs, because only there is it known what the frame took.
 
 #pragma once
 
@@ -31,7 +31,8 @@ public:
         std::string draw_table{};                     // the path of draws.csv; empty: none
         DrawNotes* draw_notes = nullptr;              // for it
         std::string draw_pixels{};                    // the path of draw_pixels.csv; empty: none
-        std::function<void()> on_frame = [] {};       // Its figures are in the report.
+        std::function<void()> on_frame = [] {}; // Its figures are in the report; not the caller's
+                                                // thread.
     };
 
     // Throws InputError where the file cannot be made.
@@ -62,9 +63,9 @@ private:
     std::unique_ptr<work::WorkFileWriter> file_;
     bool has_frame_ = false; // the thread's, until it is drained
     std::unique_ptr<DrawPixels> draw_pixels_;
-    FrameMeter meter_;
     HeatRecorder* costs_ = nullptr;
     std::function<void()> on_frame_;
+    FrameMeter meter_; // Its machine tells those above.
     CommandFanOut readers_;
     work::CommandAssembler assembler_;
     std::optional<work::SinkThread> thread_; // The last: it uses the others.

@@ -1,5 +1,6 @@
 #include "tools/report/frame_meter.h"
 
+#include <exception>
 #include <utility>
 
 namespace ffgpu::tools {
@@ -7,20 +8,32 @@ namespace ffgpu::tools {
 FrameMeter::FrameMeter(StatisticsReport& report, timing::GpuTiming* timing)
     : report_(report)
     , timing_(timing) {
-    if (timing_)
-        timing_->set_on_frame([this](const timing::FrameTiming& frame) { ended_ = frame; });
+    if (!timing_) return;
+    timing_->let_frames_overlap();
+    timing_->set_on_frame([this](const timing::FrameTiming& frame) { ended_ = frame; });
 }
 
-std::optional<timing::FrameTiming> FrameMeter::add(const work::FrameFigures& frame) {
-    TimedFigures timed;
-    if (timing_) {
-        timing_->catch_up();
-        timed.counters = changes_.take(timing_->statistics());
-        timed.histograms = histogram_changes_.take(timing_->histograms());
-        timed.frame = std::exchange(ended_, std::nullopt);
+FrameMeter::~FrameMeter() {
+    try {
+        if (timing_) timing_->catch_up();
+    } catch (const std::exception&) {
+        // Who wants to know has caught up before.
     }
+}
+
+void FrameMeter::add(const work::FrameFigures& frame, Added added) {
+    if (timing_)
+        return timing_->post([this, frame, added = std::move(added)] { add_timed(frame, added); });
+    report_.add(frame, {});
+    added(nullptr);
+}
+
+void FrameMeter::add_timed(const work::FrameFigures& frame, const Added& added) {
+    const TimedFigures timed{.counters = changes_.take(timing_->statistics()),
+                             .histograms = histogram_changes_.take(timing_->histograms()),
+                             .frame = std::exchange(ended_, std::nullopt)};
     report_.add(frame, timed);
-    return std::move(timed.frame);
+    added(timed.frame ? &*timed.frame : nullptr);
 }
 
 } // namespace ffgpu::tools

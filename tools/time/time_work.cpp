@@ -10,10 +10,31 @@
 #include "tools/report/statistics_file.h"
 #include "tools/time/measured_gains.h"
 
+#include <exception>
 #include <optional>
 #include <stdexcept>
 
 namespace ffgpu::tools {
+
+namespace {
+
+// Returns, or throws what went wrong first, when the machine has carried out all that was read.
+void play(work::WorkFileReader& file, timing::GpuTiming& timing, FrameMeter& meter) {
+    Progress progress(std::nullopt);
+    std::exception_ptr failure;
+    try {
+        file.play(timing, [&](const work::FrameFigures& frame) {
+            meter.add(frame, [&, number = frame.number](const auto*) { progress.show(number); });
+            if (Interruption::signal() != 0) file.stop();
+        });
+    } catch (...) { // The machine may still be at what came before.
+        failure = std::current_exception();
+    }
+    timing.catch_up();
+    if (failure) std::rethrow_exception(failure);
+}
+
+} // namespace
 
 std::string time_work(const TimeOptions& options) {
     work::WorkFileReader file(options.input);
@@ -29,12 +50,7 @@ std::string time_work(const TimeOptions& options) {
         if (series) series->write(options.output);
     };
     try {
-        Progress progress(std::nullopt);
-        file.play(timing, [&](const work::FrameFigures& frame) {
-            meter.add(frame);
-            progress.show(frame.number);
-            if (Interruption::signal() != 0) file.stop();
-        });
+        play(file, timing, meter);
     } catch (const timing::MachineStuck&) {
         write();
         write_totals_file(report, options.totals, true);
