@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 #include <utility>
 
 namespace ffgpu::timing {
@@ -26,20 +27,18 @@ void Bottlenecks::connect_steps(Place& place) {
         each.fills = way.fills;
     }
     check(place.passages.size() <= 64, "a bit for each passage");
-    const auto bits = [](const std::vector<std::size_t>& passages) {
-        std::uint64_t all = 0;
-        for (const std::size_t i : passages)
-            all |= std::uint64_t{1} << i;
-        return all;
-    };
-    for (const Step& step : place.stage.steps)
-        place.steps.push_back(
-            {step,
-             bits(step.from),
-             bits(step.to),
-             place.stage.expands && std::ranges::any_of(step.from, [&](std::size_t i) {
-                 return place.passages[i].fills != nullptr;
-             })});
+    for (const Step& step : place.stage.steps) {
+        StepPlace& each = place.steps.emplace_back(StepPlace{.told = step});
+        for (const std::size_t i : step.from) {
+            each.from.push_back(&place.passages[i]);
+            each.from_bits |= std::uint64_t{1} << i;
+            each.expands |= place.stage.expands && place.passages[i].fills != nullptr;
+        }
+        for (const std::size_t i : step.to) {
+            each.to.push_back(&place.passages[i]);
+            each.to_bits |= std::uint64_t{1} << i;
+        }
+    }
     place.gives_by_one = std::ranges::count_if(place.stage.steps, &Step::gives) == 1;
 }
 
@@ -56,63 +55,36 @@ void Bottlenecks::see_passages(Place& place, std::uint64_t seen, Reader& log) {
     }
 }
 
-bool Bottlenecks::acts(const Place& place,
-                       const StepPlace& step,
-                       const Moved& moved,
-                       bool unit_asks) {
+inline bool
+Bottlenecks::acts(const Place& place, const StepPlace& step, const Moved& moved, bool unit_asks) {
     const Changed& changed = place.changed;
-    const bool moves =
-        (changed.went & step.from) != 0 || ((changed.came | changed.looked_up) & step.to) != 0;
+    const bool moves = (changed.went & step.from_bits) != 0 ||
+                       ((changed.came | changed.looked_up) & step.to_bits) != 0;
     return moves || (step.told.takes && moved.taken > 0) ||
            (step.told.gives && place.gives_by_one && moved.given > 0) ||
-           (step.told.asks && unit_asks && (changed.worked & step.from) != 0);
+           (step.told.asks && unit_asks && (changed.worked & step.from_bits) != 0);
 }
 
-// A way through them in which the unit goes, so that what it does behind something in the same
-// cycle finds it.
-void Bottlenecks::go_through_steps(Place& place, const Moved& moved) {
-    const bool asks = std::ranges::any_of(
-        place.asked, [](const Way* way) { return way->pushed != way->seen_pushed; });
-    // A request that has waited for a place goes before anything is looked up.
-    if (asks && place.request_waits) ask(place);
-    for (StepPlace& step : place.steps)
-        if (acts(place, step, moved, asks)) act(place, step, moved_by(place, step.told, moved));
-    for (std::uint64_t left = place.changed.came | place.changed.went; left != 0;
-         left &= left - 1) {
-        Inner& each = place.passages[static_cast<std::size_t>(std::countr_zero(left))];
-        each.entered += each.coming();
-        each.left += each.going();
-        each.counted.entered = each.seen.entered;
-        each.counted.left = each.seen.left;
+inline Bottlenecks::StepMoved
+Bottlenecks::moved_by(const Place& place, const StepPlace& step, const Moved& moved) {
+    StepMoved by{.taken = step.told.takes ? moved.taken : 0};
+    for (const Inner* const each : step.from) {
+        by.taken += each->going();
+        by.worked += static_cast<float>(each->seen.worked - each->counted.worked);
     }
-    place.changed.came = place.changed.went = 0;
-    for (Way* const way : place.out)
-        way->pushed = way->seen_pushed;
-    for (Way* const way : place.in)
-        way->popped = way->seen_popped;
-    if (asks && place.is_last) ask(place);
-}
-
-Bottlenecks::StepMoved
-Bottlenecks::moved_by(const Place& place, const Step& step, const Moved& moved) const {
-    StepMoved by{.taken = step.takes ? moved.taken : 0};
-    for (const std::size_t i : step.from) {
-        const Inner& each = place.passages[i];
-        by.taken += each.going();
-        by.worked += static_cast<float>(each.seen.worked - each.counted.worked);
+    for (const Inner* const each : step.to) {
+        by.coming += each->coming();
+        by.lookups += each->seen.looked_up - each->counted.looked_up;
     }
-    for (const std::size_t i : step.to) {
-        const Inner& each = place.passages[i];
-        by.coming += each.coming();
-        by.lookups += each.seen.looked_up - each.counted.looked_up;
-    }
-    if (step.gives) by.given = place.gives_by_one ? moved.given : std::min(moved.given, by.taken);
+    if (step.told.gives)
+        by.given = place.gives_by_one ? moved.given : std::min(moved.given, by.taken);
     return by;
 }
 
-void Bottlenecks::find_dependences(const Place& place,
-                                   const StepPlace& step,
-                                   const StepMoved& moved) {
+// Inlined, as all that follows to act(): each has one caller, and a call for each step of each
+// quad.
+[[gnu::always_inline]] inline void
+Bottlenecks::find_dependences(const Place& place, const StepPlace& step, const StepMoved& moved) {
     found_.begin(now_);
     const Resource resource = place.stage.resource;
     const auto taken = static_cast<float>(moved.taken);
@@ -138,9 +110,9 @@ void Bottlenecks::find_dependences(const Place& place,
             found_.add({&sent, latency, {Resource::Links, latency - 1}});
         }
     }
-    const bool gives_on = moved.given > 0 && step.told.from.size() == 1;
-    for (const std::size_t i : step.told.from) {
-        const Inner& each = place.passages[i];
+    const bool gives_on = moved.given > 0 && step.from.size() == 1;
+    for (const Inner* const from : step.from) {
+        const Inner& each = *from;
         if (each.going() == 0 && !gives_on) continue;
         // One that gives several things goes with the last of them.
         const std::uint64_t last = each.left + std::max(each.going(), 1u) - 1;
@@ -154,9 +126,10 @@ void Bottlenecks::find_dependences(const Place& place,
         const Moment* const fill = each.fills ? each.fills->find(each.seen.awaited) : nullptr;
         if (fill) found_.add({fill, 1 + before, saved});
     }
-    for (const std::size_t i : step.told.to) {
-        const Inner& each = place.passages[i];
-        if (const std::size_t begun = std::min<std::size_t>(each.begun(), each.units.size())) {
+    for (const Inner* const to : step.to) {
+        const Inner& each = *to;
+        if (each.begun() != 0 && !each.units.empty()) {
+            const std::size_t begun = std::min<std::size_t>(each.begun(), each.units.size());
             const Inner::Begun& unit = each.units[begun - 1];
             found_.add({&unit.at, unit.cycles, {resource, unit.cycles}});
         }
@@ -208,9 +181,59 @@ void Bottlenecks::explain(const Place& place, const StepPlace& step) {
     }
     if (least < more) found_.add(other);
     const std::size_t last = found_.last();
-    if (place.stage.expands && !step.told.from.empty() && found_[last].then.cycles == 0)
+    if (place.stage.expands && !step.from.empty() && found_[last].then.cycles == 0)
         return give_all_to(last);
     found_.lengthen(last, found_.least());
+}
+
+[[gnu::always_inline]] inline void
+Bottlenecks::pass_on(Place& place, const StepPlace& step, const StepMoved& moved) {
+    place.changed.worked &= ~step.from_bits;
+    place.changed.looked_up &= ~step.to_bits;
+    for (Inner* const from : step.from) {
+        Inner& each = *from;
+        each.counted.worked = each.seen.worked;
+        for (std::uint32_t item = 0; item < each.going(); ++item)
+            each.exits[each.left + item] = step.last;
+    }
+    for (Inner* const to : step.to) {
+        Inner& each = *to;
+        each.counted.looked_up = each.seen.looked_up;
+        for (std::uint32_t item = 0; item < each.coming(); ++item) {
+            each.entries.make_room(each.left, each.entered + item);
+            each.entries[each.entered + item] = step.last;
+            each.cycles_of(each.entered + item) = each.begun_cycles();
+        }
+        each.counted.waited = each.seen.waited;
+        if (each.begun() != 0) {
+            const std::size_t begun = std::min<std::size_t>(each.begun(), each.units.size());
+            std::fill_n(each.units.begin(), begun, Inner::Begun{step.last, each.begun_cycles()});
+            std::ranges::sort(each.units, {}, &Inner::Begun::free_at);
+        }
+        each.counted.begun = each.seen.begun;
+        each.counted.begun_cycles = each.seen.begun_cycles;
+    }
+    if (step.told.asks) place.memory->looked_up = step.last;
+    if (step.told.stores) place.memory->stored = step.last;
+    if (step.told.takes)
+        for (Way* const way : place.in)
+            for (std::uint64_t item = way->popped; item < way->seen_popped; ++item)
+                way->freed[item] = step.last;
+    if (moved.given == 0) return;
+    // Several may give in a cycle: what comes next takes all of it.
+    std::optional<Moment> merged;
+    const Moment* given = &step.last;
+    for (Way* const way : place.out) {
+        if (way->pushed == way->seen_pushed) continue;
+        if (way->sent_at == now_) {
+            merged = *given;
+            merge(paths_, *merged, way->sent[way->pushed]);
+            given = &*merged;
+        }
+        way->sent_at = now_;
+        for (std::uint64_t item = way->pushed; item < way->seen_pushed; ++item)
+            way->send(item, *given);
+    }
 }
 
 void Bottlenecks::act(Place& place, StepPlace& step, const StepMoved& moved) {
@@ -223,51 +246,29 @@ void Bottlenecks::act(Place& place, StepPlace& step, const StepMoved& moved) {
     pass_on(place, step, moved);
 }
 
-void Bottlenecks::pass_on(Place& place, const StepPlace& step, const StepMoved& moved) {
-    place.changed.worked &= ~step.from;
-    place.changed.looked_up &= ~step.to;
-    for (const std::size_t i : step.told.from) {
-        Inner& each = place.passages[i];
-        each.counted.worked = each.seen.worked;
-        for (std::uint32_t item = 0; item < each.going(); ++item)
-            each.exits[each.left + item] = step.last;
+// A way through them in which the unit goes, so that what it does behind something in the same
+// cycle finds it.
+void Bottlenecks::go_through_steps(Place& place, const Moved& moved) {
+    const bool asks = std::ranges::any_of(
+        place.asked, [](const Way* way) { return way->pushed != way->seen_pushed; });
+    // A request that has waited for a place goes before anything is looked up.
+    if (asks && place.request_waits) ask(place);
+    for (StepPlace& step : place.steps)
+        if (acts(place, step, moved, asks)) act(place, step, moved_by(place, step, moved));
+    for (std::uint64_t left = place.changed.came | place.changed.went; left != 0;
+         left &= left - 1) {
+        Inner& each = place.passages[static_cast<std::size_t>(std::countr_zero(left))];
+        each.entered += each.coming();
+        each.left += each.going();
+        each.counted.entered = each.seen.entered;
+        each.counted.left = each.seen.left;
     }
-    for (const std::size_t i : step.told.to) {
-        Inner& each = place.passages[i];
-        each.counted.looked_up = each.seen.looked_up;
-        for (std::uint32_t item = 0; item < each.coming(); ++item) {
-            each.entries.make_room(each.left, each.entered + item);
-            each.entries[each.entered + item] = step.last;
-            each.cycles_of(each.entered + item) = each.begun_cycles();
-        }
-        each.counted.waited = each.seen.waited;
-        const std::size_t begun = std::min<std::size_t>(each.begun(), each.units.size());
-        std::fill_n(each.units.begin(), begun, Inner::Begun{step.last, each.begun_cycles()});
-        if (begun > 0) std::ranges::sort(each.units, {}, &Inner::Begun::free_at);
-        each.counted.begun = each.seen.begun;
-        each.counted.begun_cycles = each.seen.begun_cycles;
-    }
-    if (step.told.asks) place.memory->looked_up = step.last;
-    if (step.told.stores) place.memory->stored = step.last;
-    if (step.told.takes)
-        for (Way* const way : place.in)
-            for (std::uint64_t item = way->popped; item < way->seen_popped; ++item)
-                way->freed[item] = step.last;
-    if (moved.given == 0) return;
-    // Several may give in a cycle: what comes next takes all of it.
-    Moment merged;
-    const Moment* given = &step.last;
-    for (Way* const way : place.out) {
-        if (way->pushed == way->seen_pushed) continue;
-        if (way->sent_at == now_) {
-            merged = *given;
-            merge(paths_, merged, way->sent[way->pushed]);
-            given = &merged;
-        }
-        way->sent_at = now_;
-        for (std::uint64_t item = way->pushed; item < way->seen_pushed; ++item)
-            way->send(item, *given);
-    }
+    place.changed.came = place.changed.went = 0;
+    for (Way* const way : place.out)
+        way->pushed = way->seen_pushed;
+    for (Way* const way : place.in)
+        way->popped = way->seen_popped;
+    if (asks && place.is_last) ask(place);
 }
 
 // In the order in which it looked up what it asks for; what waited for its turn was looked up

@@ -61,8 +61,14 @@ void Bottlenecks::connect(Place& place) {
                                    std::pair{&links.answered, &place.answered}})
         for (const Link* const link : *from)
             to->push_back(&way_of(link));
-    for (const auto* const ways : {&place.in, &place.out, &place.asked, &place.answered})
-        place.ways.insert(place.ways.end(), ways->begin(), ways->end());
+    for (const auto& [ways, bits] : {std::pair{&place.in, &place.in_bits},
+                                     std::pair{&place.out, &place.out_bits},
+                                     std::pair{&place.asked, &place.asked_bits},
+                                     std::pair{&place.answered, &place.answered_bits}})
+        for (Way* const way : *ways) {
+            *bits |= std::uint64_t{1} << place.ways.size();
+            place.ways.push_back(way);
+        }
     const Unit* const unit = place.stage.unit;
     for (AtMemory& each : at_memory_)
         if (each.unit == unit) place.memory = &each;
@@ -111,16 +117,17 @@ void Bottlenecks::charge(Saved& entry) {
 }
 
 void Bottlenecks::look(Place& place, const StageSeen& seen) {
+    if ((seen.links & place.answered_bits) != 0) take_answers(place);
     std::uint64_t taken = 0, given = 0, asked = 0;
-    if (seen.links != 0) {
-        if (!place.answered.empty()) take_answers(place);
+    if ((seen.links & place.in_bits) != 0)
         for (const Way* const way : place.in)
             taken += way->going();
+    if ((seen.links & place.out_bits) != 0)
         for (const Way* const way : place.out)
             given += way->coming();
+    if ((seen.links & place.asked_bits) != 0)
         for (const Way* const way : place.asked)
             asked += way->coming();
-    }
     const Moved moved{taken, given, place.steps.empty() && seen.refused};
     if (!place.steps.empty()) {
         if ((seen.links | seen.passages) != 0 || place.request_waits)

@@ -139,14 +139,16 @@ private:
     };
     struct StepPlace {
         const Step& told;
-        std::uint64_t from = 0, to = 0; // bits of its passages
-        bool expands = false;           // what its items waited for
+        std::vector<Inner*> from{}, to{};         // its passages
+        std::uint64_t from_bits = 0, to_bits = 0; // and their bits
+        bool expands = false;                     // what its items waited for
         Moment last{};
     };
     struct Place {
         const Stage& stage;
         std::vector<Way*> in, out, asked, answered;
         std::vector<Way*> ways{}; // all of these, in this order
+        std::uint64_t in_bits = 0, out_bits = 0, asked_bits = 0, answered_bits = 0; // of them
         Moment last;
         AtMemory* memory;
         std::vector<Inner> passages{};
@@ -199,7 +201,7 @@ private:
     static void see_passages(Place& place, std::uint64_t seen, Reader& log);
     void go_through_steps(Place& place, const Moved& moved);
     static bool acts(const Place& place, const StepPlace& step, const Moved& moved, bool unit_asks);
-    StepMoved moved_by(const Place& place, const Step& step, const Moved& moved) const;
+    static StepMoved moved_by(const Place& place, const StepPlace& step, const Moved& moved);
     void act(Place& place, StepPlace& step, const StepMoved& moved);
     void find_dependences(const Place& place, const StepPlace& step, const StepMoved& moved);
     void explain(const Place& place, const StepPlace& step);

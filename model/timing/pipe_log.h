@@ -53,29 +53,43 @@ struct CycleSeen {
     std::uint32_t answers = 0, stages = 0, taken = 0;
 };
 
-// What is written one behind the other. Its memory stays.
+// What is written one behind the other. Its memory stays. Where the next goes is a pointer: a count
+// of items would be multiplied by their size each time, in every cycle.
 template <class Item>
 class Written {
 public:
+    Written() = default;
+    Written(const Written&) = delete;
+    Written& operator=(const Written&) = delete;
+
     // For so many more at the most; those that are written are then taken.
     Item* room(std::size_t items) {
-        if (items_.size() < count_ + items) items_.resize(2 * (count_ + items));
-        return items_.data() + count_;
+        if (static_cast<std::size_t>(limit_ - end_) < items) [[unlikely]]
+            grow(items);
+        return end_;
     }
-    void take_until(const Item* end) { count_ = static_cast<std::size_t>(end - items_.data()); }
+    void take_until(Item* end) { end_ = end; }
     void add(const Item& item) {
         *room(1) = item;
-        ++count_;
+        ++end_;
     }
 
-    std::size_t size() const { return count_; }
+    std::size_t size() const { return static_cast<std::size_t>(end_ - items_.data()); }
     const Item* begin() const { return items_.data(); }
-    const Item* end() const { return items_.data() + count_; }
-    void clear() { count_ = 0; }
+    const Item* end() const { return end_; }
+    void clear() { end_ = items_.data(); }
 
 private:
+    void grow(std::size_t items) {
+        const std::size_t kept = size();
+        items_.resize(2 * (kept + items));
+        end_ = items_.data() + kept;
+        limit_ = items_.data() + items_.size();
+    }
+
     std::vector<Item> items_;
-    std::size_t count_ = 0;
+    Item* end_ = nullptr;
+    Item* limit_ = nullptr; // of the room that there is
 };
 
 // One is written while another is read.
