@@ -1,5 +1,6 @@
 #include "model/work/texel_scan.h"
 
+#include "model/base/sort_by_digits.h"
 #include "model/work/draw_places.h"
 #include "model/work/target_clear.h"
 #include "model/work/traversal.h"
@@ -12,6 +13,8 @@ namespace {
 
 // Keys of a run lie so close that runs of one piece seldom reach into each other.
 constexpr unsigned RunKeyBits = 4;
+// Fewer runs are compared: a pass over digits begins with a table of up to 2,048 places.
+constexpr std::size_t FewRuns = 256;
 
 } // namespace
 
@@ -180,17 +183,28 @@ bool TexelScan::runs_overlap() const {
     return false;
 }
 
-// Quads of one place stay in the order in which they came.
-void TexelScan::sort_runs() {
+// Those of one piece and key stay in the order in which they came.
+void TexelScan::order_runs() {
     const auto before = [](const Run& a, const Run& b) {
         return std::tie(a.piece, a.key, a.begin) < std::tie(b.piece, b.key, b.begin);
     };
-    std::sort(runs_.begin(), runs_.end(), before);
+    if (std::is_sorted(runs_.begin(), runs_.end(), before)) return;
+    if (runs_.size() < FewRuns) {
+        std::sort(runs_.begin(), runs_.end(), before);
+        return;
+    }
+    sort_by_digits(runs_, spare_runs_, [](const Run& run) { return run.key; });
+    sort_by_digits(runs_, spare_runs_, [](const Run& run) { return run.piece; });
+}
+
+// Quads of one place stay in the order in which they came.
+void TexelScan::sort_runs() {
+    order_runs();
     if (!runs_overlap()) return;
     runs_.clear();
     for (std::uint32_t quad = 0; quad < quads_.size(); ++quad)
         runs_.push_back({quads_[quad].piece, quads_[quad].key, quad, quad + 1});
-    std::sort(runs_.begin(), runs_.end(), before);
+    order_runs();
 }
 
 // The quads of one place of an image, each drawn by another of its pixels, become pieces.

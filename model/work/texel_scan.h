@@ -64,6 +64,7 @@ private:
     void end_quad(const WorkQuad& quad);
     void add_to_runs(std::uint32_t quad);
     void number_image_pieces();
+    void order_runs();
     void sort_runs();
     bool runs_overlap() const;
     void tell();
@@ -81,7 +82,7 @@ private:
     // Of the draw.
     std::vector<Quad> quads_;
     std::vector<LineLookup> lines_;
-    std::vector<Run> runs_;
+    std::vector<Run> runs_, spare_runs_;
     bool first_ = true;       // no quad of it was told
     std::uint64_t piece_ = 0; // of the quad that was told last
     std::uint32_t block_ = 0;
