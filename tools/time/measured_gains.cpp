@@ -24,7 +24,9 @@ void play(const std::string& work,
           const std::function<void(const timing::FrameTiming&)>& on_frame) {
     timing::GpuTiming timing(config, {}, memory);
     timing.set_on_frame(on_frame);
+    timing.let_frames_overlap();
     work::WorkFileReader(work).play(timing, [](const work::FrameFigures&) {});
+    timing.catch_up();
 }
 
 double reckoned_gain(const timing::FrameTiming& frame, Resource resource) {
