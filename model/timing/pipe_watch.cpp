@@ -56,18 +56,19 @@ void PipeWatch::done(const MemoryRequest& request, std::uint64_t) {
 void PipeWatch::end_cycle(std::size_t charged, PipeLog& log) {
     const std::uint64_t called = std::exchange(called_, 0);
     if (called == 0 && answers_.empty()) return;
-    CycleSeen cycle{.now = clock_.now(),
-                    .charged = charged,
-                    .answers = static_cast<std::uint32_t>(answers_.size())};
+    CycleSeen& cycle = *log.cycles.room(1); // Field by field, as look().
+    cycle.now = clock_.now();
+    cycle.charged = charged;
+    cycle.answers = static_cast<std::uint32_t>(answers_.size());
     for (const AnswerSeen& answer : answers_)
         log.answers.add(answer);
     answers_.clear();
     const std::size_t noted = log.stages.size();
     note_stages(called & ~ArbiterBit, log);
     cycle.stages = static_cast<std::uint32_t>(log.stages.size() - noted);
-    if ((called & ArbiterBit) != 0 && parts_.arbiter.activity() == Activity::Busy)
-        cycle.taken = note_taken(log);
-    log.cycles.add(cycle);
+    const bool takes = (called & ArbiterBit) != 0 && parts_.arbiter.activity() == Activity::Busy;
+    cycle.taken = takes ? note_taken(log) : 0;
+    log.cycles.take_until(&cycle + 1);
 }
 
 std::uint32_t PipeWatch::note_taken(PipeLog& log) {
