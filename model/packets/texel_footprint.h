@@ -8,6 +8,7 @@
 
 #include "model/packets/access_plane.h"
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -31,9 +32,24 @@ public:
     Iterator begin() const;
     Iterator end() const;
 
+    // Calls each(access) for those of `lanes`, in the same order.
+    template <class Each>
+    void for_each(unsigned lanes, Each&& each) const {
+        for (unsigned lane = 0; lane < 4; ++lane) {
+            if ((lanes >> lane & 1) == 0) continue;
+            for (std::size_t plane = 0; plane < count_; ++plane)
+                if (has(plane, lane)) each(access(plane, lane));
+        }
+    }
+
 private:
     bool has(std::size_t plane, unsigned lane) const {
-        return (planes_[plane].lanes.quad(quad_) >> lane & 1) != 0;
+        return planes_[plane].lanes.test(4 * quad_ + lane);
+    }
+    TexelAccess access(std::size_t plane, unsigned lane) const {
+        TexelAccess access = planes_[plane].at(4 * quad_ + lane);
+        access.lane = static_cast<std::uint16_t>(lane);
+        return access;
     }
 
     const AccessPlane* planes_ = nullptr;
@@ -55,11 +71,7 @@ public:
         , lane_(0) {
         to_next();
     }
-    TexelAccess operator*() const {
-        TexelAccess access = reads_.planes_[plane_].at(4 * reads_.quad_ + lane_);
-        access.lane = static_cast<std::uint16_t>(lane_);
-        return access;
-    }
+    TexelAccess operator*() const { return reads_.access(plane_, lane_); }
     Iterator& operator++() {
         ++plane_;
         to_next();
@@ -109,13 +121,18 @@ struct TexelFootprints {
     QuadReads of_quad(unsigned quad) const { return {planes, quad}; }
 
     // Behind those of its lane, which is the batch's.
-    void add(const TexelAccess& access) {
-        if (access.lane != last_lane_) next_ = 0;
-        last_lane_ = access.lane;
-        while (next_ < planes.size() && planes[next_].lanes.test(access.lane))
-            ++next_;
-        if (next_ == planes.size()) planes.emplace_back(planes.get_allocator().resource());
-        planes[next_++].set(access);
+    void add(const TexelAccess& access) { add(std::bit_cast<AccessPlane::AccessWords>(access)); }
+    void add(const AccessPlane::AccessWords& access) {
+        const unsigned lane = access[0] & 0xffff;
+        if (lane != last_lane_) next_ = 0;
+        last_lane_ = lane;
+        AccessPlane* plane = planes.data() + next_;
+        AccessPlane* const end = planes.data() + planes.size();
+        while (plane != end && plane->lanes.test(lane))
+            ++plane;
+        if (plane == end) plane = &planes.emplace_back(planes.get_allocator().resource());
+        plane->set(access);
+        next_ = static_cast<std::size_t>(plane - planes.data()) + 1;
     }
 
     // All of them, quad after quad, with lanes of the batch.

@@ -22,7 +22,6 @@ private:
     void read_masks(WorkQuad& quad);
     void read_samples(WorkQuad& quad);
     void read_accesses(WholeCommand& command);
-    TexelAccess read_access();
     void read_values(WholeCommand& command);
 
     ColumnReader& in_;
