@@ -6,7 +6,9 @@
 #include "model/packets/texel_footprint.h"
 #include "model/work/placed_level.h"
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -43,8 +45,10 @@ public:
         }
     };
     Rectangles rectangles(const TexelAccess& access) const {
-        const Rectangles texels{access.x0, access.x1, access.y0, access.y1};
-        return std::bit_cast<Rectangles>(std::bit_cast<std::uint64_t>(texels) &
+        // As they stand in it, on a little endian host.
+        static_assert(offsetof(TexelAccess, x0) == 4 && offsetof(TexelAccess, y1) == 10);
+        const auto words = std::bit_cast<std::array<std::uint64_t, 2>>(access);
+        return std::bit_cast<Rectangles>((words[0] >> 32 | words[1] << 32) &
                                          std::bit_cast<std::uint64_t>(firsts_));
     }
 

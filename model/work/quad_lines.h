@@ -30,9 +30,9 @@ public:
     }
     // What one fragment reads of one level.
     void add(const TextureLines& texture, const TexelAccess& access) {
-        if (access.level >= texture.lines.size()) return;
-        const LevelLines& level = texture.lines[access.level];
-        if (is_last(level, access)) // Most are.
+        const LevelLines* const level = texture.lines.data() + access.level;
+        if (level >= texture.lines.data() + texture.lines.size()) return;
+        if (is_last(*level, access)) // Most are.
             reads_ += 4;
         else
             add_other(texture, access);
