@@ -66,30 +66,30 @@ public:
     // Layers.
     using AccessWords = std::array<std::uint32_t, 4>;
 
-    TexelAccess at(unsigned lane) const {
+    TexelAccess at(unsigned lane) const { return std::bit_cast<TexelAccess>(words_at(lane, lane)); }
+    // Of the batch's `lane`, which is told as `told_as`.
+    AccessWords words_at(unsigned lane, unsigned told_as) const {
         std::uint16_t head;
         std::memcpy(&head, heads() + lane, sizeof head);
-        const AccessWords words{lane | std::uint32_t{head} << 16,
-                                this->words(Words::X)[lane],
-                                this->words(Words::Y)[lane],
-                                has_layers() ? this->words(Words::Layers)[lane] : 0};
-        return std::bit_cast<TexelAccess>(words);
+        return {told_as | std::uint32_t{head} << 16,
+                words(Words::X)[lane],
+                words(Words::Y)[lane],
+                has_layers() ? words(Words::Layers)[lane] : 0};
     }
 
     // Room is made where there is none.
     void set(const AccessWords& words) {
         const auto head = static_cast<std::uint16_t>(words[0] >> 16);
         const unsigned lane = words[0] & 0xffff;
-        if (lane / 4 >= quads_ || (words[3] != 0 && !has_layers()))
-            make_room(lane / 4 + 1, words[3] != 0);
+        const bool layers = words[3] != 0;
+        if (lane / 4 >= quads_ || (layers && !has_layers())) make_room(lane / 4 + 1, layers);
         lanes.set(lane);
         std::uint32_t* const x = this->words(Words::X);
         std::uint32_t* const y = this->words(Words::Y);
-        std::uint32_t* const layers = has_layers() ? this->words(Words::Layers) : nullptr;
+        if (has_layers()) this->words(Words::Layers)[lane] = words[3];
         std::memcpy(heads() + lane, &head, sizeof head);
         x[lane] = words[1];
         y[lane] = words[2];
-        if (layers) layers[lane] = words[3];
     }
 
 private:

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <iterator>
 #include <memory_resource>
+#include <span>
 #include <vector>
 
 namespace ffgpu {
@@ -32,24 +33,21 @@ public:
     Iterator begin() const;
     Iterator end() const;
 
-    // Calls each(access) for those of `lanes`, in the same order.
+    // Calls each(words) for those of `lanes`, in the same order: AccessPlane::AccessWords, of which
+    // no part is stored where the whole is only looked at.
     template <class Each>
     void for_each(unsigned lanes, Each&& each) const {
         for (unsigned lane = 0; lane < 4; ++lane) {
             if ((lanes >> lane & 1) == 0) continue;
-            for (std::size_t plane = 0; plane < count_; ++plane)
-                if (has(plane, lane)) each(access(plane, lane));
+            for (const AccessPlane& plane : std::span(planes_, count_))
+                if (plane.lanes.test(4 * quad_ + lane))
+                    each(plane.words_at(4 * quad_ + lane, lane));
         }
     }
 
 private:
     bool has(std::size_t plane, unsigned lane) const {
         return planes_[plane].lanes.test(4 * quad_ + lane);
-    }
-    TexelAccess access(std::size_t plane, unsigned lane) const {
-        TexelAccess access = planes_[plane].at(4 * quad_ + lane);
-        access.lane = static_cast<std::uint16_t>(lane);
-        return access;
     }
 
     const AccessPlane* planes_ = nullptr;
@@ -71,7 +69,10 @@ public:
         , lane_(0) {
         to_next();
     }
-    TexelAccess operator*() const { return reads_.access(plane_, lane_); }
+    TexelAccess operator*() const {
+        return std::bit_cast<TexelAccess>(
+            reads_.planes_[plane_].words_at(4 * reads_.quad_ + lane_, lane_));
+    }
     Iterator& operator++() {
         ++plane_;
         to_next();
@@ -126,13 +127,12 @@ struct TexelFootprints {
         const unsigned lane = access[0] & 0xffff;
         if (lane != last_lane_) next_ = 0;
         last_lane_ = lane;
-        AccessPlane* plane = planes.data() + next_;
+        AccessPlane* plane = planes.data() + next_++;
         AccessPlane* const end = planes.data() + planes.size();
-        while (plane != end && plane->lanes.test(lane))
-            ++plane;
+        for (; plane != end && plane->lanes.test(lane); ++plane)
+            ++next_;
         if (plane == end) plane = &planes.emplace_back(planes.get_allocator().resource());
         plane->set(access);
-        next_ = static_cast<std::size_t>(plane - planes.data()) + 1;
     }
 
     // All of them, quad after quad, with lanes of the batch.

@@ -6,9 +6,7 @@
 #include "model/packets/texel_footprint.h"
 #include "model/work/placed_level.h"
 
-#include <array>
 #include <bit>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -45,11 +43,11 @@ public:
         }
     };
     Rectangles rectangles(const TexelAccess& access) const {
-        // As they stand in it, on a little endian host.
-        static_assert(offsetof(TexelAccess, x0) == 4 && offsetof(TexelAccess, y1) == 10);
-        const auto words = std::bit_cast<std::array<std::uint64_t, 2>>(access);
-        return std::bit_cast<Rectangles>((words[0] >> 32 | words[1] << 32) &
-                                         std::bit_cast<std::uint64_t>(firsts_));
+        const Rectangles texels{access.x0, access.x1, access.y0, access.y1};
+        return inside(std::bit_cast<std::uint64_t>(texels));
+    }
+    Rectangles rectangles(const AccessPlane::AccessWords& access) const {
+        return inside(access[1] | std::uint64_t{access[2]} << 32);
     }
 
     // Texels that differ in others of their bits alone are in one rectangle.
@@ -61,6 +59,10 @@ public:
     }
 
 private:
+    // Those of texels as Rectangles has them.
+    Rectangles inside(std::uint64_t texels) const {
+        return std::bit_cast<Rectangles>(texels & std::bit_cast<std::uint64_t>(firsts_));
+    }
     void find_rectangles();
 
     std::uint64_t base_, layer_bytes_;

@@ -15,19 +15,13 @@ bool is_plain_square(const LevelLines& level, const TexelAccess& access) {
 
 } // namespace
 
+// Most accesses fall on the line of the texel before.
 void QuadLines::add_other(const TextureLines& texture, const TexelAccess& access) {
     make_room(MostOfAccess);
-    const PlacedLevel& level = texture.levels[access.level];
-    const LevelLines& lines = texture.lines[access.level];
-    expands_blocks_ |= level.compressed && level.expansion_log2 == 0;
-    if (is_plain_square(lines, access))
-        add_square(lines, access);
-    else
-        add_corners(level, access);
-}
-
-// Most accesses fall on the line of the texel before.
-void QuadLines::add_square(const LevelLines& level, const TexelAccess& access) {
+    const PlacedLevel& placed = texture.levels[access.level];
+    const LevelLines& level = texture.lines[access.level];
+    expands_blocks_ |= placed.compressed && placed.expansion_log2 == 0;
+    if (!is_plain_square(level, access)) return add_corners(placed, access);
     reads_ += 4;
     const LevelLines::Rectangles rectangles = level.rectangles(access);
     if (merges_) {

@@ -67,14 +67,11 @@ void TargetLookups::add_colors(PreparedQuad& quad) {
     }
 }
 
-// The lines that hold the samples of `lanes`, each once, in the order of the lanes.
-void TargetLookups::add_lines(const PlacedLevel& place,
-                              std::uint32_t line_bytes,
-                              const std::array<std::uint64_t, 4>& addresses,
-                              std::uint8_t lanes) {
-    const std::uint64_t last = addresses[3] + place.layout.element_bytes - 1;
-    if (quotient(addresses[0], line_bytes) == quotient(last, line_bytes))
-        return out_.target_lines.push_back(quotient(last, line_bytes));
+// Each once, in the order of the lanes.
+void TargetLookups::add_spread_lines(const PlacedLevel& place,
+                                     std::uint32_t line_bytes,
+                                     const std::array<std::uint64_t, 4>& addresses,
+                                     std::uint8_t lanes) {
     const auto begin = static_cast<std::ptrdiff_t>(out_.target_lines.size());
     const auto add = [&](std::uint64_t line) {
         const auto first = out_.target_lines.begin() + begin;

@@ -39,10 +39,21 @@ private:
 
     void add_depth(std::uint8_t tested, PreparedQuad& quad);
     void add_colors(PreparedQuad& quad);
+    // The lines that hold the samples of `lanes`: most quads lie in one.
     void add_lines(const PlacedLevel& place,
                    std::uint32_t line_bytes,
                    const std::array<std::uint64_t, 4>& addresses,
-                   std::uint8_t lanes);
+                   std::uint8_t lanes) {
+        const std::uint64_t last = addresses[3] + place.layout.element_bytes - 1;
+        if (quotient(addresses[0], line_bytes) == quotient(last, line_bytes))
+            out_.target_lines.push_back(quotient(last, line_bytes));
+        else
+            add_spread_lines(place, line_bytes, addresses, lanes);
+    }
+    void add_spread_lines(const PlacedLevel& place,
+                          std::uint32_t line_bytes,
+                          const std::array<std::uint64_t, 4>& addresses,
+                          std::uint8_t lanes);
     WrittenBytes failed_bytes(std::uint64_t line,
                               const WrittenQuad& passed,
                               std::uint8_t tested,

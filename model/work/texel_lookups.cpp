@@ -22,8 +22,8 @@ void TexelLookups::add(std::uint32_t number, std::uint8_t lanes, PreparedQuad& q
         const TextureLines* const texture = textures_[command_.units[i]];
         const std::size_t first_line = lines_.lines().size();
         std::array<unsigned, 4> samples{}; // a lane
-        command_.accesses_of(number, i).for_each(lanes, [&](const TexelAccess& access) {
-            samples[access.lane] += (access.linear & 4) ? 2 : 1;
+        command_.accesses_of(number, i).for_each(lanes, [&](const auto& access) {
+            samples[access[0] & 3] += (access[0] >> 24 & 4) ? 2 : 1; // by TexelAccess::linear
             if (texture) lines_.add(*texture, access);
         });
         const unsigned steps = *std::max_element(samples.begin(), samples.end());

@@ -4,9 +4,9 @@ namespace ffgpu::work {
 
 // As if of batches of as many quads as there can be.
 TexelFootprints& WholeCommand::own_footprints(std::size_t unit) {
-    while (sources.size() < quads.size())
-        sources.push_back({static_cast<std::uint32_t>(sources.size() / BatchQuads),
-                           static_cast<std::uint32_t>(sources.size() % BatchQuads)});
+    for (std::size_t quad = sources.size(), end = quads.size(); quad < end; ++quad)
+        sources.push_back({static_cast<std::uint32_t>(quad / BatchQuads),
+                           static_cast<std::uint32_t>(quad % BatchQuads)});
     const std::size_t batch = sources.back().batch;
     const std::size_t at = batch * units.size() + unit;
     if (at >= own.size()) {

@@ -104,13 +104,15 @@ public:
             , past_(first) {}
 
         Expected next(unsigned lane) {
-            if (first_lane_ == None) first_lane_ = lane;
-            if (lane != lane_)
+            if (lane != lane_) {
+                if (lane_ == None) first_lane_ = lane;
+                lane_ = lane;
+                slot_ = lane == first_lane_ ? 0 : lane;
                 past_ = first_;
-            else if (past_ != first_ + (Ordinals - 1))
+            } else if (past_ != first_ + (Ordinals - 1)) {
                 ++past_;
-            lane_ = lane;
-            const std::uint32_t step = past_->steps[slot()];
+            }
+            const std::uint32_t step = past_->steps[slot_];
             return {static_cast<std::uint16_t>(past_->place + step),
                     static_cast<std::uint16_t>((past_->place >> 16) + (step >> 16)),
                     static_cast<std::uint8_t>(past_->kind >> 16),
@@ -119,8 +121,8 @@ public:
 
         // What it was.
         void take(const Expected& access) {
-            past_->steps[slot()] = halves(access.x - past_->place, access.y - (past_->place >> 16));
-            if (slot() != 0) return;
+            past_->steps[slot_] = halves(access.x - past_->place, access.y - (past_->place >> 16));
+            if (slot_ != 0) return;
             past_->place = halves(access.x, access.y);
             past_->kind = halves(access.layer, access.level);
         }
@@ -131,11 +133,11 @@ public:
         static constexpr std::uint32_t halves(std::uint32_t low, std::uint32_t high) {
             return (low & 0xffff) | high << 16;
         }
-        unsigned slot() const { return lane_ == first_lane_ ? 0 : lane_; }
 
         Past* first_;
         Past* past_; // of the access at hand
         unsigned lane_ = None, first_lane_ = None;
+        unsigned slot_ = 0; // among past_->steps
     };
     Quad quad(unsigned unit) { return Quad(past_[unit].data()); }
 

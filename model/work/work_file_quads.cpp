@@ -18,6 +18,49 @@ std::uint16_t quad_place(std::int64_t from, std::int64_t by) {
     return static_cast<std::uint16_t>(2 * place);
 }
 
+void read_masks(ColumnReader& in, WorkQuad& quad) {
+    const auto mask = [&in] { return static_cast<std::uint8_t>(in.number(Column::Fate, 0xf)); };
+    switch (static_cast<QuadFate>(in.byte(Column::Fate))) {
+    case QuadFate::AllWritten:
+        set_masks(quad, quad.covered, quad.covered);
+        break;
+    case QuadFate::DeadEarly:
+        break;
+    case QuadFate::SurvivorsWrite: {
+        const std::uint8_t left = mask();
+        set_masks(quad, left, left);
+        break;
+    }
+    case QuadFate::Other:
+        for (std::uint8_t* const to : {&quad.after_early_depth,
+                                       &quad.after_coverage,
+                                       &quad.after_alpha,
+                                       &quad.after_stencil,
+                                       &quad.after_depth})
+            *to = mask();
+        break;
+    default:
+        throw DamagedItem("there is no such fate of a quad");
+    }
+}
+
+void read_samples(ColumnReader& in, WorkQuad& quad) {
+    switch (static_cast<SampleFate>(in.byte(Column::Samples))) {
+    case SampleFate::None:
+        break;
+    case SampleFate::Whole:
+        quad.samples_covered = whole_samples(quad.covered);
+        quad.samples_written = whole_samples(quad.after_depth);
+        break;
+    case SampleFate::Other:
+        quad.samples_covered = static_cast<std::uint16_t>(in.number(Column::Samples, 0xffff));
+        quad.samples_written = static_cast<std::uint16_t>(in.number(Column::Samples, 0xffff));
+        break;
+    default:
+        throw DamagedItem("there is no such fate of samples");
+    }
+}
+
 constexpr std::uint32_t pair(std::uint16_t low, std::uint16_t high) {
     return low | std::uint32_t{high} << 16;
 }
@@ -60,8 +103,8 @@ void WorkFileQuads::append_quad(WholeCommand& command) {
     quad.x =
         quad_place(before.x / 2 + (quad.y == before.y ? 1 : 0), in_.difference(Column::Column));
     quad.covered = static_cast<std::uint8_t>(in_.number(Column::Covered, 0xf));
-    read_masks(quad);
-    read_samples(quad);
+    read_masks(in_, quad);
+    read_samples(in_, quad);
     if (!command.quads.empty() && !comes_before(before, quad))
         throw DamagedItem("quads are not in their order");
     command.quads.push_back(quad);
@@ -74,49 +117,6 @@ void WorkFileQuads::read_values(WholeCommand& command) {
     command.value_begin.push_back(static_cast<std::uint32_t>(command.values.size()));
     if (!values_fit(command, command.quads.size() - 1))
         throw DamagedItem("a quad's values are too few or too many");
-}
-
-void WorkFileQuads::read_masks(WorkQuad& quad) {
-    const auto mask = [this] { return static_cast<std::uint8_t>(in_.number(Column::Fate, 0xf)); };
-    switch (static_cast<QuadFate>(in_.byte(Column::Fate))) {
-    case QuadFate::AllWritten:
-        set_masks(quad, quad.covered, quad.covered);
-        break;
-    case QuadFate::DeadEarly:
-        break;
-    case QuadFate::SurvivorsWrite: {
-        const std::uint8_t left = mask();
-        set_masks(quad, left, left);
-        break;
-    }
-    case QuadFate::Other:
-        for (std::uint8_t* const to : {&quad.after_early_depth,
-                                       &quad.after_coverage,
-                                       &quad.after_alpha,
-                                       &quad.after_stencil,
-                                       &quad.after_depth})
-            *to = mask();
-        break;
-    default:
-        throw DamagedItem("there is no such fate of a quad");
-    }
-}
-
-void WorkFileQuads::read_samples(WorkQuad& quad) {
-    switch (static_cast<SampleFate>(in_.byte(Column::Samples))) {
-    case SampleFate::None:
-        break;
-    case SampleFate::Whole:
-        quad.samples_covered = whole_samples(quad.covered);
-        quad.samples_written = whole_samples(quad.after_depth);
-        break;
-    case SampleFate::Other:
-        quad.samples_covered = static_cast<std::uint16_t>(in_.number(Column::Samples, 0xffff));
-        quad.samples_written = static_cast<std::uint16_t>(in_.number(Column::Samples, 0xffff));
-        break;
-    default:
-        throw DamagedItem("there is no such fate of samples");
-    }
 }
 
 void WorkFileQuads::read_accesses(WholeCommand& command) {

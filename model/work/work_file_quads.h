@@ -19,8 +19,6 @@ public:
     void append_quad(WholeCommand& command);
 
 private:
-    void read_masks(WorkQuad& quad);
-    void read_samples(WorkQuad& quad);
     void read_accesses(WholeCommand& command);
     void read_values(WholeCommand& command);
 
