@@ -62,29 +62,34 @@ public:
         return reinterpret_cast<const std::uint16_t*>(words_.data() + HeadsAt * quads_);
     }
 
-    // An access is four words on a little endian host.
-    TexelAccess at(unsigned lane) const {
+    // An access is four words on a little endian host: its lane with the head above it, X, Y and
+    // Layers.
+    using AccessWords = std::array<std::uint32_t, 4>;
+
+    TexelAccess at(unsigned lane) const { return std::bit_cast<TexelAccess>(words_at(lane, lane)); }
+    // Of the batch's `lane`, which is told as `told_as`.
+    AccessWords words_at(unsigned lane, unsigned told_as) const {
         std::uint16_t head;
         std::memcpy(&head, heads() + lane, sizeof head);
-        const std::array<std::uint32_t, 4> words{lane | std::uint32_t{head} << 16,
-                                                 this->words(Words::X)[lane],
-                                                 this->words(Words::Y)[lane],
-                                                 has_layers() ? this->words(Words::Layers)[lane]
-                                                              : 0};
-        return std::bit_cast<TexelAccess>(words);
+        return {told_as | std::uint32_t{head} << 16,
+                words(Words::X)[lane],
+                words(Words::Y)[lane],
+                has_layers() ? words(Words::Layers)[lane] : 0};
     }
 
     // Room is made where there is none.
-    void set(const TexelAccess& access) {
-        const auto words = std::bit_cast<std::array<std::uint32_t, 4>>(access);
+    void set(const AccessWords& words) {
         const auto head = static_cast<std::uint16_t>(words[0] >> 16);
-        if (access.lane / 4u >= quads_ || (words[3] != 0 && !has_layers()))
-            make_room(access.lane / 4u + 1, words[3] != 0);
-        lanes.set(access.lane);
-        std::memcpy(heads() + access.lane, &head, sizeof head);
-        this->words(Words::X)[access.lane] = words[1];
-        this->words(Words::Y)[access.lane] = words[2];
-        if (has_layers()) this->words(Words::Layers)[access.lane] = words[3];
+        const unsigned lane = words[0] & 0xffff;
+        const bool layers = words[3] != 0;
+        if (lane / 4 >= quads_ || (layers && !has_layers())) make_room(lane / 4 + 1, layers);
+        lanes.set(lane);
+        std::uint32_t* const x = this->words(Words::X);
+        std::uint32_t* const y = this->words(Words::Y);
+        if (has_layers()) this->words(Words::Layers)[lane] = words[3];
+        std::memcpy(heads() + lane, &head, sizeof head);
+        x[lane] = words[1];
+        y[lane] = words[2];
     }
 
 private:

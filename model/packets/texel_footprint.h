@@ -8,10 +8,12 @@
 
 #include "model/packets/access_plane.h"
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <memory_resource>
+#include <span>
 #include <vector>
 
 namespace ffgpu {
@@ -31,9 +33,21 @@ public:
     Iterator begin() const;
     Iterator end() const;
 
+    // Calls each(words) for those of `lanes`, in the same order: AccessPlane::AccessWords, of which
+    // no part is stored where the whole is only looked at.
+    template <class Each>
+    void for_each(unsigned lanes, Each&& each) const {
+        for (unsigned lane = 0; lane < 4; ++lane) {
+            if ((lanes >> lane & 1) == 0) continue;
+            for (const AccessPlane& plane : std::span(planes_, count_))
+                if (plane.lanes.test(4 * quad_ + lane))
+                    each(plane.words_at(4 * quad_ + lane, lane));
+        }
+    }
+
 private:
     bool has(std::size_t plane, unsigned lane) const {
-        return (planes_[plane].lanes.quad(quad_) >> lane & 1) != 0;
+        return planes_[plane].lanes.test(4 * quad_ + lane);
     }
 
     const AccessPlane* planes_ = nullptr;
@@ -56,9 +70,8 @@ public:
         to_next();
     }
     TexelAccess operator*() const {
-        TexelAccess access = reads_.planes_[plane_].at(4 * reads_.quad_ + lane_);
-        access.lane = static_cast<std::uint16_t>(lane_);
-        return access;
+        return std::bit_cast<TexelAccess>(
+            reads_.planes_[plane_].words_at(4 * reads_.quad_ + lane_, lane_));
     }
     Iterator& operator++() {
         ++plane_;
@@ -109,13 +122,17 @@ struct TexelFootprints {
     QuadReads of_quad(unsigned quad) const { return {planes, quad}; }
 
     // Behind those of its lane, which is the batch's.
-    void add(const TexelAccess& access) {
-        if (access.lane != last_lane_) next_ = 0;
-        last_lane_ = access.lane;
-        while (next_ < planes.size() && planes[next_].lanes.test(access.lane))
+    void add(const TexelAccess& access) { add(std::bit_cast<AccessPlane::AccessWords>(access)); }
+    void add(const AccessPlane::AccessWords& access) {
+        const unsigned lane = access[0] & 0xffff;
+        if (lane != last_lane_) next_ = 0;
+        last_lane_ = lane;
+        AccessPlane* plane = planes.data() + next_++;
+        AccessPlane* const end = planes.data() + planes.size();
+        for (; plane != end && plane->lanes.test(lane); ++plane)
             ++next_;
-        if (next_ == planes.size()) planes.emplace_back(planes.get_allocator().resource());
-        planes[next_++].set(access);
+        if (plane == end) plane = &planes.emplace_back(planes.get_allocator().resource());
+        plane->set(access);
     }
 
     // All of them, quad after quad, with lanes of the batch.

@@ -137,12 +137,11 @@ DepthTiming::written_bytes(Path path, const QuadToken& token, std::size_t line) 
     if (!draw.writes_depth || (path == Path::Early && draw.tests_twice)) return {};
     if (!ports_.blocks || !draw.value_kinds.tested_mask)
         return scene.depth_bytes(token.quad(), line);
-    PreparedQuad quad = token.quad();
-    quad.samples_written = scene.values_of(quad).depth_words.samples;
-    quad.after_depth = lanes_of(quad.samples_written);
+    const PreparedQuad& quad = token.quad();
+    const SampleBits samples = scene.values_of(quad).depth_words.samples;
     return quad_bytes(draw.depth_place,
                       ports_.cache.grain(),
-                      quad,
+                      {draw.depth_place.quad_addresses(quad.x, quad.y), lanes_of(samples), samples},
                       scene.depth_lines(quad)[line],
                       work::whole_pixel(draw.state->targets.depth.format));
 }

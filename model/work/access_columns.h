@@ -34,7 +34,8 @@ put_rare(std::uint8_t* to, const TexelAccess& access, std::uint16_t expected_lay
 }
 
 // The next access of a quad.
-inline void put_access(const TexelAccess& access, AccessForecast& forecast, AccessCursors& to) {
+inline void
+put_access(const TexelAccess& access, AccessForecast::Quad& forecast, AccessCursors& to) {
     const AccessForecast::Expected expected = forecast.next(access.lane);
     const unsigned linear = access.linear;
     const bool foreseen =
@@ -47,7 +48,7 @@ inline void put_access(const TexelAccess& access, AccessForecast& forecast, Acce
     to.x = put_step(to.x, access.x0, expected.x);
     to.y = put_step(to.y, access.y0, expected.y);
     if (!foreseen) to.rare = put_rare(to.rare, access, expected.layer);
-    forecast.take(access);
+    forecast.take({access.x0, access.y0, access.level, access.layer0});
 }
 
 // Some quads of a command.

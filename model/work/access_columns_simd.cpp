@@ -293,9 +293,9 @@ void put_others(const TexelFootprints& read,
     for (const AccessPlane& plane : read.planes)
         count += static_cast<unsigned>(std::popcount(plane.lanes.quad(quad)));
     to.number = put_number(to.number, count);
-    forecast.begin_quad(read.unit);
+    AccessForecast::Quad of_quad = forecast.quad(read.unit);
     for (const TexelAccess& access : read.of_quad(quad))
-        put_access(access, forecast, to);
+        put_access(access, of_quad, to);
 }
 
 HWY_INLINE void

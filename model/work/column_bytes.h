@@ -105,24 +105,17 @@ public:
 class ColumnReader {
 public:
     void set(Column column, std::span<const std::uint8_t> bytes) {
-        columns_[static_cast<std::size_t>(column)] = bytes;
+        columns_[static_cast<std::size_t>(column)] = {bytes.data(), bytes.data() + bytes.size()};
     }
 
     std::uint8_t byte(Column column) {
-        std::span<const std::uint8_t>& bytes = columns_[static_cast<std::size_t>(column)];
-        if (bytes.empty()) throw DamagedItem("a block's numbers end too early");
-        const std::uint8_t value = bytes[0];
-        bytes = bytes.subspan(1);
-        return value;
+        Bytes& bytes = columns_[static_cast<std::size_t>(column)];
+        if (bytes.next == bytes.end) throw DamagedItem("a block's numbers end too early");
+        return *bytes.next++;
     }
     std::uint64_t number(Column column) {
-        std::uint64_t value = 0;
-        for (unsigned shift = 0; shift < 64; shift += 7) {
-            const std::uint8_t part = byte(column);
-            value |= std::uint64_t{part & 0x7fu} << shift;
-            if (part < 0x80) return value;
-        }
-        throw DamagedItem("a number is longer than 64 bits");
+        const std::uint8_t first = byte(column);
+        return first < 0x80 ? first : long_number(column, first); // Most are short.
     }
     // Not above `most`.
     std::uint64_t number(Column column, std::uint64_t most) {
@@ -140,12 +133,28 @@ public:
     }
     bool at_end() const {
         for (const auto& column : columns_)
-            if (!column.empty()) return false;
+            if (column.next != column.end) return false;
         return true;
     }
 
 private:
-    std::array<std::span<const std::uint8_t>, ColumnCount> columns_{};
+    struct Bytes {
+        const std::uint8_t* next = nullptr;
+        const std::uint8_t* end = nullptr;
+    };
+
+    // One of more bytes than the first.
+    [[gnu::noinline]] std::uint64_t long_number(Column column, std::uint8_t first) {
+        std::uint64_t value = first & 0x7fu;
+        for (unsigned shift = 7; shift < 64; shift += 7) {
+            const std::uint8_t part = byte(column);
+            value |= std::uint64_t{part & 0x7fu} << shift;
+            if (part < 0x80) return value;
+        }
+        throw DamagedItem("a number is longer than 64 bits");
+    }
+
+    std::array<Bytes, ColumnCount> columns_{};
 };
 
 } // namespace ffgpu::work

@@ -44,8 +44,10 @@ public:
     };
     Rectangles rectangles(const TexelAccess& access) const {
         const Rectangles texels{access.x0, access.x1, access.y0, access.y1};
-        return std::bit_cast<Rectangles>(std::bit_cast<std::uint64_t>(texels) &
-                                         std::bit_cast<std::uint64_t>(firsts_));
+        return inside(std::bit_cast<std::uint64_t>(texels));
+    }
+    Rectangles rectangles(const AccessPlane::AccessWords& access) const {
+        return inside(access[1] | std::uint64_t{access[2]} << 32);
     }
 
     // Texels that differ in others of their bits alone are in one rectangle.
@@ -57,6 +59,10 @@ public:
     }
 
 private:
+    // Those of texels as Rectangles has them.
+    Rectangles inside(std::uint64_t texels) const {
+        return std::bit_cast<Rectangles>(texels & std::bit_cast<std::uint64_t>(firsts_));
+    }
     void find_rectangles();
 
     std::uint64_t base_, layer_bytes_;

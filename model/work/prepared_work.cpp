@@ -4,30 +4,18 @@
 #include "model/device/extents.h"
 #include "model/work/depth_test_masks.h"
 #include "model/work/draw_places.h"
-#include "model/work/surface_lines.h"
 #include "model/work/target_access.h"
+#include "model/work/target_lookups.h"
 #include "model/work/texel_lookups.h"
 #include "model/work/tile_lines.h"
 #include "model/work/traversal.h"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
-#include <tuple>
-#include <utility>
+#include <span>
+#include <vector>
 
 namespace ffgpu::work {
 namespace {
-
-struct DrawPlaces {
-    struct Color {
-        const PlacedLevel* place = nullptr;
-        PixelBytes written; // of a pixel
-    };
-    const PlacedLevel* depth = nullptr;
-    DepthAccess depth_access;
-    std::vector<Color> colors;
-};
 
 ImageMemory image_memory(const DrawImageCommand& image) {
     if (image.width == 0 || image.height == 0) return {};
@@ -38,11 +26,19 @@ ImageMemory image_memory(const DrawImageCommand& image) {
 
 constexpr std::uint8_t AllLanes = 0xf;
 
-// What the rasterizer makes: a quad of the command, or some of its lanes.
-struct Ordered {
-    std::uint64_t key = 0; // of the traversal
-    std::uint32_t quad = 0;
-    std::uint8_t lanes = AllLanes;
+// What the rasterizer makes: a quad of the command, or some of its lanes. In the order of their
+// keys, then of their numbers, as one number.
+class Ordered {
+public:
+    Ordered(std::uint64_t key, std::uint32_t quad, std::uint8_t lanes)
+        : bits_(key << 36 | std::uint64_t{quad} << 4 | lanes) {}
+
+    std::uint32_t quad() const { return static_cast<std::uint32_t>(bits_ >> 4); }
+    std::uint8_t lanes() const { return bits_ & AllLanes; }
+    bool operator<(const Ordered& other) const { return bits_ < other.bits_; }
+
+private:
+    std::uint64_t bits_;
 };
 
 // A quad as if it covered these lanes alone.
@@ -76,9 +72,9 @@ public:
         , config_(config)
         , out_(out)
         , draw_(out.draws.emplace_back())
+        , draw_number_(static_cast<std::uint32_t>(out.draws.size() - 1))
         , test_(depth_test_place(command.draw, config.depth_test))
-        , depth_grain_(config.depth_cache.line_bytes)
-        , color_grain_(config.color_cache.line_bytes)
+        , targets_(config, out)
         , texels_(command, config, out) {
         draw_.kind = command.draw.kind;
         draw_.number = command.draw.number;
@@ -127,10 +123,10 @@ private:
             to.texels_.place(unit, texture);
         }
         void depth(const PlacedLevel& place) const {
-            to.places_.depth = &place;
-            to.places_.depth_access = depth_access(state);
-            to.draw_.reads_depth = to.places_.depth_access.reads();
-            to.draw_.writes_depth = to.places_.depth_access.writes();
+            const DepthAccess access = depth_access(state);
+            to.targets_.place_depth(place, access);
+            to.draw_.reads_depth = access.reads();
+            to.draw_.writes_depth = access.writes();
             to.draw_.depth_place = place;
         }
         void color(std::uint8_t target, const PlacedLevel& place) const {
@@ -140,7 +136,7 @@ private:
             to.draw_.reads_color |= access.reads;
             to.draw_.writes_color |= access.written.touched != 0;
             to.draw_.masks_color |= access.written.covered != whole.covered;
-            to.places_.colors.push_back({&place, access.written});
+            to.targets_.place_color(place, access.written);
             to.draw_.color_places.push_back(place);
         }
     };
@@ -189,65 +185,67 @@ private:
     // Adds the piece with those of the quads from `begin` on that are its; returns the next one.
     std::size_t
     add_piece(std::size_t begin, std::uint32_t primitive, std::uint32_t number, PieceBox box) {
-        order_.clear();
-        std::size_t end = begin;
-        for (; end < command_.quads.size(); ++end) {
-            const WorkQuad& quad = command_.quads[end];
-            if (quad.primitive != primitive || quad.piece != number) break;
-            order_quad(static_cast<std::uint32_t>(end));
-        }
-        std::sort(order_.begin(), order_.end(), [](const Ordered& a, const Ordered& b) {
-            return std::pair(a.key, a.quad) < std::pair(b.key, b.quad);
+        const auto first = command_.quads.begin() + static_cast<std::ptrdiff_t>(begin);
+        const auto last = std::find_if(first, command_.quads.end(), [&](const WorkQuad& quad) {
+            return quad.primitive != primitive || quad.piece != number;
         });
+        const std::span quads(first, last);
+        order_.clear();
+        order_quads(quads, static_cast<std::uint32_t>(begin));
+        std::sort(order_.begin(), order_.end());
         if (draw_.kind == WorkKind::Draw)
-            draw_.shape.add_piece(std::span(command_.quads).subspan(begin, end - begin),
-                                  draw_.state && draw_.state->targets.samples() > 1);
+            draw_.shape.add_piece(quads, draw_.state && draw_.state->targets.samples() > 1);
         PreparedPiece piece{.begin = static_cast<std::uint32_t>(out_.quads.size()), .box = box};
         for (const Ordered& each : order_)
-            add_quad(each.quad, each.lanes);
+            add_quad(each.quad(), each.lanes());
         piece.end = static_cast<std::uint32_t>(out_.quads.size());
         walk_piece(config_.raster, piece, out_);
         out_.pieces.push_back(piece);
         ++out_.primitives.back().piece_count;
-        return end;
+        return begin + quads.size();
     }
 
-    // As a whole, or fragment by fragment.
-    void order_quad(std::uint32_t number) {
-        const RasterOrder& raster = config_.raster;
-        const WorkQuad& quad = command_.quads[number];
-        if (raster.granularity == Granularity::Quad) {
-            order_.push_back({traversal_key(raster, quad.x, quad.y), number, AllLanes});
-            return;
+    // As a whole, or fragment by fragment. The first quad's number is `number`.
+    void order_quads(std::span<const WorkQuad> quads, std::uint32_t number) {
+        const RasterOrder raster = config_.raster;
+        for (const WorkQuad& quad : quads) {
+            if (raster.granularity == Granularity::Quad)
+                order_.emplace_back(traversal_key(raster, quad.x, quad.y), number, AllLanes);
+            else
+                order_fragments(quad, number);
+            ++number;
         }
+    }
+
+    void order_fragments(const WorkQuad& quad, std::uint32_t number) {
         for (unsigned lane = 0; lane < 4; ++lane) {
             if ((quad.covered >> lane & 1) == 0) continue;
             const std::uint32_t x = quad.x + (lane & 1u), y = quad.y + (lane >> 1);
-            order_.push_back({fragment_traversal_key(raster, x, y),
-                              number,
-                              static_cast<std::uint8_t>(1u << lane)});
+            order_.emplace_back(fragment_traversal_key(config_.raster, x, y),
+                                number,
+                                static_cast<std::uint8_t>(1u << lane));
         }
     }
 
     void add_quad(std::uint32_t number, std::uint8_t lanes) {
-        const WorkQuad from = lanes == AllLanes ? command_.quads[number]
-                                                : fragments_of(command_.quads[number], lanes);
-        PreparedQuad quad{.draw = static_cast<std::uint32_t>(out_.draws.size() - 1),
-                          .primitive = from.primitive,
-                          .piece = from.piece,
-                          .x = from.x,
-                          .y = from.y,
-                          .covered = from.covered,
-                          .after_early_depth = test_.after_early_test(from),
-                          .after_stencil = from.after_stencil,
-                          .after_depth = from.after_depth,
-                          .samples_written = from.samples_written,
-                          .after_alpha = from.after_alpha};
-        add_target_lines(from, quad);
+        const WorkQuad& whole = command_.quads[number];
+        const WorkQuad from = lanes == AllLanes ? whole : fragments_of(whole, lanes);
+        PreparedQuad& quad = out_.quads.emplace_back();
+        quad.draw = draw_number_;
+        quad.primitive = from.primitive;
+        quad.piece = from.piece;
+        quad.x = from.x;
+        quad.y = from.y;
+        quad.covered = from.covered;
+        quad.after_early_depth = test_.after_early_test(from);
+        quad.after_stencil = from.after_stencil;
+        quad.after_depth = from.after_depth;
+        quad.samples_written = from.samples_written;
+        quad.after_alpha = from.after_alpha;
+        targets_.add(test_.tested(from), quad);
         // With values, hidden fragments have texels, too.
         texels_.add(number, static_cast<std::uint8_t>(lanes & quad.after_early_depth), quad);
         if (draw_.has_values) add_values(number, lanes, quad);
-        out_.quads.push_back(quad);
     }
 
     // Of the lanes alone, where a quad is looked up by fragments.
@@ -282,90 +280,13 @@ private:
         quad.value_count = static_cast<std::uint32_t>(out_.values.size()) - quad.values_begin;
     }
 
-    // Depth is read for the fragments that come to its test, colour for those that pass it.
-    void add_target_lines(const WorkQuad& from, PreparedQuad& quad) {
-        quad.target_lines_begin = static_cast<std::uint32_t>(out_.target_lines.size());
-        if (!config_.target_lines) return;
-        if (places_.depth)
-            quad.depth_line_count = add_surface_lines(
-                *places_.depth, config_.depth_cache.line_bytes, quad, test_.tested(from));
-        for (const DrawPlaces::Color& color : places_.colors)
-            quad.color_line_count = static_cast<std::uint8_t>(
-                quad.color_line_count +
-                add_surface_lines(
-                    *color.place, config_.color_cache.line_bytes, quad, quad.after_depth));
-        out_.target_bytes.resize(out_.target_lines.size());
-        add_depth_bytes(from, quad);
-        add_color_bytes(quad);
-    }
-
-    // Of the lines that were added last: depths, and stencil values by how the tests ended.
-    void add_depth_bytes(const WorkQuad& from, const PreparedQuad& quad) {
-        const DepthAccess& access = places_.depth_access;
-        const auto add = [&](const PreparedQuad& written, PixelBytes bytes) {
-            if (written.after_depth == 0 || bytes.touched == 0) return;
-            for (std::size_t i = 0; i < quad.depth_line_count; ++i) {
-                const std::size_t at = quad.target_lines_begin + i;
-                out_.target_bytes[at] |=
-                    quad_bytes(*places_.depth, depth_grain_, written, out_.target_lines[at], bytes);
-            }
-        };
-        add(quad,
-            {access.depth.touched | access.passed.touched,
-             access.depth.covered | access.passed.covered});
-        if ((access.depth_failed.touched | access.stencil_failed.touched) == 0) return;
-        PreparedQuad failed = quad;
-        failed.after_depth = static_cast<std::uint8_t>(quad.after_stencil & ~quad.after_depth);
-        add(failed, access.depth_failed);
-        failed.after_depth = static_cast<std::uint8_t>(test_.tested(from) & ~quad.after_stencil);
-        add(failed, access.stencil_failed);
-    }
-
-    void add_color_bytes(const PreparedQuad& quad) {
-        if (quad.after_depth == 0) return;
-        const std::size_t begin = quad.target_lines_begin + quad.depth_line_count;
-        for (std::size_t at = begin; at < begin + quad.color_line_count; ++at)
-            for (const DrawPlaces::Color& color : places_.colors)
-                out_.target_bytes[at] |= quad_bytes(
-                    *color.place, color_grain_, quad, out_.target_lines[at], color.written);
-    }
-
-    // The lines that hold the samples of `lanes`, each once, in the order of the lanes; returns
-    // their number.
-    std::uint8_t add_surface_lines(const PlacedLevel& place,
-                                   std::uint32_t line_bytes,
-                                   const PreparedQuad& quad,
-                                   std::uint8_t lanes) {
-        const std::size_t begin = out_.target_lines.size();
-        const auto add = [&](std::uint64_t line) {
-            const auto first = out_.target_lines.begin() + static_cast<std::ptrdiff_t>(begin);
-            if (std::find(first, out_.target_lines.end(), line) == out_.target_lines.end())
-                out_.target_lines.push_back(line);
-        };
-        const std::array addresses = place.quad_addresses(quad.x, quad.y);
-        const std::uint64_t last = addresses[3] + place.layout.element_bytes - 1;
-        if (quotient(addresses[0], line_bytes) == quotient(last, line_bytes)) {
-            if (lanes == 0) return 0;
-            out_.target_lines.push_back(quotient(last, line_bytes));
-            return 1;
-        }
-        for (unsigned lane = 0; lane < 4; ++lane) {
-            if ((lanes >> lane & 1) == 0) continue;
-            const std::uint64_t at = addresses[lane];
-            const std::uint64_t end = at + place.layout.element_bytes;
-            for (std::uint64_t line = quotient(at, line_bytes); line * line_bytes < end; ++line)
-                add(line);
-        }
-        return static_cast<std::uint8_t>(out_.target_lines.size() - begin);
-    }
-
     const WholeCommand& command_;
     const WorkConfig& config_;
     PreparedScene& out_;
     PreparedDraw& draw_;
+    const std::uint32_t draw_number_;
     const DepthTestPlace test_;
-    const LineGrain depth_grain_, color_grain_;
-    DrawPlaces places_;
+    TargetLookups targets_;
     TexelLookups texels_;
     std::vector<Ordered> order_; // of a piece
 };

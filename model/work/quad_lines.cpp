@@ -15,22 +15,13 @@ bool is_plain_square(const LevelLines& level, const TexelAccess& access) {
 
 } // namespace
 
+// Most accesses fall on the line of the texel before.
 void QuadLines::add_other(const TextureLines& texture, const TexelAccess& access) {
     make_room(MostOfAccess);
-    const PlacedLevel& level = texture.levels[access.level];
-    const LevelLines& lines = texture.lines[access.level];
-    expands_blocks_ |= level.compressed && level.expansion_log2 == 0;
-    if (is_plain_square(lines, access))
-        add_square(lines, access);
-    else
-        add_corners(level, access);
-}
-
-// Most accesses fall on the line of the texel before.
-void QuadLines::add_square(const LevelLines& level, const TexelAccess& access) {
-    const std::uint64_t layer = level.layer(access.layer0);
-    const std::uint64_t rows[]{layer + level.row(access.y0), layer + level.row(access.y1)};
-    const std::uint64_t columns[]{level.column(access.x0), level.column(access.x1)};
+    const PlacedLevel& placed = texture.levels[access.level];
+    const LevelLines& level = texture.lines[access.level];
+    expands_blocks_ |= placed.compressed && placed.expansion_log2 == 0;
+    if (!is_plain_square(level, access)) return add_corners(placed, access);
     reads_ += 4;
     const LevelLines::Rectangles rectangles = level.rectangles(access);
     if (merges_) {
@@ -39,11 +30,15 @@ void QuadLines::add_square(const LevelLines& level, const TexelAccess& access) {
         last.layer = access.layer0;
         last.rectangles = rectangles;
     }
-    if (rectangles.are_one()) return add_line(level.line(rows[0] + columns[0]));
+    const std::uint64_t layer = level.layer(access.layer0);
+    const std::uint64_t row = layer + level.row(access.y0), column = level.column(access.x0);
+    if (rectangles.are_one()) return add_line(level.line(row + column));
+    const std::uint64_t rows[]{row, layer + level.row(access.y1)};
+    const std::uint64_t columns[]{column, level.column(access.x1)};
     std::uint64_t last = count_ > 0 ? lines_[count_ - 1] : ~std::uint64_t{0};
-    for (const std::uint64_t row : rows)
-        for (const std::uint64_t column : columns) {
-            const std::uint64_t line = level.line(row + column);
+    for (const std::uint64_t of_row : rows)
+        for (const std::uint64_t of_column : columns) {
+            const std::uint64_t line = level.line(of_row + of_column);
             if (line == last) continue;
             add_line(line);
             last = line;

@@ -11,6 +11,7 @@
 #include "model/work/level_lines.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -30,12 +31,16 @@ public:
     }
     // What one fragment reads of one level.
     void add(const TextureLines& texture, const TexelAccess& access) {
-        if (access.level >= texture.lines.size()) return;
-        const LevelLines& level = texture.lines[access.level];
-        if (is_last(level, access)) // Most are.
+        add(texture, std::bit_cast<AccessPlane::AccessWords>(access));
+    }
+    void add(const TextureLines& texture, const AccessPlane::AccessWords& access) {
+        const std::uint32_t number = access[0] >> 16 & 0xff;
+        const LevelLines* const level = texture.lines.data() + number;
+        if (level >= texture.lines.data() + texture.lines.size()) return;
+        if (is_last(*level, access)) // Most are.
             reads_ += 4;
         else
-            add_other(texture, access);
+            add_other(texture, std::bit_cast<TexelAccess>(access));
     }
     // What several fragments read, 2x2 texels each: the lines in their order, some again, and how
     // many fragments. Where lines are merged.
@@ -61,9 +66,10 @@ private:
     };
 
     // Whether it reads 2x2 texels of the rectangles that were read last.
-    bool is_last(const LevelLines& level, const TexelAccess& access) const {
-        const LastRead& last = last_[access.level & 1];
-        return last.level == &level && access.linear == 3 && last.layer == access.layer0 &&
+    bool is_last(const LevelLines& level, const AccessPlane::AccessWords& access) const {
+        const LastRead& last = last_[access[0] >> 16 & 1]; // by its level
+        const std::uint32_t linear = access[0] >> 24, layer0 = access[3] & 0xffff;
+        return last.level == &level && linear == 3 && last.layer == layer0 &&
                last.rectangles == level.rectangles(access);
     }
     void add_other(const TextureLines& texture, const TexelAccess& access);
@@ -71,7 +77,6 @@ private:
     void make_room(std::size_t more) {
         if (count_ + more > lines_.size()) lines_.resize(2 * (count_ + more));
     }
-    void add_square(const LevelLines& level, const TexelAccess& access);
     void add_corners(const PlacedLevel& level, const TexelAccess& access);
     void add_line(std::uint64_t line) {
         std::uint64_t* const end = lines_.data() + count_;

@@ -56,7 +56,8 @@ std::vector<Placed> placed_in_bins(const std::vector<BinKey>& keys,
 
 } // namespace
 
-void walk_piece(const RasterOrder& raster, PreparedPiece& piece, PreparedScene& scene) {
+void walk_piece(const RasterOrder& of, PreparedPiece& piece, PreparedScene& scene) {
+    const RasterOrder raster = of; // not read again behind each store
     const BlockWalk walk(raster, piece.box);
     const auto quads = std::span(scene.quads).subspan(piece.begin, piece.end - piece.begin);
     std::uint32_t walked = 0, block = 0;

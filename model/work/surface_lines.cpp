@@ -126,17 +126,19 @@ PixelBytes whole_pixel(Format format) {
     return all_bytes((1u << format_info(format).block_bytes) - 1);
 }
 
-WrittenBytes quad_bytes(const PlacedLevel& place,
-                        const LineGrain& grain,
-                        const PreparedQuad& quad,
-                        std::uint64_t number,
-                        PixelBytes bytes) {
+namespace {
+
+// In lines whose bits are several bytes: bits that several samples cover together are covered, too.
+WrittenBytes coarse_quad_bytes(const PlacedLevel& place,
+                               const LineGrain& grain,
+                               const WrittenQuad& quad,
+                               std::uint64_t number,
+                               PixelBytes bytes) {
     const std::uint64_t line_begin = number * grain.line_bytes();
     const std::uint64_t line_end = line_begin + grain.line_bytes();
     const std::uint32_t sample = place.layout.element_bytes / place.samples;
     const bool whole = bytes.covered == (1u << sample) - 1;
     WrittenBytes written;
-    if (bytes.touched == 0) return written;
     const auto add = [&](std::uint64_t first, std::uint64_t last, bool covered) {
         if (std::max(first, line_begin) >= std::min(last, line_end)) return;
         const auto from = static_cast<std::uint32_t>(std::max(first, line_begin) - line_begin);
@@ -149,12 +151,11 @@ WrittenBytes quad_bytes(const PlacedLevel& place,
         if (whole) return add(begin, end, true);
         for_each_written(begin, end, sample, bytes, add);
     };
-    const std::array addresses = place.quad_addresses(quad.x, quad.y);
     for (unsigned lane = 0; lane < 4; ++lane) {
-        if ((quad.after_depth >> lane & 1) == 0) continue;
-        const std::uint64_t at = addresses[lane];
+        if ((quad.lanes >> lane & 1) == 0) continue;
+        const std::uint64_t at = quad.addresses[lane];
         for (unsigned i = 0; i < place.samples; ++i) {
-            if (place.samples > 1 && (quad.samples_written >> (4 * lane + i) & 1) == 0) continue;
+            if (place.samples > 1 && (quad.samples >> (4 * lane + i) & 1) == 0) continue;
             if (at + i * sample != end) {
                 close();
                 begin = at + i * sample;
@@ -164,6 +165,42 @@ WrittenBytes quad_bytes(const PlacedLevel& place,
     }
     close();
     return written;
+}
+
+// Of a pixel, of which these samples are written, with a bit a byte.
+WrittenBytes pixel_bytes(const PlacedLevel& place, unsigned samples, PixelBytes bytes) {
+    const std::uint32_t sample = place.layout.element_bytes / place.samples;
+    WrittenBytes written;
+    for (unsigned i = 0; i < place.samples; ++i)
+        if (samples >> i & 1)
+            written |=
+                {LineMask{bytes.touched} << i * sample, LineMask{bytes.covered} << i * sample};
+    return written;
+}
+
+} // namespace
+
+WrittenBytes quad_bytes(const PlacedLevel& place,
+                        const LineGrain& grain,
+                        const WrittenQuad& quad,
+                        std::uint64_t number,
+                        PixelBytes bytes) {
+    WrittenBytes written;
+    if (bytes.touched == 0) return written;
+    if (grain.bytes() > 1) return coarse_quad_bytes(place, grain, quad, number, bytes);
+    const std::uint64_t line_begin = number * grain.line_bytes();
+    const std::uint32_t pixel = place.layout.element_bytes;
+    WrittenBytes of_pixel{bytes.touched, bytes.covered};
+    for (unsigned lane = 0; lane < 4; ++lane) {
+        if ((quad.lanes >> lane & 1) == 0) continue;
+        const std::uint64_t at = quad.addresses[lane] - line_begin;
+        if (place.samples > 1) of_pixel = pixel_bytes(place, quad.samples >> 4 * lane, bytes);
+        if (at < grain.line_bytes())
+            written |= {of_pixel.touched << at, of_pixel.covered << at};
+        else if (std::uint64_t{0} - at < pixel) // It begins in the line before.
+            written |= {of_pixel.touched >> -at, of_pixel.covered >> -at};
+    }
+    return {written.touched & grain.all(), written.covered & grain.all()};
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #include "model/work/line_mask.h"
 #include "model/work/prepared_work.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -30,10 +31,18 @@ PixelBytes written_color_bytes(Format format, unsigned write_mask);
 PixelBytes cleared_depth_bytes(Format format, const ClearCommand& clear, unsigned stencil_mask);
 PixelBytes whole_pixel(Format format);
 
-// What a quad writes of line `number`: `bytes` of each sample that passed all tests.
+// The pixels of a quad in a surface, and which of them are written; of several samples a pixel, of
+// which samples.
+struct WrittenQuad {
+    std::array<std::uint64_t, 4> addresses{};
+    std::uint8_t lanes = 0;
+    std::uint16_t samples = 0; // as WorkQuad has them
+};
+
+// What it writes of line `number`: `bytes` of each sample.
 WrittenBytes quad_bytes(const PlacedLevel& place,
                         const LineGrain& grain,
-                        const PreparedQuad& quad,
+                        const WrittenQuad& quad,
                         std::uint64_t number,
                         PixelBytes bytes);
 

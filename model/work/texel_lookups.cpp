@@ -22,18 +22,18 @@ void TexelLookups::add(std::uint32_t number, std::uint8_t lanes, PreparedQuad& q
         const TextureLines* const texture = textures_[command_.units[i]];
         const std::size_t first_line = lines_.lines().size();
         std::array<unsigned, 4> samples{}; // a lane
-        for (const TexelAccess& access : command_.accesses_of(number, i)) {
-            if ((lanes >> access.lane & 1) == 0) continue;
-            samples[access.lane] += (access.linear & 4) ? 2 : 1;
+        command_.accesses_of(number, i).for_each(lanes, [&](const auto& access) {
+            samples[access[0] & 3] += (access[0] >> 24 & 4) ? 2 : 1; // by TexelAccess::linear
             if (texture) lines_.add(*texture, access);
-        }
+        });
         const unsigned steps = *std::max_element(samples.begin(), samples.end());
         out_.texture_parts.push_back(
             {.lines = static_cast<std::uint16_t>(lines_.lines().size() - first_line),
              .filter_steps = static_cast<std::uint16_t>(steps)});
         quad.filter_steps = static_cast<std::uint16_t>(quad.filter_steps + steps);
     }
-    out_.texel_lines.insert(out_.texel_lines.end(), lines_.lines().begin(), lines_.lines().end());
+    for (const std::uint64_t line : lines_.lines()) // so few that no copy pays
+        out_.texel_lines.push_back(line);
     quad.texel_line_count = static_cast<std::uint16_t>(lines_.lines().size());
     quad.texel_reads = static_cast<std::uint16_t>(lines_.reads());
     quad.border_texels = static_cast<std::uint16_t>(lines_.border_reads());

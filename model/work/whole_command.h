@@ -41,8 +41,16 @@ struct WholeCommand {
         const TexelFootprints* const read = footprints_of(quad, unit);
         return read ? read->of_quad(sources[quad].quad) : QuadReads();
     }
-    // Of the last quad, in units[unit], with the quad's lane: for who has no batches.
-    void add_access(std::size_t unit, TexelAccess access);
+    // For who has no batches: what the last quad reads in units[unit] is added to these, with the
+    // lane that first_lane() tells for its lane 0.
+    TexelFootprints& own_footprints(std::size_t unit);
+    unsigned first_lane() const { return 4 * sources.back().quad; }
+    // One access of it, with the quad's lane.
+    void add_access(std::size_t unit, TexelAccess access) {
+        TexelFootprints& read = own_footprints(unit);
+        access.lane = static_cast<std::uint16_t>(first_lane() + access.lane % 4u);
+        read.add(access);
+    }
 
     bool has_values() const { return !value_begin.empty(); }
     std::span<const std::uint32_t> values_of(std::size_t quad) const {

@@ -96,47 +96,57 @@ public:
         alignas(16) std::array<std::uint32_t, 4> steps{};
     };
 
-    void begin_quad(unsigned unit) {
-        unit_ = unit;
-        lane_ = first_lane_ = None;
-    }
+    // The accesses of a quad in one unit, one after the other.
+    class Quad {
+    public:
+        explicit Quad(Past* first)
+            : first_(first)
+            , past_(first) {}
 
-    Expected next(unsigned lane) {
-        if (first_lane_ == None) first_lane_ = lane;
-        if (lane != lane_) ordinal_ = 0;
-        lane_ = lane;
-        const Past& past = past_[unit_][ordinal_];
-        const std::uint32_t step = past.steps[slot()];
-        return {static_cast<std::uint16_t>(past.place + step),
-                static_cast<std::uint16_t>((past.place >> 16) + (step >> 16)),
-                static_cast<std::uint8_t>(past.kind >> 16),
-                static_cast<std::uint16_t>(past.kind)};
-    }
-
-    // What it was.
-    void take(const TexelAccess& access) {
-        Past& past = past_[unit_][ordinal_];
-        past.steps[slot()] = halves(access.x0 - past.place, access.y0 - (past.place >> 16));
-        if (slot() == 0) {
-            past.place = halves(access.x0, access.y0);
-            past.kind = halves(access.layer0, access.level);
+        Expected next(unsigned lane) {
+            if (lane != lane_) {
+                if (lane_ == None) first_lane_ = lane;
+                lane_ = lane;
+                slot_ = lane == first_lane_ ? 0 : lane;
+                past_ = first_;
+            } else if (past_ != first_ + (Ordinals - 1)) {
+                ++past_;
+            }
+            const std::uint32_t step = past_->steps[slot_];
+            return {static_cast<std::uint16_t>(past_->place + step),
+                    static_cast<std::uint16_t>((past_->place >> 16) + (step >> 16)),
+                    static_cast<std::uint8_t>(past_->kind >> 16),
+                    static_cast<std::uint16_t>(past_->kind)};
         }
-        if (ordinal_ + 1 < Ordinals) ++ordinal_;
-    }
+
+        // What it was.
+        void take(const Expected& access) {
+            past_->steps[slot_] = halves(access.x - past_->place, access.y - (past_->place >> 16));
+            if (slot_ != 0) return;
+            past_->place = halves(access.x, access.y);
+            past_->kind = halves(access.layer, access.level);
+        }
+
+    private:
+        static constexpr unsigned None = ~0u;
+
+        static constexpr std::uint32_t halves(std::uint32_t low, std::uint32_t high) {
+            return (low & 0xffff) | high << 16;
+        }
+
+        Past* first_;
+        Past* past_; // of the access at hand
+        unsigned lane_ = None, first_lane_ = None;
+        unsigned slot_ = 0; // among past_->steps
+    };
+    Quad quad(unsigned unit) { return Quad(past_[unit].data()); }
 
     // For who looks at all lanes of a quad at once.
     Past& past(unsigned unit, unsigned ordinal) { return past_[unit][ordinal]; }
 
 private:
-    static constexpr unsigned None = ~0u;
     static constexpr unsigned Ordinals = 32; // of the accesses of a lane
 
-    static constexpr std::uint32_t halves(std::uint32_t low, std::uint32_t high) {
-        return (low & 0xffff) | high << 16;
-    }
-    unsigned slot() const { return lane_ == first_lane_ ? 0 : lane_; }
-
-    unsigned unit_ = 0, lane_ = None, first_lane_ = None, ordinal_ = 0;
     std::array<std::array<Past, Ordinals>, TextureUnits> past_{};
 };
 

@@ -18,37 +18,9 @@ std::uint16_t quad_place(std::int64_t from, std::int64_t by) {
     return static_cast<std::uint16_t>(2 * place);
 }
 
-} // namespace
-
-void WorkFileQuads::append_quad(WholeCommand& command) {
-    const WorkQuad before = command.quads.empty() ? WorkQuad{} : command.quads.back();
-    WorkQuad quad{};
-    quad.primitive = before.primitive + in_.word(Column::Primitive);
-    const std::uint32_t piece = quad.primitive == before.primitive ? before.piece : 0;
-    quad.piece = piece + in_.word(Column::Piece);
-    quad.y = quad_place(before.y / 2, in_.difference(Column::Row));
-    quad.x =
-        quad_place(before.x / 2 + (quad.y == before.y ? 1 : 0), in_.difference(Column::Column));
-    quad.covered = static_cast<std::uint8_t>(in_.number(Column::Covered, 0xf));
-    read_masks(quad);
-    read_samples(quad);
-    if (!command.quads.empty() && !comes_before(before, quad))
-        throw DamagedItem("quads are not in their order");
-    command.quads.push_back(quad);
-    read_accesses(command);
-    if (command.has_values()) read_values(command);
-}
-
-void WorkFileQuads::read_values(WholeCommand& command) {
-    values_in_.append_words(in_, command.values);
-    command.value_begin.push_back(static_cast<std::uint32_t>(command.values.size()));
-    if (!values_fit(command, command.quads.size() - 1))
-        throw DamagedItem("a quad's values are too few or too many");
-}
-
-void WorkFileQuads::read_masks(WorkQuad& quad) {
-    const auto mask = [this] { return static_cast<std::uint8_t>(in_.number(Column::Fate, 0xf)); };
-    switch (static_cast<QuadFate>(in_.byte(Column::Fate))) {
+void read_masks(ColumnReader& in, WorkQuad& quad) {
+    const auto mask = [&in] { return static_cast<std::uint8_t>(in.number(Column::Fate, 0xf)); };
+    switch (static_cast<QuadFate>(in.byte(Column::Fate))) {
     case QuadFate::AllWritten:
         set_masks(quad, quad.covered, quad.covered);
         break;
@@ -72,8 +44,8 @@ void WorkFileQuads::read_masks(WorkQuad& quad) {
     }
 }
 
-void WorkFileQuads::read_samples(WorkQuad& quad) {
-    switch (static_cast<SampleFate>(in_.byte(Column::Samples))) {
+void read_samples(ColumnReader& in, WorkQuad& quad) {
+    switch (static_cast<SampleFate>(in.byte(Column::Samples))) {
     case SampleFate::None:
         break;
     case SampleFate::Whole:
@@ -81,47 +53,82 @@ void WorkFileQuads::read_samples(WorkQuad& quad) {
         quad.samples_written = whole_samples(quad.after_depth);
         break;
     case SampleFate::Other:
-        quad.samples_covered = static_cast<std::uint16_t>(in_.number(Column::Samples, 0xffff));
-        quad.samples_written = static_cast<std::uint16_t>(in_.number(Column::Samples, 0xffff));
+        quad.samples_covered = static_cast<std::uint16_t>(in.number(Column::Samples, 0xffff));
+        quad.samples_written = static_cast<std::uint16_t>(in.number(Column::Samples, 0xffff));
         break;
     default:
         throw DamagedItem("there is no such fate of samples");
     }
 }
 
-void WorkFileQuads::read_accesses(WholeCommand& command) {
-    for (std::size_t unit = 0; unit < command.units.size(); ++unit) {
-        forecast_.begin_quad(command.units[unit]);
-        const std::uint64_t count = in_.number(Column::AccessCount, MostAccesses);
-        for (std::uint64_t i = 0; i < count; ++i)
-            command.add_access(unit, read_access());
-    }
+constexpr std::uint32_t pair(std::uint16_t low, std::uint16_t high) {
+    return low | std::uint32_t{high} << 16;
 }
 
-TexelAccess WorkFileQuads::read_access() {
-    const std::uint8_t shape = in_.byte(Column::Shape);
-    TexelAccess access{};
-    access.lane = shape & 3;
-    access.linear = shape >> 2 & 7;
-    const AccessForecast::Expected expected = forecast_.next(access.lane);
-    access.x0 = moved(expected.x, in_.difference(Column::X));
-    access.y0 = moved(expected.y, in_.difference(Column::Y));
-    access.level = expected.level;
-    access.layer0 = expected.layer;
-    access.x1 = moved(access.x0, access.linear & 1);
-    access.y1 = moved(access.y0, access.linear >> 1 & 1);
+// The next access of the quad whose lane 0 is `first_lane`.
+AccessPlane::AccessWords
+read_access(ColumnReader& in, AccessForecast::Quad& forecast, unsigned first_lane) {
+    const std::uint8_t shape = in.byte(Column::Shape);
+    const unsigned lane = shape & 3, linear = shape >> 2 & 7;
+    const AccessForecast::Expected expected = forecast.next(lane);
+    const std::uint16_t x0 = moved(expected.x, in.difference(Column::X));
+    const std::uint16_t y0 = moved(expected.y, in.difference(Column::Y));
+    std::uint16_t x1 = moved(x0, linear & 1), y1 = moved(y0, linear >> 1 & 1);
+    std::uint8_t level = expected.level;
+    std::uint16_t layer0 = expected.layer, layer1 = moved(layer0, linear >> 2);
     if ((shape & ShapeForeseen) == 0) {
-        access.level = in_.byte(Column::Rare);
-        access.x1 = moved(access.x1, in_.difference(Column::Rare));
-        access.y1 = moved(access.y1, in_.difference(Column::Rare));
-        access.layer0 = moved(access.layer0, in_.difference(Column::Rare));
-        access.layer1 =
-            moved(moved(access.layer0, access.linear >> 2), in_.difference(Column::Rare));
-    } else {
-        access.layer1 = moved(access.layer0, access.linear >> 2);
+        level = in.byte(Column::Rare);
+        x1 = moved(x1, in.difference(Column::Rare));
+        y1 = moved(y1, in.difference(Column::Rare));
+        layer0 = moved(layer0, in.difference(Column::Rare));
+        layer1 = moved(moved(layer0, linear >> 2), in.difference(Column::Rare));
     }
-    forecast_.take(access);
-    return access;
+    forecast.take({.x = x0, .y = y0, .level = level, .layer = layer0});
+    const auto head = static_cast<std::uint16_t>(level | linear << 8);
+    return {pair(static_cast<std::uint16_t>(first_lane + lane), head),
+            pair(x0, x1),
+            pair(y0, y1),
+            pair(layer0, layer1)};
+}
+
+} // namespace
+
+void WorkFileQuads::append_quad(WholeCommand& command) {
+    const WorkQuad before = command.quads.empty() ? WorkQuad{} : command.quads.back();
+    WorkQuad quad{};
+    quad.primitive = before.primitive + in_.word(Column::Primitive);
+    const std::uint32_t piece = quad.primitive == before.primitive ? before.piece : 0;
+    quad.piece = piece + in_.word(Column::Piece);
+    quad.y = quad_place(before.y / 2, in_.difference(Column::Row));
+    quad.x =
+        quad_place(before.x / 2 + (quad.y == before.y ? 1 : 0), in_.difference(Column::Column));
+    quad.covered = static_cast<std::uint8_t>(in_.number(Column::Covered, 0xf));
+    read_masks(in_, quad);
+    read_samples(in_, quad);
+    if (!command.quads.empty() && !comes_before(before, quad))
+        throw DamagedItem("quads are not in their order");
+    command.quads.push_back(quad);
+    read_accesses(command);
+    if (command.has_values()) read_values(command);
+}
+
+void WorkFileQuads::read_values(WholeCommand& command) {
+    values_in_.append_words(in_, command.values);
+    command.value_begin.push_back(static_cast<std::uint32_t>(command.values.size()));
+    if (!values_fit(command, command.quads.size() - 1))
+        throw DamagedItem("a quad's values are too few or too many");
+}
+
+void WorkFileQuads::read_accesses(WholeCommand& command) {
+    for (std::size_t unit = 0; unit < command.units.size(); ++unit) {
+        const std::uint64_t count = in_.number(Column::AccessCount, MostAccesses);
+        if (count == 0) continue;
+        AccessForecast::Quad forecast = forecast_.quad(command.units[unit]);
+        TexelFootprints& read = command.own_footprints(unit);
+        const unsigned first_lane = command.first_lane();
+        for (std::uint64_t i = 0; i < count; ++i)
+            read.add(read_access(in_, forecast, first_lane));
+    }
 }
 
 } // namespace ffgpu::work

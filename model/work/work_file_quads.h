@@ -19,10 +19,7 @@ public:
     void append_quad(WholeCommand& command);
 
 private:
-    void read_masks(WorkQuad& quad);
-    void read_samples(WorkQuad& quad);
     void read_accesses(WholeCommand& command);
-    TexelAccess read_access();
     void read_values(WholeCommand& command);
 
     ColumnReader& in_;

@@ -103,9 +103,9 @@ TEST_CASE("The accesses of quads are told at once as they are one by one") {
                     to.number = put_number(
                         to.number,
                         static_cast<std::uint64_t>(std::distance(read.begin(), read.end())));
-                    forecast_one_by_one.begin_quad(command.units[unit]);
+                    AccessForecast::Quad of_quad = forecast_one_by_one.quad(command.units[unit]);
                     for (const TexelAccess& access : read)
-                        put_access(access, forecast_one_by_one, to);
+                        put_access(access, of_quad, to);
                 }
             return to;
         });

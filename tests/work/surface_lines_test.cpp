@@ -1,4 +1,5 @@
-// The bytes of each line that a cleared rectangle writes, against the bytes of each single pixel.
+// The bytes of each line that a cleared rectangle, or a quad, writes, against the bytes of each
+// single pixel.
 
 #include "model/work/surface_lines.h"
 
@@ -85,6 +86,61 @@ TEST_CASE("a cleared rectangle writes of each line the bytes of its pixels") {
         }
     }
     CHECK(whole > 1000);
+}
+
+// Byte i of memory, of which a quad writes some.
+struct QuadBytes {
+    std::set<std::uint64_t> touched, covered;
+};
+
+QuadBytes bytes_of(const PlacedLevel& place, const WrittenQuad& quad, PixelBytes bytes) {
+    QuadBytes all;
+    const std::uint32_t sample = place.layout.element_bytes / place.samples;
+    for (unsigned lane = 0; lane < 4; ++lane)
+        for (unsigned s = 0; s < place.samples; ++s) {
+            const bool written = place.samples == 1 || (quad.samples >> (4 * lane + s) & 1) != 0;
+            if ((quad.lanes >> lane & 1) == 0 || !written) continue;
+            for (unsigned i = 0; i < sample; ++i) {
+                const std::uint64_t at = quad.addresses[lane] + s * sample + i;
+                if (bytes.touched >> i & 1) all.touched.insert(at);
+                if (bytes.covered >> i & 1) all.covered.insert(at);
+            }
+        }
+    return all;
+}
+
+TEST_CASE("a quad writes of a line the bytes of its written samples") {
+    std::mt19937 random(12);
+    for (int run = 0; run < 3000; ++run) {
+        PlacedLevel place;
+        place.samples = random() % 2 ? 4 : 1;
+        const std::uint32_t sample = 1u << random() % 3;
+        place.layout = ImageLayout::make(
+            static_cast<Layout>(random() % 3), 4, 16, 19, 18, sample * place.samples);
+        place.base = 1000 + sample * (random() % 9);
+        const auto x = static_cast<std::uint32_t>(2 * (random() % 9));
+        const auto y = static_cast<std::uint32_t>(2 * (random() % 9));
+        const WrittenQuad quad{place.quad_addresses(x, y),
+                               static_cast<std::uint8_t>(random() % 16),
+                               static_cast<std::uint16_t>(random())};
+        PixelBytes bytes;
+        bytes.touched = static_cast<std::uint32_t>(random()) & ((1u << sample) - 1);
+        bytes.covered = bytes.touched & static_cast<std::uint32_t>(random() % 2 ? ~0u : random());
+        const LineGrain grain(8u << random() % 4); // a bit a byte
+        const QuadBytes expected = bytes_of(place, quad, bytes);
+        bool all_equal = true;
+        for (std::uint64_t line = 900 / grain.line_bytes(); line < 9000 / grain.line_bytes();
+             ++line) {
+            WrittenBytes of_line;
+            for (std::uint32_t i = 0; i < grain.line_bytes(); ++i) {
+                const std::uint64_t at = line * grain.line_bytes() + i;
+                of_line.touched |= LineMask{expected.touched.count(at)} << i;
+                of_line.covered |= LineMask{expected.covered.count(at)} << i;
+            }
+            all_equal = all_equal && quad_bytes(place, grain, quad, line, bytes) == of_line;
+        }
+        CHECK(all_equal);
+    }
 }
 
 } // namespace
