@@ -68,7 +68,7 @@ protected:
         , carries_answers_(carries_answers) {}
     ~Link() = default;
     Link(const Link&) = default;
-    Link& operator=(const Link&) = default;
+    Link& operator=(const Link&) = delete;
 
     std::string name_;
     Unit* producer_ = nullptr;

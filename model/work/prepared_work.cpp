@@ -1,6 +1,7 @@
 #include "model/work/prepared_work.h"
 
 #include "model/base/check.h"
+#include "model/base/sort_by_digits.h"
 #include "model/device/extents.h"
 #include "model/work/depth_test_masks.h"
 #include "model/work/draw_places.h"
@@ -30,15 +31,17 @@ constexpr std::uint8_t AllLanes = 0xf;
 // keys, then of their numbers, as one number.
 class Ordered {
 public:
+    Ordered() = default;
     Ordered(std::uint64_t key, std::uint32_t quad, std::uint8_t lanes)
         : bits_(key << 36 | std::uint64_t{quad} << 4 | lanes) {}
 
+    std::uint32_t key() const { return static_cast<std::uint32_t>(bits_ >> 36); }
     std::uint32_t quad() const { return static_cast<std::uint32_t>(bits_ >> 4); }
     std::uint8_t lanes() const { return bits_ & AllLanes; }
     bool operator<(const Ordered& other) const { return bits_ < other.bits_; }
 
 private:
-    std::uint64_t bits_;
+    std::uint64_t bits_ = 0;
 };
 
 // A quad as if it covered these lanes alone.
@@ -192,7 +195,7 @@ private:
         const std::span quads(first, last);
         order_.clear();
         order_quads(quads, static_cast<std::uint32_t>(begin));
-        std::sort(order_.begin(), order_.end());
+        sort_order();
         if (draw_.kind == WorkKind::Draw)
             draw_.shape.add_piece(quads, draw_.state && draw_.state->targets.samples() > 1);
         PreparedPiece piece{.begin = static_cast<std::uint32_t>(out_.quads.size()), .box = box};
@@ -203,6 +206,14 @@ private:
         out_.pieces.push_back(piece);
         ++out_.primitives.back().piece_count;
         return begin + quads.size();
+    }
+
+    // They come by rising numbers.
+    void sort_order() {
+        constexpr std::size_t Few = 256; // are compared: digits begin with a table of 2,048 places
+        if (std::is_sorted(order_.begin(), order_.end())) return;
+        if (order_.size() < Few) return std::sort(order_.begin(), order_.end());
+        sort_by_digits(order_, spare_order_, [](const Ordered& each) { return each.key(); });
     }
 
     // As a whole, or fragment by fragment. The first quad's number is `number`.
@@ -288,7 +299,7 @@ private:
     const DepthTestPlace test_;
     TargetLookups targets_;
     TexelLookups texels_;
-    std::vector<Ordered> order_; // of a piece
+    std::vector<Ordered> order_, spare_order_; // of a piece
 };
 
 } // namespace

@@ -47,7 +47,8 @@ TEST_CASE("figures at the ends of frames that overlap are those of frames one by
     }
 }
 
-TEST_CASE("a job is called behind what was told before it, on one thread that is not the teller's") {
+TEST_CASE(
+    "a job is called behind what was told before it, on one thread that is not the teller's") {
     GpuTiming timing(TimingConfig{});
     timing.let_frames_overlap();
     std::vector<std::uint32_t> order; // a frame's end, and the job behind it
