@@ -16,6 +16,8 @@ class Unit;
 
 class Link {
 public:
+    Link& operator=(const Link&) = delete;
+
     // When the oldest item can be popped; Never where there is none.
     Cycle arrival() const { return arrival_; }
 
@@ -68,7 +70,6 @@ protected:
         , carries_answers_(carries_answers) {}
     ~Link() = default;
     Link(const Link&) = default;
-    Link& operator=(const Link&) = delete;
 
     std::string name_;
     Unit* producer_ = nullptr;
