@@ -81,8 +81,7 @@ Bottlenecks::moved_by(const Place& place, const StepPlace& step, const Moved& mo
     return by;
 }
 
-// Inlined, as all that follows to act(): each has one caller, and a call for each step of each
-// quad.
+// Inlined, as pass_on(): each has one caller, which calls it for each step of each quad.
 [[gnu::always_inline]] inline void
 Bottlenecks::find_dependences(const Place& place, const StepPlace& step, const StepMoved& moved) {
     found_.begin(now_);
