@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """What the machine in time costs: microseconds a quad and a memory request, of traces.
 
-    timing_bench.py --build build [--before OTHER_BUILD] [--frames 1-2] [--rounds 3] TRACE ...
+    timing_bench.py --build build [--before OTHER_BUILD] [--frames 1-2] [--rounds 3]
+                    [--set NAME=VALUE] TRACE ...
 
 Each build replays the frames without the machine and with it, with the default memory and the ideal
 one; the machine's cost is the difference. Builds take turns, the best of the rounds counts. `cpu`
@@ -35,7 +36,8 @@ def run(command):
 
 
 class Build:
-    def __init__(self, folder, scratch):
+    def __init__(self, folder, scratch, settings=()):
+        self.settings = settings
         self.program = Path(folder) / "tools/ffgpu"
         self.out = scratch / f"{len(list(scratch.iterdir()))}"
         self.out.mkdir()
@@ -44,7 +46,7 @@ class Build:
 
     def replay(self, trace, frames, settings):
         options = [] if settings is None else ["--timing"]
-        for setting in settings or ():
+        for setting in (*settings, *self.settings) if settings is not None else ():
             options += ["--set", setting]
         return run([self.program, "replay", trace, "-o", self.out, "--frames", frames,
                     "--no-images", *options])
@@ -93,6 +95,8 @@ def main():
     arguments.add_argument("--before", help="a build to compare with")
     arguments.add_argument("--frames", default="1-2")
     arguments.add_argument("--rounds", type=int, default=3)
+    arguments.add_argument("--set", action="append", default=[], metavar="NAME=VALUE",
+                           help="of the machine of --build alone: bottlenecks.enable=off")
     arguments.add_argument("traces", nargs="+", type=Path)
     options = arguments.parse_args()
     names = ["now", "before"] if options.before else ["now"]
@@ -103,7 +107,8 @@ def main():
     print("| " + " | ".join(head) + " |\n" + "|---" * len(head) + "|")
     with tempfile.TemporaryDirectory() as scratch:
         folders = [options.build] + ([options.before] if options.before else [])
-        builds = [Build(folder, Path(scratch)) for folder in folders]
+        builds = [Build(folder, Path(scratch), options.set if i == 0 else ())
+                  for i, folder in enumerate(folders)]
         for trace in options.traces:
             for row in measure(builds, trace, options.frames, options.rounds):
                 print_row(trace, row)
