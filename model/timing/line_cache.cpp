@@ -6,7 +6,6 @@
 
 namespace ffgpu::timing {
 
-using work::MissKind;
 using work::TagArray;
 
 LineCache::LineCache(std::string_view name,
@@ -18,11 +17,11 @@ LineCache::LineCache(std::string_view name,
     , client_(client)
     , requests_(requests)
     , tags_(config.sets, config.ways, config)
-    , classifier_(config.sets, config.ways)
     , keeps_last_(config.ports == 0 && requests.pace() != Pace::EveryCycle)
-    , may_hit_at_once_(false)
+    , may_hit_at_once_(keeps_last_ && config.replacement != work::Replacement::Optimal)
+    , bank_lookups_(config.banks)
     , statistics_(name)
-    , bank_lookups_(config.banks) {
+    , kinds_(config.sets, config.ways) {
     if (config.replacement == work::Replacement::Optimal)
         optimal_.emplace(config.sets, config.ways, config.index_hash);
 }
@@ -45,8 +44,7 @@ LookupResult LineCache::look_up_any(const LineAccess& access) {
     tags_.use(*line);
     if (access.written != 0) write(access, *line);
     keep_last(access.number, line);
-    ++statistics_.accesses;
-    ++statistics_.hits;
+    count_look_up(access.number, false);
     return {.accepted = true, .missed = false, .ticket = line->fill};
 }
 
@@ -58,7 +56,6 @@ LookupResult LineCache::look_up_plainly(const LineAccess& access) {
                                          : look_up_absent(access, line);
     if (!result.accepted) return {};
     if (line) keep_last(access.number, line);
-    ++statistics_.accesses;
     if (config_.ports > 0) ++bank_lookups_[access.number & (config_.banks - 1)];
     count_look_up(access.number, result.missed);
     return result;
@@ -102,9 +99,8 @@ LookupResult LineCache::look_up_absent(const LineAccess& access, TagArray::Line*
 
 LookupResult LineCache::read_memory(std::uint64_t number) {
     if (!can_fetch()) return {};
-    ++statistics_.accesses;
     count_look_up(number, true);
-    if (tells_kinds_) classifier_.drop(number);
+    if (tells_kinds_) kinds_.drop(number);
     return {.accepted = true, .missed = true, .ticket = fetch(number)};
 }
 
@@ -161,28 +157,6 @@ void LineCache::write(const LineAccess& access, TagArray::Line& line) {
     line.dirty |= written;
 }
 
-void LineCache::count_look_up(std::uint64_t number, bool missed) {
-    if (!tells_kinds_) {
-        ++(missed ? statistics_.misses : statistics_.hits);
-        return;
-    }
-    const MissKind kind = classifier_.access(number);
-    missed ? count_miss(kind) : count_hit();
-}
-
-void LineCache::count_hit() {
-    ++statistics_.hits;
-    if (outstanding_ > 0) ++statistics_.under_miss;
-    if (classifier_.shadow_missed()) ++statistics_.beyond_shadow;
-}
-
-void LineCache::count_miss(MissKind kind) {
-    ++statistics_.misses;
-    ++(kind == MissKind::Compulsory ? statistics_.compulsory
-       : kind == MissKind::Capacity ? statistics_.capacity
-                                    : statistics_.conflict);
-}
-
 LineWrite LineCache::written_back(std::uint64_t number, const TagArray::Line& line) {
     const LineWrite back = store_ ? store_->write_back({number, line.valid, line.dirty})
                                   : LineWrite{number, moved_bytes(line.dirty), 0};
@@ -228,13 +202,13 @@ std::vector<LineWrite> LineCache::flush() {
     });
     forget_last();
     if (optimal_) optimal_->clear();
-    if (tells_kinds_) classifier_.flush();
+    if (tells_kinds_) kinds_.flush();
     return dirty;
 }
 
 LineWrite LineCache::overwrite(std::uint64_t number, LineMask overwritten) {
     forget_last();
-    if (tells_kinds_) classifier_.drop(number);
+    if (tells_kinds_) kinds_.drop(number);
     if (optimal_) { // It is only read.
         optimal_->drop(number);
         return {};

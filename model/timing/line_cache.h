@@ -1,4 +1,4 @@
-// LineCache: tags, miss kinds and outstanding fills of one cache. The unit that owns it looks lines
+// LineCache: tags, counts and outstanding fills of one cache. The unit that owns it looks lines
 // up ahead of use and parks its work in a FIFO until the fill it needs has come: misses are
 // hidden, not waited for (H. Igehy, M. Eldridge, K. Proudfoot, Prefetching in a Texture Cache
 // Architecture, 1998).
@@ -15,9 +15,9 @@
 #include "model/timing/config.h"
 #include "model/timing/line_store.h"
 #include "model/timing/memory_request.h"
+#include "model/timing/miss_kinds.h"
 #include "model/timing/request_port.h"
 #include "model/work/line_mask.h"
-#include "model/work/miss_classifier.h"
 #include "model/work/optimal_tags.h"
 #include "model/work/tag_array.h"
 #include "model/work/texel_line.h"
@@ -57,10 +57,9 @@ public:
     void set_store(LineStore* store) { store_ = store; }
 
     // Misses are only counted, not by kind.
-    void leave_out_kinds() {
-        tells_kinds_ = false;
-        may_hit_at_once_ = keeps_last_ && !optimal_;
-    }
+    void leave_out_kinds() { tells_kinds_ = false; }
+    // Before the first look-up: kinds are reckoned there, which ends before the cache.
+    void reckon_kinds_on(work::JobThread& thread) { kinds_.reckon_on(thread); }
 
     // The owner calls it first in each cycle: ports are free again, fills have come, requests that
     // waited go out.
@@ -110,7 +109,11 @@ public:
     }
     // What is under way, for people.
     std::string state() const;
-    const CacheStatistics& statistics() const { return statistics_; }
+    // Of all look-ups up to now.
+    const CacheStatistics& statistics() const {
+        kinds_.settle(statistics_);
+        return statistics_;
+    }
     std::uint32_t line_bytes() const { return config_.line_bytes; }
     const work::LineGrain& grain() const { return grain_; }
     std::uint32_t moved_bytes(LineMask bytes) const {
@@ -133,7 +136,7 @@ private:
         if (access.written != 0) write(access, *last_line_);
         return {.accepted = true, .missed = false, .ticket = last_line_->fill};
     }
-    // A hit that costs no port and is of no kind by the shortest way, all else plainly.
+    // A hit that costs no port by the shortest way, all else plainly.
     LookupResult look_up_any(const LineAccess& access);
     LookupResult look_up_plainly(const LineAccess& access);
     void keep_last(std::uint64_t number, work::TagArray::Line* line) {
@@ -163,9 +166,12 @@ private:
     void fill(std::uint64_t number, work::TagArray::Line& line);
     std::uint64_t fetch(std::uint64_t number);
     void write(const LineAccess& access, work::TagArray::Line& line);
-    void count_look_up(std::uint64_t number, bool missed);
-    void count_hit();
-    void count_miss(work::MissKind kind);
+    void count_look_up(std::uint64_t number, bool missed) {
+        ++statistics_.accesses;
+        ++(missed ? statistics_.misses : statistics_.hits);
+        if (!missed && outstanding_ > 0) ++statistics_.under_miss;
+        if (tells_kinds_) kinds_.look_up(number, missed);
+    }
     LineWrite written_back(std::uint64_t number, const work::TagArray::Line& line);
     void post(const LineWrite& back, bool last_of_miss);
     bool is_in_memory(std::uint64_t number) const {
@@ -179,16 +185,17 @@ private:
     LineStore* store_ = nullptr;
     work::TagArray tags_;
     std::optional<work::OptimalTags> optimal_; // in the place of tags_
-    work::MissClassifier classifier_;
     bool tells_kinds_ = true;
     // Of the last look-up that was accepted, while the line is there. Kept where a look-up costs no
     // port, and the cache has its lines in tags_.
     const bool keeps_last_;
-    bool may_hit_at_once_;
+    const bool may_hit_at_once_;
     std::uint64_t last_number_ = work::TagArray::Empty;
     work::TagArray::Line* last_line_ = nullptr;
-    CacheStatistics statistics_;
     std::vector<std::uint32_t> bank_lookups_; // in this cycle
+    // Kinds of misses are added when somebody asks.
+    mutable CacheStatistics statistics_;
+    mutable MissKinds kinds_;
 
     static constexpr std::uint64_t NobodyWaits = 0; // the ticket of a read that completes a write
 

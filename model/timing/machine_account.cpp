@@ -296,12 +296,24 @@ std::vector<const StatisticsGroup*> Machine::statistics() {
     return groups;
 }
 
-void Machine::leave_out_figures() {
-    for (CachePort* const port : {&index_port, &vertex_port, &depth_port, &color_port})
-        port->cache.leave_out_kinds();
+std::vector<LineCache*> Machine::caches() {
+    std::vector<LineCache*> all{
+        &index_port.cache, &vertex_port.cache, &depth_port.cache, &color_port.cache};
     for (CachePort* const port : texel_caches.first_level())
-        port->cache.leave_out_kinds();
-    if (LineCache* const second = texel_caches.second_level()) second->leave_out_kinds();
+        all.push_back(&port->cache);
+    if (LineCache* const second = texel_caches.second_level()) all.push_back(second);
+    return all;
+}
+
+void Machine::reckon_miss_kinds_beside() {
+    miss_kinds = std::make_unique<work::JobThread>(MissKinds::Waiting);
+    for (LineCache* const cache : caches())
+        cache->reckon_kinds_on(*miss_kinds);
+}
+
+void Machine::leave_out_figures() {
+    for (LineCache* const cache : caches())
+        cache->leave_out_kinds();
     for (const Link* const link : links())
         link->leave_out_counts();
     arbiter.leave_out_figures();

@@ -3,7 +3,7 @@
 #include "tools/report/summary.h"
 
 #include <algorithm>
-#include <sstream>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,11 +16,24 @@ using Json = nlohmann::ordered_json;
 
 constexpr unsigned SchemaVersion = 2;
 
+// An object is a list: each look for a name goes through it. Hundreds of names that are there once,
+// and in the same order in every frame, are put at the end, and looked for at their places.
+using Members = Json::object_t;
+
 Json object_of(const work::Figures& figures) {
     Json json = Json::object();
+    auto& members = json.get_ref<Members&>();
+    members.reserve(figures.size());
     for (const auto& [name, value] : figures)
-        json[name] = value;
+        members.push_back({name, value});
     return json;
+}
+
+Json& member_at(Json& object, std::size_t place, const std::string& name) {
+    auto& members = object.get_ref<Members&>();
+    if (place >= members.size()) return object[name];
+    auto& member = *std::next(members.begin(), static_cast<std::ptrdiff_t>(place));
+    return member.first == name ? member.second : object[name];
 }
 
 void add_to_counts(Json& totals, const Json& counts) {
@@ -31,15 +44,19 @@ void add_to_counts(Json& totals, const Json& counts) {
 }
 
 void add_to(Json& totals, const Json& frame) {
-    for (const auto& [name, value] : frame.items()) {
+    std::size_t place = 0;
+    for (const auto& [name, value] : frame.get_ref<const Members&>()) {
+        if (!value.is_structured() && !value.is_number_unsigned()) continue;
+        Json& total = member_at(totals, place++, name);
         if (value.is_object()) {
-            if (!totals.contains(name)) totals[name] = Json::object();
-            add_to(totals[name], value);
+            if (total.is_null()) total = Json::object();
+            add_to(total, value);
         } else if (value.is_array()) {
-            if (!totals.contains(name)) totals[name] = Json::array();
-            add_to_counts(totals[name], value);
-        } else if (value.is_number_unsigned()) {
-            totals[name] = totals.value(name, std::uint64_t{0}) + value.get<std::uint64_t>();
+            if (total.is_null()) total = Json::array();
+            add_to_counts(total, value);
+        } else {
+            if (total.is_null()) total = std::uint64_t{0};
+            total = total.get<std::uint64_t>() + value.get<std::uint64_t>();
         }
     }
 }
@@ -100,24 +117,42 @@ Json describe(const Configuration& configuration, bool with_timing) {
     return json;
 }
 
-// A member a line; lists of numbers on one.
-void print(const Json& json, const std::string& margin, std::string& text) {
-    const bool is_list =
-        json.is_array() && std::all_of(json.begin(), json.end(), [](const Json& element) {
-            return element.is_primitive();
-        });
-    if (!json.is_structured() || json.empty() || is_list) {
+// Most values are counts: dump(), which can print anything, takes many times as long for one.
+void print_value(const Json& json, std::string& text) {
+    if (const auto* const count = json.get_ptr<const Json::number_unsigned_t*>())
+        fmt::format_to(std::back_inserter(text), "{}", *count);
+    else
         text += json.dump();
-        return;
-    }
+}
+
+bool is_list(const Json& json) {
+    return json.is_array() && std::all_of(json.begin(), json.end(), [](const Json& element) {
+               return element.is_primitive();
+           });
+}
+
+// A member a line; lists of numbers on one. Names are of figures, units and parameters: nothing in
+// them is escaped.
+void print(const Json& json, const std::string& margin, std::string& text) {
+    if (!json.is_structured() || json.empty() || is_list(json)) return print_value(json, text);
     const std::string inner = margin + ' ';
     text += json.is_array() ? '[' : '{';
     bool first = true;
-    for (const auto& [name, value] : json.items()) {
+    const auto begin_element = [&] {
         text += std::exchange(first, false) ? "\n" : ",\n";
         text += inner;
-        if (json.is_object()) text += Json(name).dump() + ": ";
-        print(value, inner, text);
+    };
+    if (json.is_array()) {
+        for (const Json& element : json) {
+            begin_element();
+            print(element, inner, text);
+        }
+    } else {
+        for (const auto& [name, value] : json.get_ref<const Members&>()) {
+            begin_element();
+            fmt::format_to(std::back_inserter(text), "\"{}\": ", name);
+            print(value, inner, text);
+        }
     }
     text += '\n' + margin + (json.is_array() ? ']' : '}');
 }
@@ -130,10 +165,9 @@ std::string printed(const Json& json) {
 
 // As an element of a member of the whole.
 std::string indented(const Json& json) {
-    std::istringstream lines(printed(json));
-    std::string text;
-    for (std::string line; std::getline(lines, line);)
-        text.append(text.empty() ? "  " : "\n  ").append(line);
+    const std::string margin = "  ";
+    std::string text = margin;
+    print(json, margin, text);
     return text;
 }
 
@@ -171,9 +205,9 @@ void StatisticsReport::add(const work::FrameFigures& frame, const TimedFigures& 
     counted["pixels"] = std::uint64_t{frame.width} * frame.height;
     counted["functional"] = object_of(frame.functional);
     if (content_->with_timing) {
-        counted["timing"] = Json::object();
-        counted["timing"]["total_cycles"] = timed.frame ? timed.frame->cycles : 0;
-        counted["timing"].update(object_of(timed.counters));
+        Json& timing = counted["timing"] = object_of(timed.counters);
+        if (!timing.contains("total_cycles"))
+            timing["total_cycles"] = timed.frame ? timed.frame->cycles : 0;
         counted["histograms"] = Json::object();
         for (const auto& [name, counts] : timed.histograms)
             counted["histograms"][name] = array_of(counts);
