@@ -18,7 +18,7 @@ bool FragmentTiming::is_empty() const {
 
 // In the order in which they came: a quad whose pipe's queue is full holds up those behind it.
 void FragmentTiming::distribute() {
-    const std::size_t pipes = pipes_.size();
+    const std::size_t pipes = config_.raster.quads_per_cycle;
     for (std::size_t i = 0; i < pipes && ports_.quads_in.can_pop(); ++i) {
         const std::uint32_t number = fragment_pipe(config_, ports_.quads_in.front());
         Pipe& pipe = pipes_[number];
@@ -74,7 +74,7 @@ Activity FragmentTiming::step(std::size_t number) {
 // The pipes share the way out: a different one is first whenever one has worked.
 Activity FragmentTiming::step() {
     if (ports_.quads_in.can_pop()) distribute();
-    const std::size_t pipes = pipes_.size();
+    const std::size_t pipes = config_.raster.quads_per_cycle;
     bool worked = false, stalled = false;
     for (std::size_t i = 0; i < pipes; ++i) {
         const Activity activity = step(turn(first_ + i, pipes));

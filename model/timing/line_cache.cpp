@@ -21,7 +21,7 @@ LineCache::LineCache(std::string_view name,
     , may_hit_at_once_(keeps_last_ && config.replacement != work::Replacement::Optimal)
     , bank_lookups_(config.banks)
     , statistics_(name)
-    , kinds_(config.sets, config.ways) {
+    , kinds_(config.sets, config.ways, statistics_) {
     if (config.replacement == work::Replacement::Optimal)
         optimal_.emplace(config.sets, config.ways, config.index_hash);
 }

@@ -58,8 +58,6 @@ public:
 
     // Misses are only counted, not by kind.
     void leave_out_kinds() { tells_kinds_ = false; }
-    // Before the first look-up: kinds are reckoned there, which ends before the cache.
-    void reckon_kinds_on(work::JobThread& thread) { kinds_.reckon_on(thread); }
 
     // The owner calls it first in each cycle: ports are free again, fills have come, requests that
     // waited go out.
@@ -111,7 +109,7 @@ public:
     std::string state() const;
     // Of all look-ups up to now.
     const CacheStatistics& statistics() const {
-        kinds_.settle(statistics_);
+        kinds_.settle();
         return statistics_;
     }
     std::uint32_t line_bytes() const { return config_.line_bytes; }
@@ -193,9 +191,8 @@ private:
     std::uint64_t last_number_ = work::TagArray::Empty;
     work::TagArray::Line* last_line_ = nullptr;
     std::vector<std::uint32_t> bank_lookups_; // in this cycle
-    // Kinds of misses are added when somebody asks.
-    mutable CacheStatistics statistics_;
-    mutable MissKinds kinds_;
+    CacheStatistics statistics_;
+    mutable MissKinds kinds_; // in the statistics when somebody asks
 
     static constexpr std::uint64_t NobodyWaits = 0; // the ticket of a read that completes a write
 

@@ -188,7 +188,6 @@ Machine::Machine(const SimulationContext& kernel,
         series->attach();
     }
     look_for_bottlenecks(evaluation.pace);
-    if (evaluation.pace != Pace::EveryCycle) reckon_miss_kinds_beside();
     // A memory whose processes are its own sees each cycle.
     if (!memory->unit() && evaluation.pace == Pace::Decoupled) clock.set_pace(Pace::Lockstep);
 }

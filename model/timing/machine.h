@@ -118,7 +118,6 @@ public:
     ScanOut scan_out;
     MemoryArbiter arbiter;
     std::unique_ptr<MemoryModule> memory;
-    std::unique_ptr<work::JobThread> miss_kinds;   // of all caches; null: reckoned at once
     std::unique_ptr<BottleneckSearch> bottlenecks; // null: nobody looks
     std::unique_ptr<QueueStatistics> queues;
     std::unique_ptr<SeriesRecorder> series; // null: nobody wants them
@@ -146,7 +145,6 @@ private:
     void add_fragment_steps(Stage& stage);
     Stage interpolator_stage();
     void look_for_bottlenecks(Pace pace);
-    void reckon_miss_kinds_beside();
     std::vector<LineCache*> caches();
     bool must_wait();
     void check_progress();

@@ -305,12 +305,6 @@ std::vector<LineCache*> Machine::caches() {
     return all;
 }
 
-void Machine::reckon_miss_kinds_beside() {
-    miss_kinds = std::make_unique<work::JobThread>(MissKinds::Waiting);
-    for (LineCache* const cache : caches())
-        cache->reckon_kinds_on(*miss_kinds);
-}
-
 void Machine::leave_out_figures() {
     for (LineCache* const cache : caches())
         cache->leave_out_kinds();

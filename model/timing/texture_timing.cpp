@@ -66,7 +66,7 @@ void TextureTiming::forget_former_draw(const QuadToken& quad) {
 
 // In the order in which they came: a quad whose pipe's queue is full holds up those behind it.
 void TextureTiming::distribute() {
-    const std::size_t pipes = pipes_.size();
+    const std::size_t pipes = config_.raster.quads_per_cycle;
     for (std::size_t i = 0; i < pipes && can_distribute(); ++i) {
         const QuadToken& quad = ports_.quads_in.front();
         if (ports_.rewrites.come_before(quad.scene->number)) forget_rewritten(quad);
@@ -86,7 +86,7 @@ Activity TextureTiming::step() {
     bool worked = false;
     // The pipes share the cache's ports and the way out: a different one is first whenever one
     // has worked.
-    const std::size_t pipes = pipes_.size();
+    const std::size_t pipes = config_.raster.quads_per_cycle;
     for (std::size_t i = 0; i < pipes; ++i) {
         const std::size_t number = turn(first_ + i, pipes);
         TexturePipe& pipe = pipes_[number];

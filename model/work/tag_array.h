@@ -118,7 +118,7 @@ private:
     std::size_t ways_;
     std::uint64_t now_ = 0;
     // Where the last line of a number with the same end was found: the next is often the same.
-    static constexpr std::size_t Guesses = 16;
+    static constexpr std::size_t Guesses = 64;
     std::array<std::uint32_t, Guesses> guesses_{};
     // Apart, so that the search reads nothing else.
     std::vector<std::uint64_t> numbers_;
