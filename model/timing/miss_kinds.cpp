@@ -5,7 +5,7 @@ namespace ffgpu::timing {
 using work::MissKind;
 
 // Out of line, or each look-up saves registers for it.
-[[gnu::noinline, gnu::cold]] void MissKinds::settle() {
+[[gnu::noinline]] void MissKinds::settle() {
     for (const std::uint64_t entry : log_)
         reckon(entry);
     log_.clear();
