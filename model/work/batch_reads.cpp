@@ -31,11 +31,43 @@ struct Block {
 
 constexpr std::uint64_t AllLanes = 0x1000100010001;
 
-// 16 bits a lane.
+// 16 bits a lane, as PlaneRectangles::first has them.
+bool has_others(std::uint64_t first) {
+    return (first & AllLanes * PlaneRectangles::Others) != 0;
+}
 std::uint64_t first_of(const PlaneRectangles& rectangles, unsigned quad) {
     std::uint64_t first;
     std::memcpy(&first, rectangles.first.data() + Lanes * quad, sizeof first);
     return first;
+}
+
+// Quads of which lanes read first the same rectangles, of the same level and layers, as those of
+// the quad before, a bit each.
+std::uint64_t find_repeats(const PlaneRectangles& rectangles,
+                           const AccessPlane& plane,
+                           const FragmentMask& live) {
+    const std::uint16_t* const heads = plane.heads();
+    const std::uint32_t* const layers =
+        plane.has_layers() ? plane.words(AccessPlane::Words::Layers) : nullptr;
+    std::uint64_t repeats = 0;
+    unsigned lanes_before = live.quad(0);
+    for (unsigned quad = 1; quad < BatchQuads; ++quad) {
+        const unsigned lanes = live.quad(quad), both = lanes & lanes_before;
+        const unsigned own = Lanes * quad, before = own - Lanes;
+        bool same = lanes == lanes_before; // If there are none in both, there have to be none.
+        lanes_before = lanes;
+        if (both != 0) {
+            const auto lane = static_cast<unsigned>(std::countr_zero(both));
+            const std::uint64_t first = first_of(rectangles, quad);
+            same = first == first_of(rectangles, quad - 1) && !has_others(first) &&
+                   rectangles.x[own] == rectangles.x[before] &&
+                   rectangles.y[own] == rectangles.y[before] &&
+                   heads[own + lane] == heads[before + lane] &&
+                   (!layers || layers[own + lane] == layers[before + lane]);
+        }
+        repeats |= std::uint64_t{same} << quad;
+    }
+    return repeats;
 }
 
 // Where the squares that a lane's quad reads lie; nowhere, if it reads no squares, or of a level
@@ -103,6 +135,90 @@ rectangles_of(const AccessPlane& plane, const RectangleBits& bits, unsigned quad
     return found;
 }
 
+// The texels of a lane's square, x0, x1, y0 and y1, 16 bits each; and the same four of one number
+// for each axis.
+std::uint64_t texels_of(const AccessPlane& plane, unsigned lane) {
+    return std::uint64_t{plane.words(AccessPlane::Words::Y)[lane]} << 32 |
+           plane.words(AccessPlane::Words::X)[lane];
+}
+std::uint64_t four_of(std::uint16_t x, std::uint16_t y) {
+    return std::uint64_t{y * 0x10001u} << 32 | x * 0x10001u;
+}
+
+// A level seen with its last texels to the left of its first ones, or below, along the axes along
+// which a lane reads from the last to the first, as where a texture repeats.
+struct Turned {
+    std::uint16_t x = 0, y = 0; // half of the level's texels; 0: seen as it is
+    std::uint64_t halves, inside;
+
+    Turned(const LevelLines& level, std::uint64_t backwards)
+        : x(static_cast<std::uint16_t>(backwards & 1 ? level.columns() / 2 : 0))
+        , y(static_cast<std::uint16_t>(backwards & 2 ? level.rows() / 2 : 0))
+        , halves(four_of(x, y))
+        , inside(four_of(static_cast<std::uint16_t>(2 * x - 1),
+                         static_cast<std::uint16_t>(2 * y - 1))) {}
+
+    std::uint64_t operator()(std::uint64_t texels) const { return (texels + halves) & inside; }
+};
+
+// Bit 0: from right to left; bit 1: downwards.
+unsigned backwards_of(std::uint64_t texels) {
+    const auto part = [&](unsigned at) { return texels >> at & 0xffff; };
+    return (part(16) < part(0) ? 1u : 0u) | (part(48) < part(32) ? 2u : 0u);
+}
+
+// The block and what lanes read first of a quad with others, if these are rectangles in a level
+// that is seen turned. Returns whether they are.
+bool turn_round(const AccessPlane& plane,
+                const RectangleBits& bits,
+                unsigned quad,
+                unsigned live,
+                Block& block,
+                std::uint64_t& first) {
+    constexpr std::uint64_t Border = 0x8000 * AllLanes;
+    const unsigned one = Lanes * quad + static_cast<unsigned>(std::countr_zero(live));
+    std::array<std::uint64_t, Lanes> texels{};
+    unsigned backwards = 0;
+    for (unsigned left = live; left != 0; left &= left - 1) {
+        const auto lane = static_cast<unsigned>(std::countr_zero(left));
+        const unsigned at = Lanes * quad + lane;
+        texels[lane] = texels_of(plane, at);
+        backwards |= backwards_of(texels[lane]);
+        if (plane.heads()[at] != plane.heads()[one] || (texels[lane] & Border) != 0) return false;
+        if (plane.has_layers() && plane.words(AccessPlane::Words::Layers)[at] !=
+                                      plane.words(AccessPlane::Words::Layers)[one])
+            return false;
+    }
+    if (backwards == 0) return false;
+    const Turned turned(*block.level, backwards);
+    const std::uint64_t firsts = four_of(bits.x, bits.y);
+    std::uint64_t x = 0xffff, y = 0xffff;
+    for (unsigned left = live; left != 0; left &= left - 1) {
+        std::uint64_t& own = texels[static_cast<unsigned>(std::countr_zero(left))];
+        own = turned(own) & firsts;
+        x = std::min({x, own & 0xffff, own >> 16 & 0xffff});
+        y = std::min({y, own >> 32 & 0xffff, own >> 48});
+    }
+    const std::uint64_t least =
+        four_of(static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y));
+    const std::uint64_t steps = four_of(step_of(bits.x), step_of(bits.y)); // a bit each
+    unsigned seen = 0;
+    first = 0;
+    for (unsigned left = live; left != 0; left &= left - 1) {
+        const auto lane = static_cast<unsigned>(std::countr_zero(left));
+        const std::uint64_t on = texels[lane] - least;
+        if ((on & ~steps) != 0 || backwards_of(on) != 0) return false;
+        const unsigned columns = (on & 0xffff ? 0u : 1u) | (on >> 16 & 0xffff ? 2u : 0u);
+        const unsigned read = (on >> 32 & 0xffff ? 0 : columns) | (on >> 48 ? columns << 2 : 0);
+        first |= std::uint64_t{read & ~seen} << 16 * lane;
+        seen |= read;
+    }
+    block.x =
+        static_cast<std::uint32_t>(x) + turned.x; // Tables tell of texels beyond the edge, too.
+    block.y = static_cast<std::uint32_t>(y) + turned.y;
+    return true;
+}
+
 } // namespace
 
 void find_rectangles_plainly(const AccessPlane& plane,
@@ -125,6 +241,8 @@ void BatchReads::set(const WorkBatch& batch,
                      std::span<const TextureLines* const> textures) {
     units_.clear();
     plane_count_ = 0;
+    before_ = None;
+    repeats_ = ~std::uint64_t{0};
     for (const TexelFootprints& unit : batch.textures) {
         const TextureLines& texture = *textures[unit.unit];
         const std::size_t begin = plane_count_;
@@ -133,11 +251,32 @@ void BatchReads::set(const WorkBatch& batch,
             Plane& plane = planes_[plane_count_++];
             plane.accesses = &accesses;
             plane.live = accesses.lanes & lanes;
-            if (unit.planes.size() <= MostPlanes)
-                find_rectangles(accesses, plane.live, texture.bits, plane.rectangles);
+            if (unit.planes.size() > MostPlanes) {
+                repeats_ = 0;
+                continue;
+            }
+            find_rectangles(accesses, plane.live, texture.bits, plane.rectangles);
+            repeats_ &= find_repeats(plane.rectangles, accesses, plane.live);
         }
         units_.push_back({&texture, begin, plane_count_});
     }
+}
+
+void BatchReads::add_quad(unsigned quad, QuadLines& lines) {
+    bool in_rectangles = true;
+    for (const Unit& unit : units_) {
+        if (add_rectangles(unit, quad, lines)) continue;
+        add_each(unit, quad, lines);
+        in_rectangles = false;
+    }
+    before_ = in_rectangles && !lines.lines().empty() ? quad : None;
+}
+
+std::uint32_t BatchReads::reads(unsigned quad) const {
+    std::uint32_t fragments = 0;
+    for (std::size_t i = 0; i < plane_count_; ++i)
+        fragments += LiveLanes[planes_[i].live.quad(quad)];
+    return 4 * fragments;
 }
 
 // Lane after lane, of each the planes in their order. Returns whether it has added all.
@@ -150,13 +289,15 @@ bool BatchReads::add_rectangles(const Unit& unit, unsigned quad, QuadLines& line
         const Plane& plane = planes_[i];
         const unsigned live = plane.live.quad(quad);
         if (live == 0) continue;
-        const std::uint64_t own = first_of(plane.rectangles, quad);
+        std::uint64_t own = first_of(plane.rectangles, quad);
         const unsigned lane = Lanes * quad + static_cast<unsigned>(std::countr_zero(live));
         Block& block = blocks[i - unit.begin];
-        if ((own & AllLanes * PlaneRectangles::Others) != 0) return false;
         if (!place(*plane.accesses, *unit.texture, lane, block)) return false;
         block.x = plane.rectangles.x[lane] & 0xffff;
         block.y = plane.rectangles.y[lane] & 0xffff;
+        if (has_others(own) &&
+            !turn_round(*plane.accesses, unit.texture->bits, quad, live, block, own))
+            return false;
         first |= own << Rectangles * (i - unit.begin);
         fragments += LiveLanes[live];
     }

@@ -44,11 +44,18 @@ public:
              const FragmentMask& lanes,
              std::span<const TextureLines* const> textures);
 
-    // In the order of the machine, which merges a quad's reads of a line.
-    void add_quad(unsigned quad, QuadLines& lines) const {
-        for (const Unit& unit : units_)
-            if (!add_rectangles(unit, quad, lines)) add_each(unit, quad, lines);
+    // In the order of the machine, which merges a quad's reads of a line. Quads are asked for in
+    // the order of the batch.
+    void add_quad(unsigned quad, QuadLines& lines);
+    // Instead: whether it reads the lines of the quad before it, which had some, in the same order,
+    // as the lanes of both read first the same rectangles.
+    bool repeats(unsigned quad) {
+        const bool again = before_ + 1 == quad && (repeats_ >> quad & 1) != 0;
+        before_ += again;
+        return again;
     }
+    // Texels that such a quad reads.
+    std::uint32_t reads(unsigned quad) const;
 
 private:
     struct Plane {
@@ -61,12 +68,16 @@ private:
         std::size_t begin = 0, end = 0; // of planes_
     };
 
+    static constexpr unsigned None = BatchQuads;
+
     bool add_rectangles(const Unit& unit, unsigned quad, QuadLines& lines) const;
     void add_each(const Unit& unit, unsigned quad, QuadLines& lines) const;
 
     std::vector<Unit> units_;
     std::vector<Plane> planes_; // the first plane_count_ of them
     std::size_t plane_count_ = 0;
+    std::uint64_t repeats_ = 0; // quads that read the rectangles of the quad before, a bit each
+    unsigned before_ = None;    // the last quad, if it had lines and all of these lie in rectangles
 };
 
 } // namespace ffgpu::work

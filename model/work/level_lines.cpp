@@ -38,18 +38,21 @@ LevelLines::LevelLines(const PlacedLevel& level, std::uint32_t line_bytes)
     find_rectangles();
 }
 
-// Where the offsets of column and row in their lines never add up to a line, the line is that of
-// the one beside that of the other.
+// Where the offsets of base, column and row in their lines never add up to a line, the line is that
+// of the one beside that of the others. Layers that begin inside of lines have to lie in a part of
+// a line each.
 void LevelLines::find_rectangles() {
-    const std::uint32_t in_line = (1u << line_shift_) - 1;
+    const std::uint64_t line_bytes = std::uint64_t{1} << line_shift_;
+    const std::uint64_t layer_grain = layer_bytes_ & (~layer_bytes_ + 1); // 0 of no bytes
+    const bool in_parts = layer_grain != 0 && layer_grain < line_bytes;
+    const std::uint64_t part = in_parts ? layer_grain : line_bytes;
     const auto last_byte = [&](const std::vector<std::uint32_t>& offsets) {
-        std::uint32_t last = 0;
+        std::uint64_t last = 0;
         for (const std::uint32_t offset : offsets)
-            last = std::max(last, offset & in_line);
+            last = std::max<std::uint64_t>(last, in_parts ? offset : offset & (part - 1));
         return last;
     };
-    if (((base_ | layer_bytes_) & in_line) != 0) return;
-    if (last_byte(columns_) + last_byte(rows_) > in_line) return;
+    if ((base_ & (part - 1)) + last_byte(columns_) + last_byte(rows_) >= part) return;
     const std::uint16_t x = first_texels(columns_, line_shift_);
     const std::uint16_t y = first_texels(rows_, line_shift_);
     firsts_ = {x, x, y, y};

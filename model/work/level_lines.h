@@ -7,6 +7,7 @@
 #include "model/work/placed_level.h"
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -28,6 +29,9 @@ public:
     // Beyond the level's edges they tell of texels inside.
     std::uint64_t column(std::uint32_t x) const { return columns_[x & (columns_.size() - 1)]; }
     std::uint64_t row(std::uint32_t y) const { return rows_[y & (rows_.size() - 1)]; }
+    // Powers of two.
+    std::size_t columns() const { return columns_.size(); }
+    std::size_t rows() const { return rows_.size(); }
     // Of a texel whose address these three add up to.
     std::uint64_t line(std::uint64_t address) const { return address >> line_shift_; }
 

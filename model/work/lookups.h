@@ -69,6 +69,11 @@ public:
                          const LookupPlace& place,
                          std::span<const LineLookup> lines,
                          std::uint32_t reads) = 0;
+    // Of a quad that reads the texels' `lines` which the quad told last did, and is of its tile.
+    virtual void
+    same_lookups(const LookupPlace& place, std::span<const LineLookup> lines, std::uint32_t reads) {
+        lookups(LookupClient::Texel, place, lines, reads);
+    }
     // All lines are forgotten; the dirty ones are written back.
     virtual void flush(LookupClient client) = 0;
     // In rising order.

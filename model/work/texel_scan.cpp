@@ -31,6 +31,7 @@ struct TexelScan::Places {
 TexelScan::TexelScan(const WorkConfig& config, LookupSink& out)
     : config_(config)
     , out_(out)
+    , keys_(config.raster)
     , addresses_(config.texel_cache)
     , lines_of_quad_(config.texel_cache.line_bytes, config.merges_texel_reads) {}
 
@@ -132,6 +133,10 @@ void TexelScan::add(const WorkBatch& batch) {
     if (!config_.merges_texel_reads) return add_each_read(batch);
     reads_.set(batch, lanes_of(batch), textures_);
     for (unsigned number = 0; number < batch.quads.size(); ++number) {
+        if (reads_.repeats(number)) {
+            add(batch.quads[number], quads_.back().begin, reads_.reads(number));
+            continue;
+        }
         lines_of_quad_.begin_quad();
         reads_.add_quad(number, lines_of_quad_);
         end_quad(batch.quads[number]);
@@ -151,12 +156,19 @@ void TexelScan::add_each_read(const WorkBatch& batch) {
 
 void TexelScan::end_quad(const WorkQuad& quad) {
     if (lines_of_quad_.lines().empty()) return;
+    const auto first_line = static_cast<std::uint32_t>(lines_.size());
     for (const std::uint64_t line : lines_of_quad_.lines())
         lines_.push_back({line, false});
+    add(quad, first_line, lines_of_quad_.reads());
+}
+
+// With the lines from the first one on.
+void TexelScan::add(const WorkQuad& quad, std::uint32_t first_line, std::uint32_t reads) {
     quads_.push_back({.piece = std::uint64_t{quad.primitive} << 32 | quad.piece,
-                      .key = traversal_key(config_.raster, quad.x, quad.y),
+                      .key = keys_(quad.x, quad.y),
+                      .begin = first_line,
                       .end = static_cast<std::uint32_t>(lines_.size()),
-                      .reads = lines_of_quad_.reads()});
+                      .reads = reads});
     add_to_runs(static_cast<std::uint32_t>(quads_.size() - 1));
 }
 
@@ -194,7 +206,10 @@ void TexelScan::order_runs() {
         return;
     }
     sort_by_digits(runs_, spare_runs_, [](const Run& run) { return run.key; });
-    sort_by_digits(runs_, spare_runs_, [](const Run& run) { return run.piece; });
+    // Few pieces a primitive: bits between the numbers of both would be sorted by in vain.
+    sort_by_digits(
+        runs_, spare_runs_, [](const Run& run) { return static_cast<std::uint32_t>(run.piece); });
+    sort_by_digits(runs_, spare_runs_, [](const Run& run) { return run.piece >> 32; });
 }
 
 // Quads of one place stay in the order in which they came.
@@ -226,22 +241,25 @@ void TexelScan::tell() {
     sort_runs();
     for (const Run& run : runs_)
         for (std::uint32_t i = run.begin; i < run.end; ++i)
-            tell(quads_[i], i == 0 ? 0 : quads_[i - 1].end);
+            tell(quads_[i]);
 }
 
-void TexelScan::tell(const Quad& quad, std::uint32_t first_line) {
+void TexelScan::tell(const Quad& quad) {
     const std::uint32_t block = quad.key >> block_key_bits(config_.raster);
-    place_.begin(first_                                    ? Reuse::Draw
-                 : quad.piece >> 32 != piece_ >> 32        ? Reuse::Primitive
-                 : quad.piece != piece_ || block != block_ ? Reuse::Tile
-                                                           : Reuse::Quad);
+    const Reuse since = first_                                    ? Reuse::Draw
+                        : quad.piece >> 32 != piece_ >> 32        ? Reuse::Primitive
+                        : quad.piece != piece_ || block != block_ ? Reuse::Tile
+                                                                  : Reuse::Quad;
+    place_.begin(since);
+    const auto lines = std::span(lines_).subspan(quad.begin, quad.end - quad.begin);
+    if (since == Reuse::Quad && quad.begin == first_line_)
+        out_.same_lookups(place_, lines, quad.reads);
+    else
+        out_.lookups(LookupClient::Texel, place_, lines, quad.reads);
     first_ = false;
     piece_ = quad.piece;
     block_ = block;
-    out_.lookups(LookupClient::Texel,
-                 place_,
-                 std::span(lines_).subspan(first_line, quad.end - first_line),
-                 quad.reads);
+    first_line_ = quad.begin;
     ++place_.number;
 }
 

@@ -13,6 +13,7 @@
 #include "model/work/drawn_texels.h"
 #include "model/work/lookups.h"
 #include "model/work/quad_lines.h"
+#include "model/work/traversal_keys.h"
 #include "model/work/whole_command.h"
 
 #include <array>
@@ -40,9 +41,9 @@ public:
 
 private:
     struct Quad {
-        std::uint64_t piece = 0; // and above it the primitive
-        std::uint32_t key = 0;   // of the traversal
-        std::uint32_t end = 0;   // of its lines, which begin where those of the quad before end
+        std::uint64_t piece = 0;          // and above it the primitive
+        std::uint32_t key = 0;            // of the traversal
+        std::uint32_t begin = 0, end = 0; // of its lines: those of the quad before, or behind them
         std::uint32_t reads = 0;
     };
     // Quads behind each other, of one piece and by rising keys.
@@ -62,16 +63,18 @@ private:
         if (lanes >> access.lane & 1) lines_of_quad_.add(texture, access);
     }
     void end_quad(const WorkQuad& quad);
+    void add(const WorkQuad& quad, std::uint32_t first_line, std::uint32_t reads);
     void add_to_runs(std::uint32_t quad);
     void number_image_pieces();
     void order_runs();
     void sort_runs();
     bool runs_overlap() const;
     void tell();
-    void tell(const Quad& quad, std::uint32_t first_line);
+    void tell(const Quad& quad);
 
     const WorkConfig config_;
     LookupSink& out_;
+    const TraversalKeys keys_;
     AddressMap addresses_;
     DrawnTexels drawn_texels_{addresses_};
     std::array<const TextureLines*, TextureUnits> textures_{};
@@ -85,7 +88,7 @@ private:
     std::vector<Run> runs_, spare_runs_;
     bool first_ = true;       // no quad of it was told
     std::uint64_t piece_ = 0; // of the quad that was told last
-    std::uint32_t block_ = 0;
+    std::uint32_t block_ = 0, first_line_ = 0;
 };
 
 } // namespace ffgpu::work

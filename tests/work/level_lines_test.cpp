@@ -39,17 +39,23 @@ TEST_CASE("texels of one rectangle are of one line", "[curves]") {
     for (const Layout layout : {Layout::Linear, Layout::Blocked, Layout::Blocked6d})
         for (int i = 0; i < 60; ++i) {
             const std::uint32_t line_bytes = 16u << random() % 5, bytes = 1u << random() % 3;
-            const PlacedLevel level = level_of(
-                layout, 1 + random() % 70, 1 + random() % 70, bytes, random() % 8 * 64 + 4096);
+            const std::uint32_t most = i % 2 == 0 ? 70 : 5;
+            const PlacedLevel level = level_of(layout,
+                                               1 + random() % most,
+                                               1 + random() % most,
+                                               bytes,
+                                               4096 + random() % 32 * (random() % 2 ? 64 : 4));
             const LevelLines lines(level, line_bytes);
-            std::map<std::uint32_t, std::uint64_t> line_of;
-            for (std::uint32_t y = 0; y < level.layout.height; ++y)
-                for (std::uint32_t x = 0; x < level.layout.width; ++x) {
-                    const std::uint64_t line = level.address(x, y, 0) / line_bytes;
-                    const auto rectangle = rectangle_of(lines, x, y);
-                    REQUIRE(rectangle.are_one());
-                    REQUIRE(line_of.try_emplace(key_of(rectangle), line).first->second == line);
-                }
+            for (std::uint32_t layer = 0; layer < 3; ++layer) {
+                std::map<std::uint32_t, std::uint64_t> line_of;
+                for (std::uint32_t y = 0; y < level.layout.height; ++y)
+                    for (std::uint32_t x = 0; x < level.layout.width; ++x) {
+                        const std::uint64_t line = level.address(x, y, layer) / line_bytes;
+                        const auto rectangle = rectangle_of(lines, x, y);
+                        REQUIRE(rectangle.are_one());
+                        REQUIRE(line_of.try_emplace(key_of(rectangle), line).first->second == line);
+                    }
+            }
         }
 }
 
@@ -71,6 +77,14 @@ TEST_CASE("rectangles are as large as a line's texels", "[curves]") {
     CHECK(size(Layout::Blocked, 128) == std::pair(8u, 4u));
     CHECK(size(Layout::Blocked6d, 64) == std::pair(4u, 4u));
     CHECK(size(Layout::Blocked6d, 1024) == std::pair(32u, 8u));
+}
+
+// Four layers of 16 bytes, each in a line; of 32 bytes in the middle of one some lie across two.
+TEST_CASE("a level that lies inside of a line is one rectangle", "[curves]") {
+    const LevelLines small(level_of(Layout::Linear, 2, 2, 4, 4096 + 16), 64);
+    CHECK(rectangle_of(small, 0, 0) == rectangle_of(small, 1, 1));
+    const LevelLines across(level_of(Layout::Linear, 4, 2, 4, 4096 + 16), 64);
+    CHECK_FALSE(rectangle_of(across, 0, 0) == rectangle_of(across, 3, 1));
 }
 
 } // namespace ffgpu::work

@@ -3,6 +3,7 @@
 
 #include "model/work/block_walk.h"
 #include "model/work/traversal.h"
+#include "model/work/traversal_keys.h"
 
 #include <cstdlib>
 #include <random>
@@ -69,6 +70,20 @@ TEST_CASE("every order gives each quad of the largest surface a key of its own b
         INFO(TraversalNames[static_cast<std::size_t>(traversal)]);
         CHECK(keys == 2048 * 2048);
     }
+}
+
+TEST_CASE("tables of keys tell those of every order") {
+    Random random(9);
+    for (const Traversal traversal : Orders)
+        for (const std::uint32_t tile : {2u, 8u, 64u}) {
+            const RasterOrder raster = order_of(traversal, tile, 64);
+            const TraversalKeys keys(raster);
+            for (int i = 0; i < 2000; ++i) {
+                const std::uint32_t x = random() % (2u << QuadBits);
+                const std::uint32_t y = random() % (2u << QuadBits);
+                REQUIRE(keys(x, y) == traversal_key(raster, x, y));
+            }
+        }
 }
 
 TEST_CASE("Morton's order has the bits of row and column in turn") {

@@ -164,9 +164,9 @@ public:
         , chunker_([this](std::shared_ptr<const LookupChunk> chunk) { hand_over(chunk); })
         , filter_(options.clients, chunker_) {
         if (reads_texels_alone(options)) {
-            scan_.emplace(config_, first_sink());
+            scan_.emplace(config_, first_sink(chunker_));
         } else {
-            walk_.emplace(config_, vertex_shape(options), first_sink());
+            walk_.emplace(config_, vertex_shape(options), first_sink(filter_));
             order_.emplace(config_, *walk_);
         }
         for (const LookupClient client : options.clients)
@@ -202,10 +202,10 @@ private:
     bool behind_first(LookupClient client) const {
         return client == LookupClient::Texel && options_.first_level;
     }
-    work::LookupSink& first_sink() {
-        if (!options_.first_level) return filter_;
+    work::LookupSink& first_sink(work::LookupSink& behind) {
+        if (!options_.first_level) return behind;
         const CacheGeometry& shape = *options_.first_level;
-        return first_level_.emplace(shape.sets, shape.ways, shape.line_bytes, filter_);
+        return first_level_.emplace(shape.sets, shape.ways, shape.line_bytes, behind);
     }
     void add(LookupClient client, std::uint32_t line_bytes, CurveThreads& threads) {
         const bool texel = client == LookupClient::Texel;

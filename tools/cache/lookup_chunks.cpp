@@ -54,28 +54,26 @@ void LookupChunker::finish() {
     if (chunk_->weight() > 0) hand_over_(std::exchange(chunk_, std::make_shared<LookupChunk>()));
 }
 
-bool LookupChunker::add_again(std::span<const work::LineLookup> lines, std::uint32_t reads) {
+bool LookupChunker::are_again(std::span<const work::LineLookup> lines) const {
+    const std::vector<LookupChunk::Step>& steps = chunk_->steps_;
+    if (steps.empty() || !steps.back().is_of_texels() || lines.size() != last_lines_) return false;
+    const auto before = chunk_->lookups_.end() - static_cast<std::ptrdiff_t>(last_lines_);
+    return std::equal(lines.begin(), lines.end(), before);
+}
+
+void LookupChunker::add_again(std::uint32_t reads) {
     using Kind = LookupChunk::Kind;
-    std::vector<LookupChunk::Step>& steps = chunk_->steps_;
-    if (steps.empty() || steps.back().client != work::LookupClient::Texel) return false;
-    const Kind kind = steps.back().kind;
-    if (kind != Kind::Lookups && kind != Kind::Again) return false;
-    if (lines.size() != last_lines_ ||
-        !std::equal(lines.begin(),
-                    lines.end(),
-                    chunk_->lookups_.end() - static_cast<std::ptrdiff_t>(last_lines_)))
-        return false;
     constexpr std::uint32_t MostReads = std::numeric_limits<std::uint32_t>::max();
-    if (kind == Kind::Again && steps.back().number <= MostReads - reads) {
-        ++steps.back().quads;
-        steps.back().number += reads;
-    } else {
-        LookupChunk::Step& step = add(Kind::Again);
-        step.number = reads;
-        step.end = static_cast<std::uint32_t>(chunk_->lookups_.size());
-        step.since = work::Reuse::Tile;
+    LookupChunk::Step& last = chunk_->steps_.back();
+    if (last.kind == Kind::Again && last.number <= MostReads - reads) {
+        ++last.quads;
+        last.number += reads;
+        return;
     }
-    return true;
+    LookupChunk::Step& step = add(Kind::Again);
+    step.number = reads;
+    step.end = static_cast<std::uint32_t>(chunk_->lookups_.size());
+    step.since = work::Reuse::Tile;
 }
 
 void LookupChunker::lookups(work::LookupClient client,
@@ -85,18 +83,27 @@ void LookupChunker::lookups(work::LookupClient client,
     auto& last = client == work::LookupClient::Vertex ? last_vertex_ : last_quad_;
     const work::Reuse since = last ? place.since(*last) : work::Reuse::EarlierFrame;
     last = place.number;
-    if (client == work::LookupClient::Texel && since == work::Reuse::Tile &&
-        add_again(lines, reads))
-        return;
+    if (client == work::LookupClient::Texel && since == work::Reuse::Tile && are_again(lines))
+        return add_again(reads);
     make_room();
     auto& all = chunk_->lookups_;
-    all.insert(all.end(), lines.begin(), lines.end());
+    for (const work::LineLookup& line : lines) // Few: to move a range takes longer.
+        all.push_back(line);
     last_lines_ = lines.size();
     LookupChunk::Step& step = add(LookupChunk::Kind::Lookups);
     step.number = reads;
     step.end = static_cast<std::uint32_t>(all.size());
     step.client = client;
     step.since = since;
+}
+
+void LookupChunker::same_lookups(const work::LookupPlace& place,
+                                 std::span<const work::LineLookup> lines,
+                                 std::uint32_t reads) {
+    if (chunk_->steps_.empty() || !chunk_->steps_.back().is_of_texels())
+        return lookups(work::LookupClient::Texel, place, lines, reads);
+    last_quad_ = place.number;
+    add_again(reads);
 }
 
 void LookupChunker::flush(work::LookupClient client) {

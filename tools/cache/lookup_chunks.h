@@ -48,6 +48,11 @@ private:
         Kind kind = Kind::Lookups;
         work::LookupClient client = work::LookupClient::Texel;
         work::Reuse since = work::Reuse::Quad; // the place told before, as seen from this one
+
+        bool is_of_texels() const {
+            return client == work::LookupClient::Texel &&
+                   (kind == Kind::Lookups || kind == Kind::Again);
+        }
     };
 
     std::vector<Step> steps_;
@@ -65,6 +70,9 @@ public:
                  const work::LookupPlace& place,
                  std::span<const work::LineLookup> lines,
                  std::uint32_t reads) override;
+    void same_lookups(const work::LookupPlace& place,
+                      std::span<const work::LineLookup> lines,
+                      std::uint32_t reads) override;
     void flush(work::LookupClient client) override;
     void overwritten(work::LookupClient client,
                      std::span<const work::OverwrittenLine> lines) override;
@@ -80,8 +88,10 @@ private:
     LookupChunk::Step& add(LookupChunk::Kind kind);
     // Before more is added: hands over what is heavy enough.
     void make_room();
-    // Returns whether they are those of the step before, which is told then.
-    bool add_again(std::span<const work::LineLookup> lines, std::uint32_t reads);
+    // Whether the step before tells of such look-ups of texels.
+    bool are_again(std::span<const work::LineLookup> lines) const;
+    // One quad more that looks up what the step before tells of.
+    void add_again(std::uint32_t reads);
 
     HandOver hand_over_;
     // Of the place told before, of quads and of vertices.
