@@ -217,6 +217,13 @@ TEST_CASE("A value out of range is told of under the option that was given") {
     };
     CHECK_THAT(line({"--threads", "100000"}), StartsWith("ffgpu: --threads: "));
     CHECK_THAT(line({"--set", "gpu.threads=100000"}), StartsWith("ffgpu: --set: "));
+    for (const std::string value :
+         {"16x", "0x", "004", "=4", "\"a", "Sixteen", "99999999999999999999"})
+        CHECK_THAT(line({"--set", "memory.queue=" + value}),
+                   StartsWith("ffgpu: --set: memory.queue: expected an integer, "));
+    CHECK_THAT(line({"--set", "memory.profile=DDR"}),
+               StartsWith("ffgpu: --set: memory.profile: expected one of ") &&
+                   Contains("found \"DDR\""));
 }
 
 TEST_CASE("What goes with --set is what has its form, up to two dashes") {

@@ -174,6 +174,31 @@ TEST_CASE("A capture that cannot be begun has that reason alone") {
     CHECK_THAT(told, Contains("none/c.ffc: cannot be written") && !Contains("there is no frame"));
 }
 
+TEST_CASE("No output takes the place of the input") {
+    const TemporaryFolder folder;
+    const TemporaryFile trace(trace::in_snappy(clears(2)));
+    const std::string link = folder / "link", work = folder / "work.ffw";
+    std::filesystem::create_symlink(trace.path(), link);
+    REQUIRE(run({"replay", trace.path(), "--save-work", work}) == 0);
+    const auto refused = [](const std::vector<std::string>& command) {
+        int status = 0;
+        const std::string told = printed(stderr, [&] { status = run(command); });
+        CAPTURE(command);
+        CHECK(status == 2);
+        CHECK_THAT(told, Contains("is the input, which would be written over"));
+    };
+    for (const std::string& output : {trace.path(), link}) {
+        refused({"replay", trace.path(), "--save-work", output});
+        refused({"replay", trace.path(), "--capture", output});
+        refused({"export", trace.path(), "--format", "csv", "-o", output});
+        refused({"export", trace.path(), "--format", "fst", "-o", output});
+        refused({"explain", trace.path(), "--frame", "0", "--pixel", "1,1", "-o", output});
+    }
+    refused({"time", work, "--totals", folder / "none/../work.ffw"});
+    CHECK(run({"time", work, "--totals", folder / "totals.json"}) == 0);
+    CHECK(run({"replay", trace.path(), "--save-work", folder / "again.ffw"}) == 0);
+}
+
 TEST_CASE("Two files of one name are refused, and nothing is written") {
     const TemporaryFolder folder;
     const TemporaryFile trace(trace::in_snappy(clears(2)));

@@ -4,6 +4,7 @@
 #include "tools/config/config_file.h"
 #include "tools/config/nearest_name.h"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <span>
@@ -45,6 +46,8 @@ RasterChoice parse_order(const std::string& text, std::uint32_t configured_width
         choice<work::Traversal>("--order", text.substr(0, colon), work::TraversalNames),
         configured_width};
     if (colon == std::string::npos) return order;
+    if (order.traversal == work::Traversal::Scanline || order.traversal == work::Traversal::Column)
+        throw InputError(fmt::format("--order {}: expected no width: it has no tiles", text));
     std::string_view rest = std::string_view(text).substr(colon + 1);
     const auto width = take_number(rest, '\0');
     if (!width || *width < 2 || *width > 512 || !std::has_single_bit(*width))
@@ -52,6 +55,20 @@ RasterChoice parse_order(const std::string& text, std::uint32_t configured_width
             fmt::format("--order {}: expected a tile's width, a power of two from 2 to 512", text));
     order.tile_width = *width;
     return order;
+}
+
+// Of values that were given twice the first ones: each is a curve of its own.
+template <class Value>
+void drop_repeats(std::vector<Value>& values) {
+    for (auto value = values.begin(); value != values.end();)
+        value = std::find(values.begin(), value, *value) == value ? value + 1 : values.erase(value);
+}
+
+// Without --line those of the lines that are looked at otherwise which are as long as the first
+// level's, or that one.
+void fit_lines(const CacheGeometry& first_level, std::vector<std::uint32_t>& line_bytes) {
+    std::erase_if(line_bytes, [&](std::uint32_t line) { return line < first_level.line_bytes; });
+    if (line_bytes.empty()) line_bytes.push_back(first_level.line_bytes);
 }
 
 void check_power(const char* option, std::uint32_t value, std::uint32_t least, std::uint32_t most) {
@@ -128,6 +145,10 @@ CacheStudyOptions resolve(const CacheArguments& arguments) {
     for (const std::string& order : arguments.orders)
         options.orders.push_back(parse_order(order, configuration.timing.raster.tile_width));
     if (!arguments.line_bytes.empty()) options.line_bytes = arguments.line_bytes;
+    drop_repeats(options.clients);
+    drop_repeats(options.layouts);
+    drop_repeats(options.orders);
+    drop_repeats(options.line_bytes);
     for (const std::uint32_t line_bytes : options.line_bytes)
         check_power("--line", line_bytes, LeastLine, MostLine);
     check_power("--most-sets", arguments.most_sets, 1, 1u << 16);
@@ -138,6 +159,8 @@ CacheStudyOptions resolve(const CacheArguments& arguments) {
     options.merges = !arguments.unmerged;
     if (!arguments.first_level.empty())
         options.first_level = parse_geometry("--first-level", arguments.first_level);
+    if (options.first_level && arguments.line_bytes.empty())
+        fit_lines(*options.first_level, options.line_bytes);
     if (arguments.miss_map.empty()) return options;
     if (arguments.output.empty()) throw InputError("--miss-map: expected -o DIR, too");
     options.miss_map = parse_geometry("--miss-map", arguments.miss_map);

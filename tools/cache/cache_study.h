@@ -22,6 +22,8 @@ namespace ffgpu::tools {
 struct RasterChoice {
     work::Traversal traversal = work::Traversal::Tiled;
     std::uint32_t tile_width = 8;
+
+    bool operator==(const RasterChoice&) const = default;
 };
 
 struct CacheStudyOptions {

@@ -3,6 +3,7 @@
 #include "tools/check/reports.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/warn.h"
+#include "tools/files/files_to_write.h"
 #include "tools/replay/interruption.h"
 #include "tools/report/statistics_file.h"
 
@@ -36,6 +37,7 @@ void tell(const CheckedFrame& frame) {
 
 int run_check(Arguments& arguments) {
     const Suite suite = read_suite(arguments.suite);
+    check_files({arguments.suite}, {{"--junit", arguments.junit}});
     const std::filesystem::path output = arguments.check.output;
     make_folder(output.string());
     arguments.check.on_frame = tell;

@@ -9,6 +9,7 @@
 #include "tools/explain/history_json.h"
 #include "tools/explain/history_text.h"
 #include "tools/explain/region_page.h"
+#include "tools/files/files_to_write.h"
 #include "tools/page/json_text.h"
 #include "tools/record/recording_arguments.h"
 
@@ -126,6 +127,8 @@ int run_explain(Arguments& arguments) {
     if (!has_region) numbers("--pixel", arguments.pixel, 2);
     ExplainOptions& options = arguments.explain;
     options.frame = frame_number(arguments.frame);
+    check_files({arguments.explain.input},
+                {{"-o", arguments.output}, {"--footprint", arguments.footprint}});
     if (!arguments.footprint.empty()) const WholeFile can_be_written(arguments.footprint);
     if (!arguments.config.empty()) read_config_file(arguments.config, options.configuration);
     for (const std::string& setting : arguments.settings)

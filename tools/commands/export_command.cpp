@@ -4,6 +4,7 @@
 #include "tools/commands/warn.h"
 #include "tools/config/config_file.h"
 #include "tools/export/export.h"
+#include "tools/files/files_to_write.h"
 #include "tools/replay/interruption.h"
 
 #include <bit>
@@ -33,6 +34,7 @@ int run_export(Arguments& arguments) {
     if (!std::has_single_bit(options.access_bytes) || options.access_bytes > 512)
         throw InputError(fmt::format("--access-bytes {}: expected a power of two up to 512",
                                      options.access_bytes));
+    check_files({options.input}, {{"-o", options.output}});
     options.warn = warn;
     const Interruption interruption;
     std::fputs(export_trace(options).c_str(), stderr);

@@ -1,6 +1,7 @@
 #include "model/base/input_error.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/warn.h"
+#include "tools/files/files_to_write.h"
 #include "tools/record/recording_arguments.h"
 #include "tools/replay/interruption.h"
 #include "tools/replay/replay.h"
@@ -73,7 +74,8 @@ int replay_by_rtl(const Arguments& arguments, ReplayOptions& options) {
 int run_replay(Arguments& arguments) {
     ReplayOptions& options = arguments.replay;
     resolve(arguments.recording, options);
-    check_files({{"--capture", arguments.recording.capture},
+    check_files({options.input},
+                {{"--capture", arguments.recording.capture},
                  {"--save-work", arguments.recording.save_work},
                  {"--rtl-cycles", arguments.rtl_cycles}});
     if (options.benchmark > 0) options.images = false;

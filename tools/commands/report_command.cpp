@@ -1,9 +1,11 @@
 #include "model/base/input_error.h"
 #include "tools/commands/commands.h"
+#include "tools/files/files_to_write.h"
 #include "tools/report_page/report_page.h"
 #include "tools/sweep/point_report.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -18,9 +20,15 @@ struct Arguments {
     std::string point, trace;
 };
 
+// What a run's figures are read from.
+std::string read_of(const std::string& folder) {
+    return folder.empty() ? std::string() : (std::filesystem::path(folder) / "stats.json").string();
+}
+
 std::string report(Arguments& arguments) {
     ReportOptions& options = arguments.report;
     if (!arguments.frames.empty()) options.frames = parse_frame_range(arguments.frames);
+    check_files({read_of(options.folder), read_of(options.other)}, {{"-o", options.output}});
     if (arguments.point.empty()) {
         if (!arguments.trace.empty()) throw InputError("report: --trace is of --point");
         return write_report(options);

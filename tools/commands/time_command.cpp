@@ -3,6 +3,7 @@
 #include "tools/commands/warn.h"
 #include "tools/config/config_file.h"
 #include "tools/config/settings_option.h"
+#include "tools/files/files_to_write.h"
 #include "tools/replay/interruption.h"
 #include "tools/time/time_work.h"
 #include "tools/work/work_player.h"
@@ -42,6 +43,7 @@ void add_time_command(CLI::App& application, Run& run) {
                 throw InputError("time: nothing to do: expected -o DIR or --totals FILE");
             if (arguments->time.measure_gains && arguments->time.output.empty())
                 throw InputError("time: --measure-gains writes gains.csv: expected -o DIR");
+            check_files({arguments->time.input}, {{"--totals", arguments->time.totals}});
             Configuration& configuration = arguments->time.configuration;
             if (!arguments->config.empty()) read_config_file(arguments->config, configuration);
             for (const std::string& setting : arguments->settings)

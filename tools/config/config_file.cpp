@@ -168,6 +168,22 @@ std::string quote_choice(const std::string& setting) {
     return fmt::format("{}\"{}\"", setting.substr(0, value), word);
 }
 
+bool is_toml(const std::string& text) {
+    try {
+        parse_toml(text, "");
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+// What is no value of TOML's becomes a text, so that the parameter says what it expects.
+std::string quote_unknown(const std::string& setting) {
+    if (is_toml(setting)) return setting;
+    const std::size_t value = setting.find('=') + 1;
+    return fmt::format("{}'''{}'''", setting.substr(0, value), setting.substr(value));
+}
+
 template <class Field>
 std::string written(const Field& field, const ParameterInfo& info) {
     if constexpr (std::is_same_v<Field, bool>) {
@@ -197,7 +213,7 @@ void apply_setting(const std::string& setting,
     const bool has_both = setting.find_first_not_of(' ') < equals && equals < setting.size() &&
                           setting.find_first_not_of(' ', equals + 1) < setting.size();
     if (!has_both) throw InputError(fmt::format("{} {}: expected NAME=VALUE", option, setting));
-    apply_text(quote_choice(setting), option, configuration);
+    apply_text(quote_unknown(quote_choice(setting)), option, configuration);
 }
 
 std::map<std::string, std::string> parameter_values(const Configuration& configuration) {

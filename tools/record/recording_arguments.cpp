@@ -5,6 +5,7 @@
 #include "tools/config/config_file.h"
 #include "tools/config/preset.h"
 #include "tools/config/settings_option.h"
+#include "tools/files/files_to_write.h"
 
 #include <filesystem>
 #include <fstream>
@@ -175,23 +176,8 @@ void add_swap_option(CLI::App& verb, gl::SwapMode& swap) {
         ->check(CLI::IsMember({"copy", "exchange"}));
 }
 
-void check_files(std::initializer_list<FileToWrite> files) {
-    namespace fs = std::filesystem;
-    std::map<fs::path, const char*> seen;
-    for (const FileToWrite& file : files) {
-        if (file.path.empty()) continue;
-        std::error_code error;
-        const fs::path path = fs::weakly_canonical(fs::absolute(file.path), error);
-        if (error || fs::is_character_file(path, error)) continue;
-        const auto [other, is_first] = seen.emplace(path, file.option);
-        if (!is_first)
-            throw InputError(fmt::format(
-                "{}: is both {}'s and {}'s file", file.path, other->second, file.option));
-    }
-}
-
 void resolve(const RecordingArguments& arguments, RecordingOptions& options) {
-    check_files({{"--capture", arguments.capture}, {"--save-work", arguments.save_work}});
+    check_files({}, {{"--capture", arguments.capture}, {"--save-work", arguments.save_work}});
     if (!arguments.config.empty()) read_config_file(arguments.config, options.configuration);
     for (const std::string& setting : arguments.settings)
         apply_setting(setting, options.configuration);

@@ -7,7 +7,6 @@
 #include "tools/record/recording.h"
 
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,13 +41,6 @@ void add_samples_option(CLI::App& verb, unsigned& samples);
 
 // What a swap leaves in the back buffer of every window.
 void add_swap_option(CLI::App& verb, gl::SwapMode& swap);
-
-struct FileToWrite {
-    const char* option;
-    const std::string& path; // empty: none is written
-};
-// Throws InputError where two are one file: of two writers, neither's would be left.
-void check_files(std::initializer_list<FileToWrite> files);
 
 // Throws InputError where an argument is wrong.
 void resolve(const RecordingArguments& arguments, RecordingOptions& options);

@@ -136,18 +136,27 @@ Call* TraceReader::parse_leave() {
     return delivered_.get();
 }
 
+// Names are shown to people: a damaged one must not get to a terminal.
+std::string TraceReader::parse_identifier() {
+    std::string name = values_->parse_name();
+    const auto is_shown = [](char letter) { return letter >= ' ' && letter <= '~'; };
+    if (!std::ranges::all_of(name, is_shown))
+        throw Damage{"expected a name's letters, found other bytes"};
+    return name;
+}
+
 const Signature& TraceReader::parse_signature() {
     const std::uint64_t id = stream_.uint();
     if (const Signature* known = signatures_.find(id)) return *known;
     auto fresh = std::make_unique<Signature>();
     fresh->id = static_cast<std::uint32_t>(id);
-    fresh->name = values_->parse_name();
+    fresh->name = parse_identifier();
     const std::uint64_t arguments = stream_.uint();
     if (arguments > MaxArguments)
         throw Damage{"expected at most " + std::to_string(MaxArguments) + " arguments of " +
                      fresh->name + ", found " + std::to_string(arguments)};
     for (std::uint64_t i = 0; i < arguments; ++i)
-        fresh->arguments.push_back(values_->parse_name());
+        fresh->arguments.push_back(parse_identifier());
     return signatures_.define(id, std::move(fresh));
 }
 

@@ -53,6 +53,7 @@ private:
     void parse_details(Call& call);
     void parse_argument(Call& call);
     void parse_backtrace();
+    std::string parse_identifier();
     const Signature& parse_signature();
     Call& begin_call(const Signature& signature, std::uint32_t thread);
     std::string place() const;

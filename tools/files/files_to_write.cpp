@@ -1,0 +1,45 @@
+#include "tools/files/files_to_write.h"
+
+#include "model/base/input_error.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace ffgpu::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where it leads; nothing for what is no file: a terminal, or the standard output.
+std::optional<fs::path> place_of(const std::string& path) {
+    if (path.empty() || path == "-") return std::nullopt;
+    std::error_code error;
+    const fs::path place = fs::weakly_canonical(fs::absolute(path), error);
+    if (error || fs::is_character_file(place, error)) return std::nullopt;
+    return place;
+}
+
+} // namespace
+
+void check_files(std::initializer_list<std::string> read,
+                 std::initializer_list<FileToWrite> written) {
+    std::map<fs::path, const char*> seen; // null: it is read
+    for (const std::string& path : read)
+        if (const auto place = place_of(path)) seen.emplace(*place, nullptr);
+    for (const FileToWrite& file : written) {
+        const auto place = place_of(file.path);
+        if (!place) continue;
+        const auto [other, is_first] = seen.emplace(*place, file.option);
+        if (is_first) continue;
+        if (!other->second)
+            throw InputError(fmt::format(
+                "{} {}: is the input, which would be written over", file.option, file.path));
+        throw InputError(
+            fmt::format("{}: is both {}'s and {}'s file", file.path, other->second, file.option));
+    }
+}
+
+} // namespace ffgpu::tools

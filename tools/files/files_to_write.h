@@ -1,0 +1,20 @@
+// The files that a command is asked to write, beside those that it reads.
+
+#pragma once
+
+#include <initializer_list>
+#include <string>
+
+namespace ffgpu::tools {
+
+struct FileToWrite {
+    const char* option;
+    const std::string& path; // empty: none is written
+};
+
+// Throws InputError where one is a file that is read, which would be gone, or two are one file: of
+// two writers, neither's would be left. `read`: empty ones are none.
+void check_files(std::initializer_list<std::string> read,
+                 std::initializer_list<FileToWrite> written);
+
+} // namespace ffgpu::tools
