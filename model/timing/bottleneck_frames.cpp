@@ -16,9 +16,7 @@ void Bottlenecks::collect_paths() {
             for (Moment& moment : *moments)
                 heads_.push_back(&moment.path);
     for (AtMemory& each : at_memory_)
-        heads_.insert(
-            heads_.end(),
-            {&each.answer.path, &each.looked_up.path, &each.stored.path, &each.asked.path});
+        heads_.insert(heads_.end(), {&each.answer.path, &each.asked.path});
     for (FillMoments& fills : fills_)
         fills.for_each_path([this](WaitPaths::Path& path) { heads_.push_back(&path); });
     for (Place& place : places_) {
@@ -39,13 +37,13 @@ void Bottlenecks::collect_paths() {
 FrameWaits Bottlenecks::end_frame(Cycle now) {
     const Place* last = &places_.front();
     for (const Place& place : places_)
-        if (place.last.at > last->last.at) last = &place;
-    const WaitPaths::Path path = paths_.extend(last->last.path, Resource::Links, now);
+        if (place.latest->at > last->latest->at) last = &place;
+    const WaitPaths::Path path = paths_.extend(last->latest->path, Resource::Links, now);
     check(paths_.end(path) == now, "a frame's path goes from its begin to its end");
     // A channel of the memory serves all of a frame's requests in it, in any order.
     const Moment begin{frame_begin_, 0, {}};
-    found_.begin(last->last.at);
-    found_.add({&last->last, 0});
+    found_.begin(last->latest->at);
+    found_.add({last->latest, 0});
     memory_.for_each_channel_work([&](float cycles) {
         found_.add({&begin, cycles, {Resource::MemoryBandwidth, cycles}});
     });
@@ -59,13 +57,15 @@ FrameWaits Bottlenecks::end_frame(Cycle now) {
     frame_begin_ = now;
     charged_ = {};
     paths_.restart(now);
-    for (Place& place : places_)
+    for (Place& place : places_) {
         place.last = place.taken = place.given = {now, 0, {}};
+        place.latest = &place.last;
+    }
     for (Way& way : ways_)
         for (Moments* const moments : {&way.sent, &way.freed})
             std::fill(moments->begin(), moments->end(), Moment{});
     for (AtMemory& each : at_memory_)
-        each.answer = each.looked_up = each.stored = each.asked = {};
+        each.answer = each.asked = {}, each.looked_up = each.stored = nullptr;
     for (FillMoments& fills : fills_)
         fills.restart();
     for (Place& place : places_) {

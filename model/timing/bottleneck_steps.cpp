@@ -212,8 +212,8 @@ Bottlenecks::pass_on(Place& place, const StepPlace& step, const StepMoved& moved
         each.counted.begun = each.seen.begun;
         each.counted.begun_cycles = each.seen.begun_cycles;
     }
-    if (step.told.asks) place.memory->looked_up = step.last;
-    if (step.told.stores) place.memory->stored = step.last;
+    if (step.told.asks) place.memory->looked_up = &step.last;
+    if (step.told.stores) place.memory->stored = &step.last;
     if (step.told.takes)
         for (Way* const way : place.in)
             for (std::uint64_t item = way->popped; item < way->seen_popped; ++item)
@@ -240,8 +240,8 @@ void Bottlenecks::act(Place& place, StepPlace& step, const StepMoved& moved) {
     explain(place, step);
     move_on(step.last, place.stage.resource);
     // The furthest of them stands for the stage.
-    if (place.last.at < now_ || !step.told.takes) place.last = step.last;
-    saved_ = &place.last.saved;
+    if (place.latest->at < now_ || !step.told.takes) place.latest = &step.last;
+    saved_ = &place.latest->saved;
     pass_on(place, step, moved);
 }
 
@@ -278,8 +278,9 @@ void Bottlenecks::ask(Place& place) {
         if (way->pushed == way->seen_pushed) continue;
         found_.begin(now_);
         found_.add({&memory.asked, 0});
-        for (const Moment* const reason : {&memory.looked_up, &memory.stored})
-            if (reason->at == now_ || memory.asked.at < reason->at) found_.add({reason, 0});
+        for (const Moment* const reason : {memory.looked_up, memory.stored})
+            if (reason && (reason->at == now_ || memory.asked.at < reason->at))
+                found_.add({reason, 0});
         found_.add({&way->place_freed(way->seen_pushed - 1), 1});
         move_on(memory.asked, place.stage.resource);
         for (; way->pushed < way->seen_pushed; ++way->pushed)

@@ -73,6 +73,7 @@ void Bottlenecks::connect(Place& place) {
     for (AtMemory& each : at_memory_)
         if (each.unit == unit) place.memory = &each;
     if (!place.memory) place.memory = &at_memory_.emplace_back(AtMemory{.unit = unit});
+    place.latest = &place.last;
     connect_steps(place);
 }
 
@@ -276,8 +277,8 @@ void Bottlenecks::find_dependences(const Place& place, const Moved& moved) {
     if (place.drains) {
         const Place* last = nullptr;
         for (const Place& other : places_)
-            if (&other > &place && (!last || other.last.at >= last->last.at)) last = &other;
-        if (last && last->last.at < now) found.add({&last->last, 1});
+            if (&other > &place && (!last || other.latest->at >= last->latest->at)) last = &other;
+        if (last && last->latest->at < now) found.add({last->latest, 1});
     }
 }
 

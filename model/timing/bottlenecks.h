@@ -103,8 +103,11 @@ private:
     // What a unit has of the memory.
     struct AtMemory {
         const Unit* unit;
-        Moment answer{};                       // the last
-        Moment looked_up{}, stored{}, asked{}; // of stages with steps
+        Moment answer{}; // the last
+        Moment asked{};  // of stages with steps
+        // The steps' that did so last; null: none in this frame.
+        const Moment* looked_up = nullptr;
+        const Moment* stored = nullptr;
     };
     struct Inner {
         const StagePassage& told;
@@ -149,8 +152,9 @@ private:
         std::vector<Way*> in, out, asked, answered;
         std::vector<Way*> ways{}; // all of these, in this order
         std::uint64_t in_bits = 0, out_bits = 0, asked_bits = 0, answered_bits = 0; // of them
-        Moment last;
+        Moment last; // of one with steps: the frame's begin
         AtMemory* memory;
+        const Moment* latest = nullptr; // the last, or a step's that stands for it
         std::vector<Inner> passages{};
         std::vector<StepPlace> steps{};
         Changed changed{}; // of these passages

@@ -14,7 +14,9 @@ ColorTiming::ColorTiming(sc_core::sc_module_name name,
     , in_flight_(in_flight)
     , on_retire_(std::move(on_retire))
     , parked_(config.color_cache.fragment_fifo * config.raster.quads_per_cycle)
-    , interlock_(config.color_cache.fragment_fifo) {}
+    , interlock_(config.color_cache.fragment_fifo) {
+    go_on_while_busy();
+}
 
 // Without a cache: of every quad, whatever of it is changed.
 bool ColorTiming::read_pixels(Activity& reason) {

@@ -44,7 +44,9 @@ DepthTiming::DepthTiming(sc_core::sc_module_name name,
     , early_(config.depth_cache.fragment_fifo * config.raster.quads_per_cycle)
     , late_(config.depth_cache.fragment_fifo * config.raster.quads_per_cycle)
     , interlock_(config.depth_cache.fragment_fifo)
-    , on_late_end_(std::move(on_late_end)) {}
+    , on_late_end_(std::move(on_late_end)) {
+    go_on_while_busy();
+}
 
 bool DepthTiming::tests_here(Path path, const PreparedDraw& draw) const {
     if (!draw.uses_depth()) return false;

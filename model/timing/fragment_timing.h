@@ -28,7 +28,9 @@ public:
         , config_(config)
         , ports_(ports)
         , exit_(config, ports.quads_out)
-        , pipes_(config.raster.quads_per_cycle) {}
+        , pipes_(config.raster.quads_per_cycle) {
+        go_on_while_busy();
+    }
 
     std::string state() const override;
 

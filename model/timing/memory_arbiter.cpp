@@ -19,6 +19,7 @@ MemoryArbiter::MemoryArbiter(sc_core::sc_module_name name,
     , taken_at_(config.channels, 0) {
     check(ports_.requests_in.size() < 64, "a bit for each port");
     socket.register_nb_transport_bw(this, &MemoryArbiter::on_backward);
+    go_on_while_busy();
 }
 
 // Rounds over the ports, from the one whose turn it is: each sends one in a round.

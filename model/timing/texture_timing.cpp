@@ -22,6 +22,7 @@ TextureTiming::TextureTiming(sc_core::sc_module_name name,
     , exit_(config, ports.quads_out) {
     for (std::uint32_t i = 0; i < config.raster.quads_per_cycle; ++i)
         pipes_.emplace_back(config, ports.caches[i % ports.caches.size()]->cache);
+    go_on_while_busy();
 }
 
 void TextureTiming::set_observer(QuadObserver* observer) {

@@ -69,14 +69,15 @@ public:
         if (shown_in_) *shown_in_ |= shown_bits_;
         if (activity != last_) {
             account_until(clock_.now() - 1);
-            const bool goes_on = activity == Activity::Busy && rests_from_ == clock_.now();
-            since_ = goes_on ? busy_since_ : clock_.now();
+            const bool was_busy = activity == Activity::Busy && rests_from_ == clock_.now();
+            since_ = was_busy ? busy_since_ : clock_.now();
             last_ = activity;
             if (observer_) observer_->changed(number_, activity, clock_.now());
         }
         if (activity == Activity::Busy && rest_ != Activity::Busy && may_rest_)
             return come_to_rest();
-        Cycle due = next_work(activity);
+        const bool goes_on = goes_on_while_busy_ && activity == Activity::Busy;
+        Cycle due = goes_on ? clock_.now() + 1 : next_work(activity);
         if (has_far_inputs_ && due > clock_.now() + 1) due = std::min(due, next_arrival());
         clock_.wake(place_, due);
     }
@@ -122,6 +123,10 @@ protected:
         return last == Activity::Busy ? now() + 1 : Never;
     }
 
+    // By one that counts no cycles: behind a busy cycle it is due in the next one, and need not be
+    // asked.
+    void go_on_while_busy() { goes_on_while_busy_ = true; }
+
     Cycle now() const { return clock_.now(); }
 
     // By step(), in a busy cycle: in those that follow, until somebody calls the unit, it would do
@@ -156,7 +161,7 @@ private:
     const Clock& clock_;
     Account account_;
     std::vector<const Link*> inputs_, outputs_;
-    bool has_far_inputs_ = false;
+    bool has_far_inputs_ = false, goes_on_while_busy_ = false;
     Activity last_ = Activity::Idle; // of all cycles since accounted_
     Activity rest_ = Activity::Busy; // of the cycles to come; Busy: it has to be asked
     bool may_rest_ = true;

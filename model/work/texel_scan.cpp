@@ -162,17 +162,8 @@ void TexelScan::end_quad(const WorkQuad& quad) {
     add(quad, first_line, lines_of_quad_.reads());
 }
 
-// With the lines from the first one on.
-void TexelScan::add(const WorkQuad& quad, std::uint32_t first_line, std::uint32_t reads) {
-    quads_.push_back({.piece = std::uint64_t{quad.primitive} << 32 | quad.piece,
-                      .key = keys_(quad.x, quad.y),
-                      .begin = first_line,
-                      .end = static_cast<std::uint32_t>(lines_.size()),
-                      .reads = reads});
-    add_to_runs(static_cast<std::uint32_t>(quads_.size() - 1));
-}
-
-void TexelScan::add_to_runs(std::uint32_t quad) {
+// Inlined: it is called for each quad.
+[[gnu::always_inline]] inline void TexelScan::add_to_runs(std::uint32_t quad) {
     const Quad& own = quads_[quad];
     if (!runs_.empty()) {
         Run& run = runs_.back();
@@ -183,6 +174,16 @@ void TexelScan::add_to_runs(std::uint32_t quad) {
         }
     }
     runs_.push_back({own.piece, own.key, quad, quad + 1});
+}
+
+// With the lines from the first one on.
+void TexelScan::add(const WorkQuad& quad, std::uint32_t first_line, std::uint32_t reads) {
+    quads_.push_back({.piece = std::uint64_t{quad.primitive} << 32 | quad.piece,
+                      .key = keys_(quad.x, quad.y),
+                      .begin = first_line,
+                      .end = static_cast<std::uint32_t>(lines_.size()),
+                      .reads = reads});
+    add_to_runs(static_cast<std::uint32_t>(quads_.size() - 1));
 }
 
 // --- In the raster order -------------------------------------------------------------------------

@@ -48,7 +48,8 @@ public:
     }
 
     bool next(std::vector<std::byte>& chunk) override {
-        chunk.clear();
+        std::vector<std::byte> former; // written over: one that was cleared would be filled first
+        former.swap(chunk);
         if (!damage_.empty()) throw Damage{damage_};
         const std::uint64_t at = file_->position();
         const std::uint32_t length = read_length();
@@ -58,7 +59,9 @@ public:
             damage_ = "the file is cut off: its Snappy block at byte " + std::to_string(at) +
                       " needs " + std::to_string(length - block_.size()) + " more bytes";
             decode_part(chunk);
-        } else if (!decode(chunk)) {
+        } else if (decode(former)) {
+            chunk.swap(former);
+        } else {
             damage_ = "the file's Snappy block at byte " + std::to_string(at) + " is damaged";
             decode_part(chunk);
         }
