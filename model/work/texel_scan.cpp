@@ -15,6 +15,8 @@ namespace {
 constexpr unsigned RunKeyBits = 4;
 // Fewer runs are compared: a pass over digits begins with a table of up to 2,048 places.
 constexpr std::size_t FewRuns = 256;
+// Of a primitive, in the mean: fewer are compared, in the cache that they fit into.
+constexpr std::size_t ManyRuns = 64;
 
 } // namespace
 
@@ -206,11 +208,25 @@ void TexelScan::order_runs() {
         std::sort(runs_.begin(), runs_.end(), before);
         return;
     }
-    sort_by_digits(runs_, spare_runs_, [](const Run& run) { return run.key; });
-    // Few pieces a primitive: bits between the numbers of both would be sorted by in vain.
-    sort_by_digits(
-        runs_, spare_runs_, [](const Run& run) { return static_cast<std::uint32_t>(run.piece); });
-    sort_by_digits(runs_, spare_runs_, [](const Run& run) { return run.piece >> 32; });
+    const auto primitive = [](const Run& run) { return run.piece >> 32; };
+    sort_by_digits(runs_, spare_runs_, primitive);
+    std::size_t primitives = 1;
+    for (std::size_t i = 1; i < runs_.size(); ++i)
+        primitives += primitive(runs_[i - 1]) != primitive(runs_[i]);
+    if (runs_.size() / primitives > ManyRuns) {
+        sort_by_digits(runs_, spare_runs_, [](const Run& run) { return run.key; });
+        sort_by_digits(runs_, spare_runs_, [](const Run& run) {
+            return static_cast<std::uint32_t>(run.piece);
+        });
+        sort_by_digits(runs_, spare_runs_, primitive);
+        return;
+    }
+    for (auto begin = runs_.begin(); begin != runs_.end();) {
+        const auto of_another = [&](const Run& run) { return primitive(run) != primitive(*begin); };
+        const auto end = std::find_if(begin, runs_.end(), of_another);
+        if (end - begin > 1) std::sort(begin, end, before);
+        begin = end;
+    }
 }
 
 // Quads of one place stay in the order in which they came.
