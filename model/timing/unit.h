@@ -116,9 +116,9 @@ protected:
     // One cycle. Reads channels as they stood when the cycle began.
     virtual Activity step() = 0;
 
-    // Asked after each cycle, with what it was: the next one in which step() may do something, or
-    // say something else, without being called by a channel or wake(). Units that count cycles say
-    // more; the count must be kept as the cycle of its end, since the unit may be called before.
+    // Asked after each cycle (but see go_on_while_busy) with what it was: the next one in which
+    // step() may do something, or say something else, uncalled by a channel or wake(). Units that
+    // count cycles say more; the count is kept as the cycle of its end: they may be called before.
     virtual Cycle next_work(Activity last) const {
         return last == Activity::Busy ? now() + 1 : Never;
     }
