@@ -42,8 +42,12 @@ void add_footprints(std::span<const WorkBatch* const> batches, WholeCommand& who
 
 } // namespace
 
-void CommandAssembler::draw(const WorkDraw& draw, const DrawParts& parts) {
-    const auto& batches = parts.batches;
+void CommandAssembler::draw_part(const WorkDraw& draw, const DrawPart& part) {
+    bins_.push_back(part.bin);
+    batches_.insert(batches_.end(), part.batches.begin(), part.batches.end());
+    if (!part.last) return;
+    const auto bins = std::exchange(bins_, {});
+    const auto batches = std::exchange(batches_, {});
     auto whole = std::make_shared<WholeCommand>();
     whole->draw = draw;
     whole->units = units_of(batches);
@@ -55,7 +59,7 @@ void CommandAssembler::draw(const WorkDraw& draw, const DrawParts& parts) {
         for (std::size_t i = 0; i < sources.size(); ++i)
             whole->quads[i].piece = sources[i].piece();
     if (!whole->units.empty()) {
-        whole->bins = parts.bins;
+        whole->bins = bins;
         add_footprints(batches, *whole);
         whole->sources.reserve(sources.size());
         for (const QuadSource& source : sources)

@@ -10,6 +10,8 @@
 namespace ffgpu::work {
 namespace {
 
+constexpr std::size_t MostReads = 4096; // told of sets at a time
+
 void count(std::vector<std::uint64_t>& histogram, std::uint32_t at, std::uint64_t times = 1) {
     if (at >= histogram.size()) histogram.resize(std::size_t{at} * 2 + 64, 0);
     histogram[at] += times;
@@ -26,18 +28,16 @@ std::uint64_t value(const std::vector<std::uint64_t>& sums, std::uint64_t at) {
 
 } // namespace
 
-MissCurves::MissCurves(const CurvesShape& shape)
+MissCurves::MissCurves(const CurvesShape& shape, Beside beside)
     : shape_(shape)
     , shift_(static_cast<unsigned>(std::countr_zero(shape.line_bytes / shape.lookup_bytes)))
-    , near_(static_cast<std::size_t>(std::countr_zero(shape.most_sets))) {
+    , beside_(std::move(beside))
+    , read_sets_(shape.most_sets, shape.most_ways)
+    , read_positions_(read_sets_.levels(), shape.most_ways)
+    , set_positions_(read_sets_.levels(), shape.most_ways)
+    , near_(read_sets_.levels()) {
     check(shape.line_bytes >= shape.lookup_bytes, "look-ups of lines, or of parts of them");
-    reads_.emplace(shape.most_sets, shape.most_ways);
-    for (std::uint32_t sets = 2; sets <= shape.most_sets; sets *= 2) {
-        Level& level = levels_.emplace_back();
-        for (Histogram& histogram : level.positions)
-            histogram.assign(std::size_t{shape.most_ways} + 1, 0);
-        level.in_both.assign(std::size_t{shape.most_ways} + 1, 0);
-    }
+    reads_.emplace(read_sets_.levels());
 }
 
 // The bits above a line's number that tell of its expansion stay.
@@ -94,20 +94,38 @@ void MissCurves::read(const LookupPlace& place, std::uint64_t line, std::uint32_
 }
 
 void MissCurves::read_older(const LookupPlace& place, std::uint64_t line, std::uint32_t quads) {
-    const ReadStacks::Found found = reads_->look_up_older(line, place.number);
+    if (set_reads_.size() >= MostReads) hand_over_reads();
+    SetRead& read = set_reads_.emplace_back();
+    const ReadStacks::Found found = reads_->look_up_older(line, place.number, read);
     count_frame_line(place, found.last);
     if (!found.known) {
         ++compulsory_;
         return;
     }
-    const auto reuse = static_cast<std::size_t>(place.since(found.last));
+    read.reuse = place.since(found.last);
+    read.quads = quads;
+    const auto reuse = static_cast<std::size_t>(read.reuse);
     reuses_[reuse] += quads;
     count(positions_[reuse], found.depth, quads);
-    std::uint32_t share = found.depth;
-    for (std::size_t i = 0; i < found.positions.size(); ++i) {
-        share /= 2;
-        levels_[i].positions[reuse][found.positions[i]] += quads;
-        levels_[i].in_both[std::min(found.positions[i], share)] += quads;
+}
+
+void MissCurves::hand_over_reads() {
+    if (set_reads_.empty()) return;
+    std::vector<SetRead> reads = std::exchange(set_reads_, {});
+    set_reads_.reserve(MostReads);
+    const std::size_t weight = reads.size();
+    beside_(weight, [this, reads = std::move(reads)] { count_in_sets(reads); });
+}
+
+// Beside the others.
+void MissCurves::count_in_sets(std::span<const SetRead> reads) {
+    constexpr std::size_t Ahead = 4;
+    for (std::size_t i = 0; i < reads.size(); ++i) {
+        if (i + Ahead < reads.size()) read_sets_.prefetch(reads[i + Ahead]);
+        const SetRead& read = reads[i];
+        const std::span<const std::uint32_t> positions = read_sets_.use(read);
+        for (std::size_t level = 0; level < positions.size(); ++level)
+            read_positions_.add(level, read.reuse, positions[level], read.depth, read.quads);
     }
 }
 
@@ -122,20 +140,14 @@ void MissCurves::NearCounts::add_to(ReuseHistograms& positions) const {
             count(positions[at / Depths], static_cast<std::uint32_t>(at % Depths), depths_[at]);
 }
 
-void MissCurves::NearCounts::add_to(std::vector<Level>& levels) const {
+void MissCurves::NearCounts::add_to(PositionCounts& levels) const {
     std::size_t at = 0;
     for (std::size_t reuse = 0; reuse <= ReuseScopes; ++reuse)
         for (std::uint32_t depth = 0; depth < Depths; ++depth)
             for (std::size_t level = 0; level < levels_; ++level)
-                for (std::uint32_t position = 0; position < Depths; ++position, ++at) {
-                    if (counts_[at] == 0) continue;
-                    Level& to = levels[level];
-                    const auto own =
-                        std::min<std::size_t>(position, to.in_both.size() - 1); // most_ways
-                    const std::size_t share = depth >> (level + 1);
-                    to.positions[reuse][own] += counts_[at];
-                    to.in_both[std::min(own, share)] += counts_[at];
-                }
+                for (std::uint32_t position = 0; position < Depths; ++position, ++at)
+                    if (counts_[at] > 0)
+                        levels.add(level, static_cast<Reuse>(reuse), position, depth, counts_[at]);
 }
 
 void MissCurves::count_frame_line(const LookupPlace& place, std::uint64_t last) {
@@ -147,7 +159,7 @@ void MissCurves::end_reads() {
     if (!reads_) return;
     for (std::uint32_t sets = 2; sets <= shape_.most_sets; sets *= 2)
         stacks_.emplace_back(sets, shape_.most_ways);
-    for (const std::uint64_t line : reads_->oldest_first()) {
+    for (const std::uint64_t line : reads_->oldest_first(set_reads_)) {
         newest_ = numbers_[line];
         all_.use(newest_, false);
         for (SetStacks& stacks : stacks_)
@@ -156,6 +168,7 @@ void MissCurves::end_reads() {
     reads_->for_each_line(
         [this](std::uint64_t line, std::uint64_t last) { last_use(numbers_[line]) = last; });
     reads_.reset();
+    hand_over_reads();
 }
 
 // --- With lines that are written or thrown out ---------------------------------------------------
@@ -193,16 +206,12 @@ void MissCurves::use_again(const LineUse& use) {
     const std::uint32_t depth = all_.use(use.id, use.write);
     const auto reuse = static_cast<std::size_t>(use.reuse);
     if (use.known) count(positions_[reuse], depth);
-    std::uint32_t share = depth;
-    for (std::size_t i = 0; i < levels_.size(); ++i) {
-        share /= 2;
+    for (std::size_t i = 0; i < stacks_.size(); ++i) {
         const std::uint32_t position = stacks_[i].use({use.id, use.line, use.write}, use.known);
         if (!use.known) continue;
         if (position == 0 && !changes) return;
         if (position == 0) continue;
-        const std::uint32_t at = std::min(position, shape_.most_ways);
-        ++levels_[i].positions[reuse][at];
-        ++levels_[i].in_both[std::min(at, share)];
+        set_positions_.add(i, use.reuse, position, depth, 1);
     }
 }
 
@@ -214,7 +223,7 @@ void MissCurves::write_again(const LineUse& use) {
 }
 
 void MissCurves::flush() {
-    if (reads_) return reads_->flush();
+    if (reads_) return reads_->flush(set_reads_);
     all_.flush();
     for (SetStacks& stacks : stacks_)
         stacks.flush();
@@ -229,7 +238,7 @@ void MissCurves::overwritten(std::span<const OverwrittenLine> lines) {
         for (; i < lines.size() && own_line(lines[i].line) == line; ++i)
             whole += lines[i].whole;
         if (shape_.only_reads) {
-            reads_->drop(line);
+            reads_->drop(line, set_reads_);
             continue;
         }
         if (reads_ && !reads_->has(line)) continue;
@@ -248,7 +257,8 @@ void MissCurves::end_frame() {
     lines_now_ = 0;
 }
 
-CurveSums MissCurves::sums() const {
+CurveSums MissCurves::sums() {
+    hand_over_reads();
     CurveSums sums;
     sums.most_ways_ = shape_.most_ways;
     sums.compulsory_ = compulsory_;
@@ -257,7 +267,8 @@ CurveSums MissCurves::sums() const {
         sums.accesses_ += near_.of_reuse(reuse);
     sums.stacks_.push_back({positions_, {}, all_.write_backs()});
     near_.add_to(sums.stacks_.back().positions);
-    std::vector<Level> levels = levels_;
+    PositionCounts levels = set_positions_;
+    levels += read_positions_;
     near_.add_to(levels);
     for (std::size_t i = 0; i < levels.size(); ++i)
         sums.stacks_.push_back({levels[i].positions,

@@ -12,11 +12,14 @@
 #include "model/work/line_numbers.h"
 #include "model/work/line_stack.h"
 #include "model/work/lookups.h"
+#include "model/work/position_counts.h"
 #include "model/work/read_stacks.h"
+#include "model/work/set_reads.h"
 #include "model/work/set_stacks.h"
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -65,7 +68,13 @@ private:
 
 class MissCurves {
 public:
-    explicit MissCurves(const CurvesShape& shape);
+    // Does jobs in their order, perhaps beside: those of the stacks of several sets, while lines
+    // are only read, which nothing else waits for.
+    using Beside = std::function<void(std::size_t weight, std::function<void()> job)>;
+
+    explicit MissCurves(const CurvesShape& shape, Beside beside = at_once);
+    MissCurves(const MissCurves&) = delete; // Jobs refer to it.
+    MissCurves& operator=(const MissCurves&) = delete;
 
     void lookups(const LookupPlace& place, std::span<const LineLookup> lines);
     // The look-ups told last, which only read, once more by each of the `quads` up to `place`, all
@@ -76,7 +85,10 @@ public:
     void overwritten(std::span<const OverwrittenLine> lines);
     void end_frame();
 
-    CurveSums sums() const;
+    // Hands over what waits to be done beside. More look-ups may follow.
+    void hand_over_reads();
+    // When all jobs that were handed over are done.
+    CurveSums sums();
 
     // Different lines that each frame looked up.
     const std::vector<std::uint64_t>& frame_lines() const { return frame_lines_; }
@@ -86,16 +98,8 @@ private:
     static constexpr std::uint64_t Never = ReadStacks::Never;
     static constexpr std::uint32_t Nothing = ~std::uint32_t{0};
 
-    // Counts by position; the last of a set's stack are all deeper ones.
-    using Histogram = std::vector<std::uint64_t>;
-    using ReuseHistograms = std::array<Histogram, ReuseScopes + 1>;
-    // Of 2, 4 ... sets.
-    struct Level {
-        ReuseHistograms positions;
-        Histogram in_both; // the lesser of position and what is over of the sets' share
-    };
     // Look-ups that found their line near the top, by reuse, position among all lines, level and
-    // position: nearly all of them, and one count says what Level's two do.
+    // position: nearly all of them, and one count says what two of PositionCounts do.
     class NearCounts {
     public:
         static constexpr std::uint32_t Depths = RecentLines::Most;
@@ -115,7 +119,7 @@ private:
         std::uint64_t of_reuse(std::size_t reuse) const;
         // Adds them to those of all depths.
         void add_to(ReuseHistograms& positions) const;
-        void add_to(std::vector<Level>& levels) const;
+        void add_to(PositionCounts& levels) const;
 
     private:
         std::size_t levels_;
@@ -134,15 +138,23 @@ private:
     void look_up(const LookupPlace& place, const LineLookup& lookup);
     void read(const LookupPlace& place, std::uint64_t line, std::uint32_t quads);
     void read_older(const LookupPlace& place, std::uint64_t line, std::uint32_t quads);
+    void count_in_sets(std::span<const SetRead> reads);
     void end_reads();
     void count_frame_line(const LookupPlace& place, std::uint64_t last);
     std::uint64_t& last_use(std::uint32_t id);
     void use_again(const LineUse& use);
     void write_again(const LineUse& use);
 
+    static void at_once(std::size_t, std::function<void()> job) { job(); }
+
     const CurvesShape shape_;
     const unsigned shift_;
+    const Beside beside_;
     std::optional<ReadStacks> reads_; // as long as nothing was written
+    std::vector<SetRead> set_reads_;  // that are not handed over yet
+    // Of the jobs beside:
+    SetReads read_sets_;
+    PositionCounts read_positions_;
     // After that:
     LineNumbers numbers_;
     std::vector<std::uint64_t> last_use_; // by line: the number of its place
@@ -151,8 +163,8 @@ private:
     std::uint32_t newest_ = Nothing; // the line looked up last
 
     ReuseHistograms positions_; // among all lines
-    std::vector<Level> levels_;
-    NearCounts near_; // beside levels_
+    PositionCounts set_positions_;
+    NearCounts near_; // beside these
     std::array<std::uint64_t, ReuseScopes + 1> reuses_{};
     std::uint64_t compulsory_ = 0;
     std::uint64_t lines_now_ = 0; // of this frame

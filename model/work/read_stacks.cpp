@@ -1,18 +1,19 @@
 #include "model/work/read_stacks.h"
 
-#include "model/base/check.h"
-
 #include <algorithm>
 #include <bit>
 
 namespace ffgpu::work {
 
-ReadStacks::ReadStacks(std::uint32_t most_sets, std::uint32_t most_ways, AgeStacks::Time most_times)
-    : most_ways_(most_ways)
-    , most_times_(most_times)
-    , stacks_(most_sets, most_ways)
-    , recent_(stacks_.levels()) {
-    check(stacks_.levels() <= RecentLines::MostLevels, "at most 65536 sets");
+ReadStacks::ReadStacks(std::size_t levels)
+    : recent_(levels) {
+    for (std::size_t bits = 1; bits < shared_.size(); ++bits) {
+        shared_[bits] = shared_[bits - 1];
+        const std::size_t level = bits - 1;
+        if (level < levels)
+            shared_[bits].words[level / NewerSharers::Bytes] |=
+                std::uint64_t{1} << (8 * (level % NewerSharers::Bytes));
+    }
 }
 
 ReadStacks::Line& ReadStacks::record(std::uint32_t id) {
@@ -20,79 +21,50 @@ ReadStacks::Line& ReadStacks::record(std::uint32_t id) {
     return lines_[id];
 }
 
-ReadStacks::Found ReadStacks::look_up(std::uint64_t line, std::uint64_t number) {
-    const Near near = look_up_near(line, number);
-    if (!near) return look_up_older(line, number);
-    std::size_t levels = 0;
-    for (Sharers rest = near.positions; rest != 0; rest >>= 4)
-        positions_[levels++] = std::min(static_cast<std::uint32_t>(rest & 15), most_ways_);
-    return {near.last, true, near.depth, std::span(positions_).first(levels)};
-}
-
-ReadStacks::Found ReadStacks::look_up_older(std::uint64_t line, std::uint64_t number) {
-    Found found;
+ReadStacks::Found
+ReadStacks::look_up_older(std::uint64_t line, std::uint64_t number, SetRead& read) {
     const std::uint32_t id = numbers_[line];
     Line& known = record(id);
     known.line = line;
-    found.last = known.last;
-    known.last = number;
-    found.known = all_.has(id);
+    Found found{.last = std::exchange(known.last, number), .known = all_.has(id)};
+    const std::uint32_t below = all_.take(id);
     if (found.known) {
-        stacks_.prefetch(line);
-        find_older(id, found);
+        const unsigned newer_lines = leaves_now_ ? RecentLines::Most : recent_.size() - 1;
+        found.depth = newer_lines + below;
+        read.line = line;
+        read.left = known.left;
+        read.newer = newer_sharers(known);
+        read.depth = found.depth;
     } else {
         known.left = 0; // It may stand there from before a flush.
-        all_.take(id);
     }
-    if (leaves_now_) leave(recent_.newest());
-    recent_.newest() = {line, number, id, lines_[id].left};
+    if (leaves_now_) leave(recent_.newest(), read);
+    recent_.newest() = {.line = line, .place = number, .left = lines_[id].left, .id = id};
     return found;
 }
 
 // Of the newest lines those that left the top last before the line did.
-void ReadStacks::count_newer_sharers(const Line& line) {
-    const std::size_t levels = stacks_.levels();
-    std::array<std::uint32_t, RecentLines::MostLevels + 1> sharing{}; // so many lowest bits
+NewerSharers ReadStacks::newer_sharers(const Line& line) const {
+    NewerSharers sum;
     for (const RecentLines::Use& use : recent_.uses()) {
-        const auto bits = static_cast<std::size_t>(std::countr_zero(use.line ^ line.line));
-        sharing[std::min(bits, levels)] += use.left <= line.left;
+        const NewerSharers& shared =
+            shared_[static_cast<std::size_t>(std::countr_zero(use.line ^ line.line))];
+        const std::uint64_t counts = use.left <= line.left ? ~std::uint64_t{0} : 0;
+        sum.words[0] += shared.words[0] & counts;
+        sum.words[1] += shared.words[1] & counts;
     }
-    std::uint32_t sharers = 0;
-    for (std::size_t level = levels; level-- > 0;)
-        sharers_[level] = sharers += sharing[level + 1];
-}
-
-// Below the top a line lies under those that left it later, and so do of the newest lines those
-// that still stand there, above it: they are counted once. The others came from below it, and took
-// the holes above it first.
-void ReadStacks::find_older(std::uint32_t id, Found& found) {
-    const Line& line = lines_[id];
-    count_newer_sharers(line);
-    const unsigned newer_lines = leaves_now_ ? RecentLines::Most : recent_.size() - 1;
-    found.depth = newer_lines + all_.take(id);
-    const std::size_t below = stacks_.positions(line.line, line.left, positions_);
-    std::size_t level = 0;
-    for (; level < stacks_.levels(); ++level) {
-        std::uint32_t& position = positions_[level];
-        if (level >= below) position = 0;
-        const std::uint32_t newer = sharers_[level];
-        if (stacks_.has_holes())
-            position -= std::min(newer, stacks_.holes_above(level, line.line, position));
-        position = std::min(position + newer, most_ways_);
-        if (position == 0) break;
-    }
-    found.positions = std::span(positions_).first(level);
+    return sum;
 }
 
 // To the stacks below, where it moves to the front.
-void ReadStacks::leave(const RecentLines::Use& use) {
-    if (leaves_ == most_times_) count_anew();
-    const AgeStacks::Time before = use.left;
+void ReadStacks::leave(const RecentLines::Use& use, SetRead& read) {
     Line& line = lines_[use.id];
     line.last = use.place;
     line.left = ++leaves_;
     all_.put(use.id);
-    stacks_.use(line.line, before, line.left);
+    read.leaving = line.line;
+    read.before = use.left;
+    read.now = line.left;
 }
 
 std::vector<std::uint32_t> ReadStacks::older_first() const {
@@ -105,30 +77,8 @@ std::vector<std::uint32_t> ReadStacks::older_first() const {
     return ids;
 }
 
-void ReadStacks::all_leave() {
-    recent_.all_leave([this](const RecentLines::Use& use) { leave(use); });
-}
-
-// All times that are told become 1, 2, 3 ...
-void ReadStacks::count_anew() {
-    std::vector<AgeStacks::Time> times;
-    const auto tell = [&](AgeStacks::Time time) { times.push_back(time); };
-    stacks_.for_each_time(tell);
-    for (const Line& line : lines_)
-        if (line.left > 0) tell(line.left);
-    std::sort(times.begin(), times.end());
-    times.erase(std::unique(times.begin(), times.end()), times.end());
-    const auto now_of = [&](AgeStacks::Time time) {
-        const auto at = std::lower_bound(times.begin(), times.end(), time);
-        return static_cast<AgeStacks::Time>(at - times.begin()) + 1;
-    };
-    stacks_.count_anew(now_of);
-    for (Line& line : lines_)
-        if (line.left > 0) line.left = now_of(line.left);
-    for (RecentLines::Use& use : recent_.uses())
-        if (use.left > 0 && use.left != RecentLines::Unused) use.left = now_of(use.left);
-    leaves_ = static_cast<AgeStacks::Time>(times.size());
-    check(leaves_ < most_times_, "times for all lines and holes");
+void ReadStacks::all_leave(std::vector<SetRead>& reads) {
+    recent_.all_leave([&](const RecentLines::Use& use) { leave(use, reads.emplace_back()); });
 }
 
 bool ReadStacks::has(std::uint64_t line) {
@@ -136,22 +86,25 @@ bool ReadStacks::has(std::uint64_t line) {
 }
 
 // The newest lines first go to the stacks below, where they would be above the hole.
-void ReadStacks::drop(std::uint64_t line) {
+void ReadStacks::drop(std::uint64_t line, std::vector<SetRead>& reads) {
     if (!has(line)) return;
-    all_leave();
+    all_leave(reads);
     const std::uint32_t id = numbers_[line];
     all_.drop(id, true);
-    stacks_.drop(line, lines_[id].left);
+    SetRead& read = reads.emplace_back();
+    read.kind = SetRead::Kind::Drop;
+    read.leaving = line;
+    read.before = lines_[id].left;
 }
 
-void ReadStacks::flush() {
+void ReadStacks::flush(std::vector<SetRead>& reads) {
     recent_.all_leave([this](const RecentLines::Use& use) { lines_[use.id].last = use.place; });
     all_.flush();
-    stacks_.flush();
+    reads.emplace_back().kind = SetRead::Kind::Flush;
 }
 
-std::vector<std::uint64_t> ReadStacks::oldest_first() {
-    all_leave();
+std::vector<std::uint64_t> ReadStacks::oldest_first(std::vector<SetRead>& reads) {
+    all_leave(reads);
     std::vector<std::uint64_t> lines;
     for (const std::uint32_t id : older_first())
         lines.push_back(lines_[id].line);

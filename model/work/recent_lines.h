@@ -25,13 +25,16 @@ public:
     static constexpr unsigned Most = 16;
     static constexpr std::size_t MostLevels = 16; // of numbers of sets above 1
 
+    // Lines that leave the top are counted: 1, 2, 3 ...
+    using Time = std::uint64_t;
+    static constexpr Time Unused = ~Time{0};
+
     struct Use {
         std::uint64_t line = 0;
         std::uint64_t place = 0; // of its last look-up
+        Time left = Unused;      // when it left the top last; 0: never
         std::uint32_t id = 0;
-        std::uint32_t left = Unused; // which one it was to leave the top when it did last; 0: none
     };
-    static constexpr std::uint32_t Unused = ~std::uint32_t{0};
 
     // `levels`: numbers of sets that are told.
     explicit RecentLines(std::size_t levels) {

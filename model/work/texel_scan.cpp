@@ -39,12 +39,14 @@ TexelScan::TexelScan(const WorkConfig& config, LookupSink& out)
 
 // --- The commands --------------------------------------------------------------------------------
 
-void TexelScan::draw(const WorkDraw& draw, const DrawParts& parts) {
-    if (!begin(draw)) return;
-    for (const WorkBatch* const batch : parts.batches) {
+void TexelScan::draw_part(const WorkDraw& draw, const DrawPart& part) {
+    if (!begun_ && !begin(draw)) return;
+    begun_ = !part.last;
+    for (const WorkBatch* const batch : part.batches) {
         drawn_texels_.add(batch->quads);
         add(*batch);
     }
+    if (!part.last) return;
     if (draw.kind == WorkKind::Image) number_image_pieces();
     tell();
 }

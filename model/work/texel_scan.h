@@ -9,7 +9,7 @@
 #include "model/work/address_map.h"
 #include "model/work/batch_reads.h"
 #include "model/work/depth_test_masks.h"
-#include "model/work/draw_gatherer.h"
+#include "model/work/draw_splitter.h"
 #include "model/work/drawn_texels.h"
 #include "model/work/lookups.h"
 #include "model/work/quad_lines.h"
@@ -33,7 +33,7 @@ public:
 
     TexelScan(const WorkConfig& config, LookupSink& out);
 
-    void draw(const WorkDraw& draw, const DrawParts& parts) override;
+    void draw_part(const WorkDraw& draw, const DrawPart& part) override;
     void command(std::shared_ptr<const WholeCommand> command) override;
     void content(const std::shared_ptr<const SurfaceContent>& content) override;
     void host_transfer(const HostTransfer& transfer) override;
@@ -83,6 +83,7 @@ private:
     DepthTestPlace test_;
     LookupPlace place_; // of the next
     // Of the draw.
+    bool begun_ = false; // Parts of it are there, but not the last.
     std::vector<Quad> quads_;
     std::vector<LineLookup> lines_;
     std::vector<Run> runs_, spare_runs_;

@@ -1,6 +1,7 @@
 // Where lines are found in the stacks of all sets, against a list of lines and holes for each set.
 
 #include "model/work/read_stacks.h"
+#include "model/work/set_reads.h"
 
 #include <algorithm>
 #include <random>
@@ -62,7 +63,65 @@ std::uint64_t next_line(std::mt19937& random, std::uint64_t before) {
 // Of 1, 2, 4 ... sets.
 using Plain = std::vector<PlainStacks>;
 
-void check_found(const ReadStacks::Found& found,
+struct Found {
+    std::uint64_t last = ReadStacks::Never;
+    bool known = false;
+    std::uint32_t depth = 0;
+    std::vector<std::uint32_t> positions{}; // of 2, 4 ... sets, as long as they are above 0
+};
+
+// All stacks: records are followed at once.
+class AllStacks {
+public:
+    AllStacks(std::uint32_t most_sets,
+              std::uint32_t most_ways,
+              AgeStacks::Time most_times = AgeStacks::MostTimes)
+        : most_ways_(most_ways)
+        , sets_(most_sets, most_ways, most_times)
+        , lines_(sets_.levels()) {}
+
+    Found look_up(std::uint64_t line, std::uint64_t number) {
+        if (const ReadStacks::Near near = lines_.look_up_near(line, number)) {
+            Found found{near.last, true, near.depth};
+            for (Sharers rest = near.positions; rest != 0; rest >>= 4)
+                found.positions.push_back(
+                    std::min(static_cast<std::uint32_t>(rest & 15), most_ways_));
+            return found;
+        }
+        SetRead read;
+        const ReadStacks::Found older = lines_.look_up_older(line, number, read);
+        const std::span<const std::uint32_t> positions = sets_.use(read);
+        return {older.last, older.known, older.depth, {positions.begin(), positions.end()}};
+    }
+    bool has(std::uint64_t line) { return lines_.has(line); }
+    void drop(std::uint64_t line) {
+        lines_.drop(line, reads_);
+        follow();
+    }
+    void flush() {
+        lines_.flush(reads_);
+        follow();
+    }
+    std::vector<std::uint64_t> oldest_first() {
+        std::vector<std::uint64_t> lines = lines_.oldest_first(reads_);
+        follow();
+        return lines;
+    }
+
+private:
+    void follow() {
+        for (const SetRead& read : reads_)
+            sets_.use(read);
+        reads_.clear();
+    }
+
+    std::uint32_t most_ways_;
+    SetReads sets_;
+    ReadStacks lines_;
+    std::vector<SetRead> reads_;
+};
+
+void check_found(const Found& found,
                  const Plain& plain,
                  std::uint64_t line,
                  std::uint32_t most_ways) {
@@ -86,14 +145,14 @@ bool throws_out(std::mt19937& random, std::uint64_t number) {
 TEST_CASE("lines stand in all stacks where plain lists of lines say", "[curves]") {
     using Shape = std::pair<std::uint32_t, AgeStacks::Time>; // most ways, most times
     for (const auto& [most_ways, most_times] : {Shape{9, 1u << 30},
-                                                Shape{9, 1000},
+                                                Shape{9, 1500},
                                                 Shape{1, 1000},
-                                                Shape{16, 1000},
-                                                Shape{32, 2000},
-                                                Shape{37, 2000}}) {
+                                                Shape{16, 2000},
+                                                Shape{32, 3000},
+                                                Shape{37, 3000}}) {
         INFO(most_ways << " ways");
         std::mt19937 random(most_times);
-        ReadStacks stacks(32, most_ways, most_times);
+        AllStacks stacks(32, most_ways, most_times);
         Plain plain;
         for (std::uint64_t sets = 1; sets <= 32; sets *= 2)
             plain.emplace_back(sets);
@@ -121,11 +180,11 @@ TEST_CASE("lines stand in all stacks where plain lists of lines say", "[curves]"
 }
 
 TEST_CASE("a line's last look-up is told, also from before a flush", "[curves]") {
-    ReadStacks stacks(2, 2);
+    AllStacks stacks(2, 2);
     CHECK(stacks.look_up(7, 3).last == ReadStacks::Never);
     CHECK(stacks.look_up(7, 5).last == 3);
     stacks.flush();
-    const ReadStacks::Found found = stacks.look_up(7, 9);
+    const Found found = stacks.look_up(7, 9);
     CHECK(found.last == 5);
     CHECK_FALSE(found.known);
     CHECK(stacks.has(7));

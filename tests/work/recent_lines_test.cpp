@@ -64,7 +64,7 @@ TEST_CASE("the newest lines are where a list of them says", "[curves]") {
                 } else {
                     REQUIRE(lines.newest().left == RecentLines::Unused);
                 }
-                lines.newest() = {line, i, 0, 0};
+                lines.newest() = {.line = line, .place = i, .left = 0, .id = 0};
             }
             list.insert(list.begin(), line);
             REQUIRE(lines.size() == list.size());

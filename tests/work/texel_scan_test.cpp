@@ -74,8 +74,8 @@ std::vector<Told> by_scan(const WorkConfig& config,
                           WorkDetail detail = WorkDetail::Masks) {
     TexelList list;
     TexelScan scan(config, list);
-    DrawGatherer gatherer(scan);
-    draw(gatherer, host, detail);
+    DrawSplitter splitter(scan);
+    draw(splitter, host, detail);
     return list.all;
 }
 

@@ -2,7 +2,7 @@
 
 #include "model/base/input_error.h"
 #include "model/work/first_level.h"
-#include "model/work/job_thread.h"
+#include "model/work/job_pool.h"
 #include "model/work/lookup_walk.h"
 #include "model/work/texel_scan.h"
 #include "tools/cache/lookup_chunks.h"
@@ -22,12 +22,21 @@ namespace {
 
 using work::LookupClient;
 
+// What is done in which order: the work (WorkPlayOptions::pool), the look-ups in all lines, and in
+// the sets.
+enum Stage : unsigned { WorkStage, LookupStage, SetStage };
+
 // The curves of one client and line size.
 class ClientCurves final : public ChunkReader {
 public:
-    ClientCurves(LookupClient client, const work::CurvesShape& shape)
+    ClientCurves(LookupClient client, const work::CurvesShape& shape, work::JobPool& pool)
         : client_(client)
-        , curves_(shape) {}
+        , curves_(shape,
+                  [this](std::size_t weight, std::function<void()> job) {
+                      in_sets_.push(weight, std::move(job));
+                  })
+        , in_sets_(pool, SetStage, MostReads)
+        , chunks_(pool, LookupStage, MostWeight) {}
 
     void lookups(LookupClient client,
                  const work::LookupPlace& place,
@@ -53,38 +62,36 @@ public:
     }
     void end_frame(std::uint32_t) override { curves_.end_frame(); }
 
-    void play(const LookupChunk& chunk) { chunk.play(*this, places_); }
-
-    LookupClient client() const { return client_; }
-    const work::MissCurves& curves() const { return curves_; }
-    std::uint64_t reads() const { return reads_; }
-
-private:
-    LookupClient client_;
-    work::MissCurves curves_;
-    std::uint64_t reads_ = 0;
-    LookupPlaces places_;
-};
-
-// Threads, each with a part of the curves. No result depends on their number.
-class CurveThreads {
-public:
-    explicit CurveThreads(unsigned count) {
-        for (unsigned i = 0; i < count; ++i)
-            threads_.emplace_back(MostWeight);
+    void push(const std::shared_ptr<const LookupChunk>& chunk) {
+        chunks_.push(chunk->weight(), [this, chunk] { chunk->play(*this, places_); });
+    }
+    // Returns when all is counted.
+    void drain() {
+        chunks_.drain();
+        curves_.hand_over_reads();
+        in_sets_.drain();
     }
 
-    work::JobThread& next() { return threads_[taken_++ % threads_.size()]; }
-    void drain() {
-        for (work::JobThread& thread : threads_)
-            thread.drain();
+    LookupClient client() const { return client_; }
+    CurveResult result(const CacheVariant& variant, bool second_level) {
+        return {.client = client_,
+                .variant = variant,
+                .second_level = second_level,
+                .line_bytes = curves_.shape().line_bytes,
+                .reads = reads_,
+                .sums = curves_.sums(),
+                .frame_lines = curves_.frame_lines()};
     }
 
 private:
     static constexpr std::size_t MostWeight = std::size_t{1} << 17;
+    static constexpr std::size_t MostReads = std::size_t{1} << 15;
 
-    std::deque<work::JobThread> threads_;
-    std::size_t taken_ = 0;
+    LookupClient client_;
+    work::MissCurves curves_;
+    std::uint64_t reads_ = 0;
+    LookupPlaces places_;
+    work::JobPool::Order in_sets_, chunks_; // The last: their jobs use the others.
 };
 
 // Only the look-ups of clients that somebody follows.
@@ -157,7 +164,7 @@ work::VertexFetchShape vertex_shape(const CacheStudyOptions& options) {
 // One machine: its order and places, its look-ups, and their curves.
 class Variant {
 public:
-    Variant(const CacheStudyOptions& options, const CacheVariant& variant, CurveThreads& threads)
+    Variant(const CacheStudyOptions& options, const CacheVariant& variant, work::JobPool& pool)
         : options_(options)
         , variant_(variant)
         , config_(work_config(options, variant))
@@ -171,34 +178,25 @@ public:
         }
         for (const LookupClient client : options.clients)
             for (const std::uint32_t line_bytes : options.line_bytes)
-                add(client, line_bytes, threads);
+                add(client, line_bytes, pool);
     }
 
     // One of them is there, as reads_texels_alone() says.
     work::TexelScan& scan() { return *scan_; }
     work::CommandSink& sink() { return *order_; }
     const work::WorkConfig& config() const { return config_; }
-    void finish() { chunker_.finish(); }
+    void finish() {
+        chunker_.finish();
+        for (ClientCurves& curves : followers_)
+            curves.drain();
+    }
 
-    void tell(CacheStudyResult& result) const {
-        for (const Follower& follower : followers_) {
-            const ClientCurves& curves = *follower.curves;
-            result.curves.push_back({.client = curves.client(),
-                                     .variant = variant_,
-                                     .second_level = behind_first(curves.client()),
-                                     .line_bytes = curves.curves().shape().line_bytes,
-                                     .reads = curves.reads(),
-                                     .sums = curves.curves().sums(),
-                                     .frame_lines = curves.curves().frame_lines()});
-        }
+    void tell(CacheStudyResult& result) {
+        for (ClientCurves& curves : followers_)
+            result.curves.push_back(curves.result(variant_, behind_first(curves.client())));
     }
 
 private:
-    struct Follower {
-        std::unique_ptr<ClientCurves> curves;
-        work::JobThread* thread = nullptr;
-    };
-
     bool behind_first(LookupClient client) const {
         return client == LookupClient::Texel && options_.first_level;
     }
@@ -207,32 +205,30 @@ private:
         const CacheGeometry& shape = *options_.first_level;
         return first_level_.emplace(shape.sets, shape.ways, shape.line_bytes, behind);
     }
-    void add(LookupClient client, std::uint32_t line_bytes, CurveThreads& threads) {
+    void add(LookupClient client, std::uint32_t line_bytes, work::JobPool& pool) {
         const bool texel = client == LookupClient::Texel;
         const bool reads_only = texel || client == LookupClient::Vertex;
         const bool quads = variant_.granularity == work::Granularity::Quad && variant_.merges;
         const std::uint32_t own =
             texel ? config_.texel_cache.line_bytes : config_.depth_cache.line_bytes;
-        followers_.push_back(
-            {std::make_unique<ClientCurves>(client,
-                                            work::CurvesShape{.line_bytes = line_bytes,
-                                                              .lookup_bytes = own,
-                                                              .most_sets = options_.most_sets,
-                                                              .most_ways = options_.most_ways,
-                                                              .merges = !texel || quads,
-                                                              .only_reads = reads_only}),
-             &threads.next()});
+        followers_.emplace_back(client,
+                                work::CurvesShape{.line_bytes = line_bytes,
+                                                  .lookup_bytes = own,
+                                                  .most_sets = options_.most_sets,
+                                                  .most_ways = options_.most_ways,
+                                                  .merges = !texel || quads,
+                                                  .only_reads = reads_only},
+                                pool);
     }
     void hand_over(const std::shared_ptr<const LookupChunk>& chunk) {
-        for (const Follower& follower : followers_)
-            follower.thread->push(
-                chunk->weight(), [curves = follower.curves.get(), chunk] { curves->play(*chunk); });
+        for (ClientCurves& curves : followers_)
+            curves.push(chunk);
     }
 
     const CacheStudyOptions& options_;
     const CacheVariant variant_;
     const work::WorkConfig config_;
-    std::vector<Follower> followers_;
+    std::deque<ClientCurves> followers_;
     LookupChunker chunker_;
     ClientFilter filter_;
     std::optional<work::FirstLevel> first_level_;
@@ -245,9 +241,9 @@ class ScanFanOut final : public DrawReader {
 public:
     void add(work::TexelScan& scan) { scans_.push_back(&scan); }
 
-    void draw(const WorkDraw& draw, const work::DrawParts& parts) override {
+    void draw_part(const WorkDraw& draw, const work::DrawPart& part) override {
         for (work::TexelScan* const scan : scans_)
-            scan->draw(draw, parts);
+            scan->draw_part(draw, part);
     }
     void command(std::shared_ptr<const work::WholeCommand> command) override {
         for (work::TexelScan* const scan : scans_)
@@ -293,6 +289,21 @@ std::vector<CacheVariant> variants_of(const CacheStudyOptions& options) {
     return variants;
 }
 
+unsigned processors() {
+    return std::max(1u, std::thread::hardware_concurrency());
+}
+
+// Besides those that draw; one that has no job is of no use.
+unsigned threads_for(std::size_t curves) {
+    return static_cast<unsigned>(std::min<std::size_t>(processors() - 1, 1 + 2 * curves));
+}
+
+// The look-ups take longer than the drawing, which takes what they leave.
+GpuParameters drawing_beside(unsigned threads, GpuParameters gpu) {
+    if (gpu.threads == 0) gpu.threads = std::max(1u, processors() - threads);
+    return gpu;
+}
+
 } // namespace
 
 void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
@@ -300,13 +311,16 @@ void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
     for (const std::string& line :
          not_followed_by_curves(options.configuration.timing, options.clients))
         options.warn(line);
+    const std::vector<CacheVariant> wanted = variants_of(options);
+    const std::size_t curves = wanted.size() * options.clients.size() * options.line_bytes.size();
+    const unsigned threads = threads_for(curves);
+    work::JobPool pool(threads);
     std::deque<Variant> variants;
-    CurveThreads threads(std::max(1u, std::thread::hardware_concurrency())); // use the variants
     CommandFanOut readers;
     ScanFanOut scans;
     const bool texels_alone = reads_texels_alone(options);
-    for (const CacheVariant& variant : variants_of(options)) {
-        Variant& added = variants.emplace_back(options, variant, threads);
+    for (const CacheVariant& variant : wanted) {
+        Variant& added = variants.emplace_back(options, variant, pool);
         texels_alone ? scans.add(added.scan()) : readers.add(added.sink());
     }
     std::optional<MissMap> map;
@@ -319,16 +333,16 @@ void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
     const auto finish = [&] {
         for (Variant& variant : variants)
             variant.finish();
-        threads.drain();
-        for (const Variant& variant : variants)
+        for (Variant& variant : variants)
             variant.tell(result);
     };
     try {
         const WorkPlayOptions play{.input = options.input,
                                    .frames = options.frames,
-                                   .gpu = options.configuration.gpu,
+                                   .gpu = drawing_beside(threads, options.configuration.gpu),
                                    .machine = options.configuration.timing,
-                                   .warn = options.warn};
+                                   .warn = options.warn,
+                                   .pool = &pool};
         texels_alone ? play_work(play, scans, on_frame) : play_work(play, readers, on_frame);
     } catch (const InputError&) {
         finish();

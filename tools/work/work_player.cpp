@@ -33,7 +33,7 @@ public:
         : options_(options)
         , on_frame_(on_frame)
         , gpu_(gpu_config(options.gpu))
-        , thread_(sink)
+        , thread_(sink, options.pool)
         , source_(open_frame_source(
               options.input, gpu_, {.warn = options.warn, .panel = options.gpu.panel()})) {}
 
@@ -149,8 +149,8 @@ void play_work(const WorkPlayOptions& options, work::CommandSink& sink, const On
 
 void play_work(const WorkPlayOptions& options, DrawReader& reader, const OnFrame& frame) {
     if (work::WorkFileReader::is_work_file(options.input)) return play_file(options, reader, frame);
-    work::DrawGatherer gatherer(reader);
-    Drawing(options, gatherer, frame).run();
+    work::DrawSplitter splitter(reader);
+    Drawing(options, splitter, frame).run();
 }
 
 } // namespace ffgpu::tools

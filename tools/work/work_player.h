@@ -3,8 +3,9 @@
 #pragma once
 
 #include "model/packets/work_stream.h"
-#include "model/work/draw_gatherer.h"
+#include "model/work/draw_splitter.h"
 #include "model/work/frame_figures.h"
+#include "model/work/job_pool.h"
 #include "model/work/whole_command.h"
 #include "tools/config/configuration.h"
 #include "tools/frames/frame_range.h"
@@ -24,10 +25,12 @@ struct WorkPlayOptions {
     // Whose work it is: work with values where it needs them, which a file may lack.
     timing::TimingConfig machine{};
     std::function<void(const std::string& line)> warn = [](const std::string&) {};
+    // What is drawn is handed over as its first stage; null: on a thread of its own.
+    work::JobPool* pool = nullptr;
 };
 
 // Calls `frame` where a frame's work has all been handed over; that and all calls of the sink come
-// from one thread, which need not be the caller's. Ends behind a frame where an Interruption came,
+// one after another, from threads that need not be the caller's. Ends behind a frame where an Interruption came,
 // perhaps without any. Throws InputError; all that came before the fault has been handed over then.
 void play_work(const WorkPlayOptions& options,
                work::CommandSink& sink,

@@ -1,17 +1,12 @@
-#include "model/work/draw_gatherer.h"
+#include "model/work/draw_splitter.h"
 
 #include "model/base/check.h"
 
-#include <utility>
-
 namespace ffgpu::work {
 
-void DrawGatherer::bin(std::shared_ptr<const WorkBin> bin) {
-    std::vector<DrawParts> parts(bin->draws.size());
-    if (!begun_.bins.empty()) {
-        check(!parts.empty(), "a bin that goes on with a draw holds the draw");
-        parts[0] = std::exchange(begun_, {});
-    }
+void DrawSplitter::bin(std::shared_ptr<const WorkBin> bin) {
+    check(!goes_on_ || !bin->draws.empty(), "a bin that goes on with a draw holds the draw");
+    std::vector<DrawPart> parts(bin->draws.size());
     for (const WorkTile& tile : bin->tiles)
         for (const WorkBatch& batch : tile.batches)
             parts[batch.draw].batches.push_back(&batch);
@@ -25,15 +20,13 @@ void DrawGatherer::bin(std::shared_ptr<const WorkBin> bin) {
         transfers_before(i);
         for (; content != bin->contents.end() && (*content)->before_draw <= i; ++content)
             out_.content(*content);
-        parts[i].bins.push_back(bin);
-        if (bin->last_draw_goes_on && i + 1 == parts.size()) {
-            begun_ = std::move(parts[i]);
-            return;
-        }
-        out_.draw(bin->draws[i], parts[i]);
+        goes_on_ = bin->last_draw_goes_on && i + 1 == parts.size();
+        parts[i].bin = bin;
+        parts[i].last = !goes_on_;
+        out_.draw_part(bin->draws[i], parts[i]);
         parts[i] = {};
     }
-    transfers_before(parts.size());
+    if (!goes_on_) transfers_before(parts.size());
 }
 
 } // namespace ffgpu::work
