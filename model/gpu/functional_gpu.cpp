@@ -17,7 +17,7 @@ namespace ffgpu {
 FunctionalGpu::FunctionalGpu(const Config& config)
     : config_(config)
     , memory_(config.memory_bytes)
-    , pool_(config.threads)
+    , pool_(config.threads, config.may_share)
     , geometry_(pool_.threads())
     , stock_(static_cast<int>(config.tile_size), config.bin_bytes)
     , pixel_contexts_(memory_.bytes(), *config_.stages->fragment) {

@@ -26,6 +26,7 @@
 #include "model/packets/stage_probe.h"
 #include "model/packets/work_stream.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -39,6 +40,8 @@ public:
         std::uint64_t memory_bytes = DeviceMemory::DefaultBytes;
         std::size_t bin_bytes = std::size_t{512} << 10; // of records: they stay in a level-2 cache
         const Stages* stages = &FastStages;             // or &ReferenceStages: the same frames
+        // Whether the other threads may take part in what begins now; null: always.
+        std::function<bool()> may_share = nullptr;
     };
 
     explicit FunctionalGpu(const Config& config);

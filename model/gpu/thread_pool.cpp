@@ -52,7 +52,8 @@ long own_sleeps() {
 
 } // namespace
 
-ThreadPool::ThreadPool(unsigned threads) {
+ThreadPool::ThreadPool(unsigned threads, std::function<bool()> may_share)
+    : may_share_(std::move(may_share)) {
     for (unsigned worker = 1; worker < threads; ++worker)
         workers_.push_back(thread_without_signals([this, worker] { work(worker); }));
 }

@@ -22,7 +22,8 @@ public:
     // job(worker, index): worker 0 is the caller's thread.
     using Job = std::function<void(unsigned, std::size_t)>;
 
-    explicit ThreadPool(unsigned threads);
+    // `may_share`: asked before jobs are shared; null: always.
+    explicit ThreadPool(unsigned threads, std::function<bool()> may_share = nullptr);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
@@ -30,10 +31,13 @@ public:
     unsigned threads() const { return static_cast<unsigned>(workers_.size()) + 1; }
 
     // Whether other threads would take part in what begins now.
-    bool shares() const { return !workers_.empty() && benefit_.pays(ThreadBenefit::Clock::now()); }
+    bool shares() const {
+        return !workers_.empty() && benefit_.pays(ThreadBenefit::Clock::now()) &&
+               (!may_share_ || may_share_());
+    }
 
     // The other threads begin to run `job` for each index below `count`; where there are none, or
-    // where they were no help of late, the caller has run all when this returns. The list before
+    // where they do not share(), the caller has run all when this returns. The list before
     // must have been waited for.
     void start(std::size_t count, Job job);
     // Whether nothing is under way.
@@ -61,6 +65,7 @@ private:
     void keep_failure(std::exception_ptr failure);
     bool has_work() const;
 
+    const std::function<bool()> may_share_;
     ThreadBenefit benefit_;
     bool shared_ = false; // Others take part in what is under way,
     ThreadBenefit::Clock::time_point started_at_;

@@ -66,17 +66,23 @@ std::size_t positions_lanes(const AgeRows& rows,
 // What is stored is whole vectors in their places, which later loads need not wait for.
 HWY_INLINE void insert(AgeRows::Entry* stack, std::uint32_t moved, AgeRows::Entry newest) {
     const Entries entries;
-    const auto put = [&](std::uint32_t at, hn::Vec<Entries> further, std::uint32_t count) {
-        const auto before = hn::Load(entries, stack + at);
-        const auto mask = hn::FirstN(entries, count);
-        hn::Store(hn::IfThenElse(mask, further, before), entries, stack + at);
+    const auto beside = [&](hn::Vec<Entries> further, std::uint32_t at, std::uint32_t count) {
+        return hn::IfThenElse(
+            hn::FirstN(entries, count), further, hn::Load(entries, stack + at));
     };
-    for (std::uint32_t at = moved / Step * Step; at > 0; at -= Step)
-        put(at, hn::LoadU(entries, stack + at - 1), moved - at + 1);
     const auto shifted = hn::TableLookupLanes(hn::Load(entries, stack),
                                               hn::SetTableIndices(entries, OneFurther.data()));
-    const auto first = hn::FirstN(entries, 1);
-    put(0, hn::IfThenElse(first, hn::Set(entries, newest), shifted), moved + 1);
+    auto first = hn::IfThenElse(hn::FirstN(entries, 1), hn::Set(entries, newest), shifted);
+    std::uint32_t at = moved / Step * Step; // of the last that change
+    if (at == 0) {
+        first = beside(first, 0, moved + 1);
+    } else {
+        const auto last = beside(hn::LoadU(entries, stack + at - 1), at, moved - at + 1);
+        hn::Store(last, entries, stack + at);
+        while ((at -= Step) > 0)
+            hn::Store(hn::LoadU(entries, stack + at - 1), entries, stack + at);
+    }
+    hn::Store(first, entries, stack);
 }
 
 void move_to_front_lanes(const AgeRows& rows,

@@ -25,6 +25,10 @@ public:
     JobPool(const JobPool&) = delete;
     JobPool& operator=(const JobPool&) = delete;
 
+    unsigned threads() const { return static_cast<unsigned>(threads_.size()); }
+    // Whether a job waits, or is under way.
+    bool has_jobs() const;
+
     class Order final : public JobOrder {
     public:
         Order(JobPool& pool, unsigned stage, std::size_t most_weight);
@@ -51,7 +55,7 @@ private:
     // Does a job of one of these stages, if one is ready.
     bool run_one(std::unique_lock<std::mutex>& lock, unsigned first_stage);
 
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::condition_variable changed_;
     std::vector<Order*> orders_; // the latest stage first
     bool stopping_ = false;

@@ -270,9 +270,9 @@ CurveSums MissCurves::sums() {
     PositionCounts levels = set_positions_;
     levels += read_positions_;
     near_.add_to(levels);
-    for (std::size_t i = 0; i < levels.size(); ++i)
-        sums.stacks_.push_back({levels[i].positions,
-                                levels[i].in_both,
+    for (std::size_t i = 0; i < levels.levels(); ++i)
+        sums.stacks_.push_back({levels.positions(i),
+                                levels.in_both(i),
                                 reads_ ? WriteBacks() : stacks_[i].write_backs()});
     for (CurveSums::Stacks& stacks : sums.stacks_) {
         for (CurveSums::Sums& positions : stacks.positions)

@@ -6,37 +6,27 @@
 #include "model/work/lookups.h"
 
 #include <algorithm>
-#include <functional>
 #include <array>
 #include <cstdint>
-#include <span>
+#include <functional>
 #include <vector>
 
 namespace ffgpu::work {
 
-// Counts by position; the last of a set's stack are all deeper ones.
+// Counts by position.
 using Histogram = std::vector<std::uint64_t>;
 using ReuseHistograms = std::array<Histogram, ReuseScopes + 1>;
 
 class PositionCounts {
 public:
-    // Of one number of sets.
-    struct Level {
-        ReuseHistograms positions;
-        Histogram in_both; // the lesser of position and what is over of the sets' share
-    };
-
+    // Positions from most_ways on are one.
     PositionCounts(std::size_t levels, std::uint32_t most_ways)
-        : levels_(levels) {
-        for (Level& level : levels_) {
-            for (Histogram& histogram : level.positions)
-                histogram.assign(std::size_t{most_ways} + 1, 0);
-            level.in_both.assign(std::size_t{most_ways} + 1, 0);
-        }
-    }
+        : levels_(levels)
+        , positions_(most_ways + 1)
+        , counts_(levels * (ReuseScopes + 1) * positions_, 0)
+        , in_both_(levels * positions_, 0) {}
 
-    std::size_t size() const { return levels_.size(); }
-    const Level& operator[](std::size_t level) const { return levels_[level]; }
+    std::size_t levels() const { return levels_; }
 
     // In 2^(level + 1) sets, of a line at `depth` among all.
     void add(std::size_t level,
@@ -44,27 +34,41 @@ public:
              std::uint32_t position,
              std::uint32_t depth,
              std::uint64_t times) {
-        Level& to = levels_[level];
-        const std::size_t last = to.in_both.size() - 1;
-        const std::size_t own = std::min<std::size_t>(position, last);
-        to.positions[static_cast<std::size_t>(reuse)][own] += times;
-        to.in_both[std::min<std::size_t>(own, depth >> (level + 1))] += times;
+        const std::uint32_t own = std::min(position, positions_ - 1);
+        counts_[begin(level, reuse) + own] += times;
+        in_both_[level * positions_ + std::min(own, depth >> (level + 1))] += times;
     }
 
     PositionCounts& operator+=(const PositionCounts& other) {
         const auto add = [](Histogram& to, const Histogram& from) {
             std::transform(to.begin(), to.end(), from.begin(), to.begin(), std::plus<>());
         };
-        for (std::size_t level = 0; level < levels_.size(); ++level) {
-            add(levels_[level].in_both, other[level].in_both);
-            for (std::size_t reuse = 0; reuse <= ReuseScopes; ++reuse)
-                add(levels_[level].positions[reuse], other[level].positions[reuse]);
-        }
+        add(counts_, other.counts_);
+        add(in_both_, other.in_both_);
         return *this;
     }
 
+    ReuseHistograms positions(std::size_t level) const {
+        ReuseHistograms of;
+        for (std::size_t reuse = 0; reuse < of.size(); ++reuse)
+            of[reuse] = part(counts_, begin(level, static_cast<Reuse>(reuse)));
+        return of;
+    }
+    // Of the lesser of position and what is over of the sets' share.
+    Histogram in_both(std::size_t level) const { return part(in_both_, level * positions_); }
+
 private:
-    std::vector<Level> levels_;
+    std::size_t begin(std::size_t level, Reuse reuse) const {
+        return (level * (ReuseScopes + 1) + static_cast<std::size_t>(reuse)) * positions_;
+    }
+    Histogram part(const Histogram& of, std::size_t begin) const {
+        const auto first = of.begin() + static_cast<std::ptrdiff_t>(begin);
+        return {first, first + positions_};
+    }
+
+    std::size_t levels_;
+    std::uint32_t positions_;
+    Histogram counts_, in_both_;
 };
 
 } // namespace ffgpu::work

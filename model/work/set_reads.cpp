@@ -36,17 +36,17 @@ std::span<const std::uint32_t> SetReads::use(const SetRead& read) {
 // that still stand there, above it: they are counted once. The others came from below it, and took
 // the holes above it first.
 std::span<const std::uint32_t> SetReads::positions(const SetRead& read) {
-    const std::size_t below = stacks_.positions(read.line, short_of(read.left), positions_);
-    std::size_t level = 0;
-    for (; level < stacks_.levels(); ++level) {
-        std::uint32_t& position = positions_[level];
-        if (level >= below) position = 0;
-        const std::uint32_t newer = read.newer.of(level);
-        if (stacks_.has_holes())
-            position -= std::min(newer, stacks_.holes_above(level, read.line, position));
-        position = std::min(position + newer, most_ways_);
-        if (position == 0) break;
-    }
+    std::size_t level = stacks_.positions(read.line, short_of(read.left), positions_);
+    if (stacks_.has_holes())
+        for (std::size_t i = 0; i < level; ++i)
+            positions_[i] -= std::min(read.newer.of(i),
+                                      stacks_.holes_above(i, read.line, positions_[i]));
+    for (std::size_t i = 0; i < level; ++i)
+        positions_[i] = std::min(positions_[i] + read.newer.of(i), most_ways_);
+    for (; level < stacks_.levels() && read.newer.of(level) > 0; ++level)
+        positions_[level] = std::min(read.newer.of(level), most_ways_);
+    while (level > 0 && positions_[level - 1] == 0) // Of more sets it is at no higher a position.
+        --level;
     return std::span(positions_).first(level);
 }
 

@@ -289,19 +289,10 @@ std::vector<CacheVariant> variants_of(const CacheStudyOptions& options) {
     return variants;
 }
 
-unsigned processors() {
-    return std::max(1u, std::thread::hardware_concurrency());
-}
-
-// Besides those that draw; one that has no job is of no use.
+// Besides the one that draws; one that has no job is of no use.
 unsigned threads_for(std::size_t curves) {
-    return static_cast<unsigned>(std::min<std::size_t>(processors() - 1, 1 + 2 * curves));
-}
-
-// The look-ups take longer than the drawing, which takes what they leave.
-GpuParameters drawing_beside(unsigned threads, GpuParameters gpu) {
-    if (gpu.threads == 0) gpu.threads = std::max(1u, processors() - threads);
-    return gpu;
+    const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+    return static_cast<unsigned>(std::min<std::size_t>(processors - 1, 1 + 2 * curves));
 }
 
 } // namespace
@@ -313,8 +304,7 @@ void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
         options.warn(line);
     const std::vector<CacheVariant> wanted = variants_of(options);
     const std::size_t curves = wanted.size() * options.clients.size() * options.line_bytes.size();
-    const unsigned threads = threads_for(curves);
-    work::JobPool pool(threads);
+    work::JobPool pool(threads_for(curves));
     std::deque<Variant> variants;
     CommandFanOut readers;
     ScanFanOut scans;
@@ -339,7 +329,7 @@ void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
     try {
         const WorkPlayOptions play{.input = options.input,
                                    .frames = options.frames,
-                                   .gpu = drawing_beside(threads, options.configuration.gpu),
+                                   .gpu = options.configuration.gpu,
                                    .machine = options.configuration.timing,
                                    .warn = options.warn,
                                    .pool = &pool};

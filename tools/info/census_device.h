@@ -28,7 +28,7 @@ public:
     std::vector<const StatisticsGroup*> statistics() const override { return {}; }
 
 private:
-    static constexpr std::uint64_t MemoryBytes = FunctionalGpu::Config{}.memory_bytes;
+    static constexpr std::uint64_t MemoryBytes = DeviceMemory::DefaultBytes;
     struct Free {
         void operator()(void* memory) const { std::free(memory); }
     };

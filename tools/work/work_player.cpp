@@ -20,10 +20,19 @@ namespace {
 
 using OnFrame = std::function<void(const work::FrameFigures&)>;
 
-FunctionalGpu::Config gpu_config(const GpuParameters& parameters) {
+// What a pool does takes longer than to draw, which takes the processors that it leaves.
+FunctionalGpu::Config gpu_config(const WorkPlayOptions& options) {
     const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
-    return {.threads = parameters.threads == 0 ? processors : parameters.threads,
-            .tile_size = parameters.tile_size};
+    FunctionalGpu::Config config{.threads = options.gpu.threads,
+                                 .tile_size = options.gpu.tile_size};
+    if (config.threads > 0) return config;
+    config.threads = processors;
+    if (!options.pool) return config;
+    if (processors > options.pool->threads() + 1)
+        config.threads = processors - options.pool->threads();
+    else
+        config.may_share = [pool = options.pool] { return !pool->has_jobs(); };
+    return config;
 }
 
 // Draws, and hands the work over on a thread of its own.
@@ -32,7 +41,7 @@ public:
     Drawing(const WorkPlayOptions& options, WorkSink& sink, const OnFrame& on_frame)
         : options_(options)
         , on_frame_(on_frame)
-        , gpu_(gpu_config(options.gpu))
+        , gpu_(gpu_config(options))
         , thread_(sink, options.pool)
         , source_(open_frame_source(
               options.input, gpu_, {.warn = options.warn, .panel = options.gpu.panel()})) {}
