@@ -122,7 +122,7 @@ void write(const FragmentPipe& pipe,
     fates.after_coverage = batch.live;
     batch.live = run_alpha_test(pipe, batch, tap);
     late_depth_test(pipe, batch, fates, tap);
-    run_color_write(pipe, 0, batch, tap);
+    if (pipe.stores_colors) run_color_write(pipe, 0, batch, tap);
 }
 
 void write_kept(const FragmentPipe& pipe,

@@ -38,6 +38,8 @@ struct FragmentPipe {
     // Nothing changes colours, tests their alpha or mixes them with others on their way from the
     // primitives to the targets, which hold them as rgba8.
     bool keeps_colors = false;
+    // false: write() leaves the colours of the targets as they are.
+    bool stores_colors = true;
     EnvironmentProgram environments;
     FogCurve fog;
     StencilDepthState stencil_depth;

@@ -8,9 +8,15 @@
 namespace ffgpu {
 namespace {
 
+// By their alpha. Of several samples all is drawn.
+bool colors_decide(const DrawState& state) {
+    return state.regs().fragment.alpha_test || state.samples > 1;
+}
+
 std::shared_ptr<const PixelContext> compile_pixel_context(const DrawState& state,
                                                           std::span<std::byte> memory,
-                                                          const FragmentStages& stages) {
+                                                          const FragmentStages& stages,
+                                                          bool colors) {
     const Registers& r = state.regs();
     auto pixels = std::make_shared<PixelContext>();
     pixels->layout = state.layout;
@@ -20,7 +26,9 @@ std::shared_ptr<const PixelContext> compile_pixel_context(const DrawState& state
     pixels->multisample = state.multisample;
     pixels->count_samples = r.fragment.count_samples;
     pixels->stipple = stipple_patterns(r.polygon_stipple, r.primitive);
+    pixels->draws_colors = colors || colors_decide(state);
     pixels->pipe = compile_fragment_pipe(state, memory, stages);
+    pixels->pipe.stores_colors = pixels->draws_colors;
     for (unsigned unit = 0; unit < TextureUnits; ++unit)
         if (pixels->samples(unit))
             pixels->textures[unit] = compile_texture_unit(r.images[unit], r.samplers[unit], memory);
@@ -60,7 +68,7 @@ std::shared_ptr<const PixelContext> PixelContexts::of(const DrawState& state) {
         const auto of_then = pixel_registers(*kept.pixels->pipe.registers);
         if (std::memcmp(of_then.data(), bytes.data(), bytes.size()) == 0) return kept.pixels;
     }
-    auto pixels = compile_pixel_context(state, memory_, stages_);
+    auto pixels = compile_pixel_context(state, memory_, stages_, colors_);
     if (kept_.size() < Most) kept_.emplace_back();
     kept_[next_] = {print, pixels};
     next_ = (next_ + 1) % Most;

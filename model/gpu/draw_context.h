@@ -29,6 +29,7 @@ struct alignas(CacheLinePair) PixelContext {
     bool antialias = false;
     bool multisample = false; // DrawState::multisample
     bool count_samples = false;
+    bool draws_colors = true; // false: nobody wants them, and they decide on no fragment
     StipplePatterns stipple;
     FragmentPipe pipe;
     std::array<TextureUnit, TextureUnits> textures; // those of `units`
@@ -47,9 +48,11 @@ struct DrawContext {
 // Compiles pixel contexts, and keeps the last ones: applications go back to values of before.
 class PixelContexts {
 public:
-    PixelContexts(std::span<std::byte> memory, const FragmentStages& stages)
+    // `colors`: false, if nobody wants those that decide on no fragment.
+    PixelContexts(std::span<std::byte> memory, const FragmentStages& stages, bool colors = true)
         : memory_(memory)
-        , stages_(stages) {}
+        , stages_(stages)
+        , colors_(colors) {}
 
     std::shared_ptr<const PixelContext> of(const DrawState& state);
 
@@ -62,6 +65,7 @@ private:
 
     std::span<std::byte> memory_;
     const FragmentStages& stages_;
+    const bool colors_;
     std::vector<Kept> kept_;
     std::size_t next_ = 0; // the place that is taken next: the oldest one's
 };

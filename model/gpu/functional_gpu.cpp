@@ -20,7 +20,7 @@ FunctionalGpu::FunctionalGpu(const Config& config)
     , pool_(config.threads, config.may_share)
     , geometry_(pool_.threads())
     , stock_(static_cast<int>(config.tile_size), config.bin_bytes)
-    , pixel_contexts_(memory_.bytes(), *config_.stages->fragment) {
+    , pixel_contexts_(memory_.bytes(), *config_.stages->fragment, config.colors) {
     check(config.threads >= 1, "a GPU needs a thread");
     geometry_[0] = std::make_unique<GeometryWorker>(memory_.bytes(), *config.stages);
     for (unsigned i = 0; i < pool_.threads(); ++i)
@@ -38,6 +38,7 @@ FunctionalGpu::~FunctionalGpu() {
 void FunctionalGpu::set_work_sink(WorkSink* sink, WorkDetail detail) {
     flush();
     registers_sent_ = {};
+    check(config_.colors || detail != WorkDetail::Values, "values of colours that are drawn");
     sink_ = sink;
     detail_ = detail;
     journal_.clear();
@@ -51,6 +52,7 @@ void FunctionalGpu::hide_from_work(bool hidden) {
 }
 
 void FunctionalGpu::set_stage_probe(StageProbe* probe) {
+    check(config_.colors || !probe, "stages of colours that are drawn");
     flush();
     probe_ = probe;
     renderers_[0]->set_probe(probe);
@@ -72,6 +74,8 @@ void FunctionalGpu::reset() {
     context_valid_ = pixels_valid_ = false;
     journal_.clear();
     cleared_.clear();
+    undrawn_.clear();
+    missed_colors_ = false;
     frame_ = draw_number_ = 0;
     samples_ = 0;
     samples_pending_ = false;
@@ -87,6 +91,7 @@ void FunctionalGpu::reset() {
 void FunctionalGpu::write_memory(DeviceAddress at, std::span<const std::byte> bytes) {
     check(memory_.contains(at, bytes.size()), "a write outside device memory");
     before_write(at, bytes.size());
+    if (undrawn_.overlaps(at, bytes.size())) undrawn_.remove(at, bytes.size());
     if (!bytes.empty()) std::memcpy(memory_.bytes().data() + at, bytes.data(), bytes.size());
     note_transfer(true, at, bytes.size());
 }
@@ -100,6 +105,7 @@ void FunctionalGpu::read_memory(DeviceAddress at, std::span<std::byte> bytes) {
 
 std::span<std::byte> FunctionalGpu::settled_memory() {
     flush();
+    missed_colors_ = missed_colors_ || !undrawn_.empty();
     cleared_.clear();
     return memory_.bytes();
 }
@@ -163,7 +169,11 @@ void FunctionalGpu::draw_image(const DrawImageCommand& command) {
     prepare_context();
     ++primitive_statistics().draws;
     const std::uint64_t bytes = image_bytes(command);
-    before_read(command.address, bytes);
+    if (context_->pixels->draws_colors || format_info(command.format).is_depth ||
+        command.format == Format::Stencil8)
+        before_read(command.address, bytes);
+    else
+        before_bin_reads(command.address, bytes);
     begin_command({.kind = WorkKind::Image,
                    .number = draw_number_++,
                    .image = std::make_unique<const DrawImageCommand>(command)});
@@ -179,6 +189,9 @@ void FunctionalGpu::draw_image(const DrawImageCommand& command) {
 void FunctionalGpu::copy(const CopyRectangleCommand& command) {
     validate(command, memory_.size());
     flush();
+    const Surface& to = command.destination;
+    if (undrawn_.overlaps(command.source.address, command.source.bytes()))
+        undrawn_.add(to.address, to.bytes());
     copy_rectangle(command, memory_.bytes());
     forget_contents(command.destination.address, command.destination.bytes());
     if (!sink_) return;

@@ -42,6 +42,9 @@ public:
         const Stages* stages = &FastStages;             // or &ReferenceStages: the same frames
         // Whether the other threads may take part in what begins now; null: always.
         std::function<bool()> may_share = nullptr;
+        // false: for who wants the work alone, without values. Colours are drawn where they decide
+        // on fragments: see missed_colors().
+        bool colors = true;
     };
 
     explicit FunctionalGpu(const Config& config);
@@ -64,6 +67,10 @@ public:
     // The frame under way and the next draw get these numbers: for a device that goes on where
     // another was captured.
     void number_from(std::uint32_t frame, std::uint32_t draw);
+
+    // Whether what was recorded, or read, may depend on colours that were not drawn: it has to be
+    // drawn again, with all of them.
+    bool missed_colors() const { return missed_colors_; }
 
     const Registers& registers() const { return registers_.values(); }
 
@@ -108,9 +115,11 @@ private:
     bool reads_own_target(const DrawContext& context, const DrawCommand& command) const;
 
     // Bins.
-    void before_read(std::uint64_t at, std::uint64_t bytes); // of memory by anybody but a bin
+    void before_read(std::uint64_t at, std::uint64_t bytes);      // by whom its values matter to
+    void before_bin_reads(std::uint64_t at, std::uint64_t bytes); // for colours that nobody wants
     void before_write(std::uint64_t at, std::uint64_t bytes);
     void forget_contents(std::uint64_t at, std::uint64_t bytes);
+    void leave_undrawn(const Targets& targets);
     void flush();     // All that was submitted is in memory.
     void carry_out(); // The bins at hand are drawn, perhaps while the next ones are filled.
     void finish_carrying();
@@ -140,6 +149,8 @@ private:
     BinSequence bins_;      // Where commands go: to the last.
     BinSequence under_way_; // Other threads draw them while the next are filled,
     std::vector<std::uint32_t> under_way_tiles_; // tile by tile.
+    RangeSet undrawn_;     // where colours are not those that were drawn
+    bool missed_colors_ = false;
     Targets bin_targets_;                        // what the bins draw into
     ClearedTargets cleared_;
     bool bin_serial_ = false; // A draw reads what it writes: one thread, so that it repeats.

@@ -130,11 +130,14 @@ void FunctionalGpu::begin_command(BinCommand command) {
     if (context_->pixels != binned_pixels_) {
         // Textures that the bin draws into must be finished; others must stay as they are.
         for_each_image(*context_, [this](const TextureImage& image) {
-            before_read(image.address, texture_bytes(image.shape));
+            const std::uint64_t bytes = texture_bytes(image.shape);
+            context_->pixels->draws_colors ? before_read(image.address, bytes)
+                                           : before_bin_reads(image.address, bytes);
         });
     }
     if (bins_.empty()) open_bin(targets);
     if (context_->pixels != binned_pixels_) {
+        if (!context_->pixels->draws_colors) leave_undrawn(targets);
         for_each_image(*context_, [this](const TextureImage& image) {
             bins_.reads.add(image.address, texture_bytes(image.shape));
         });
@@ -193,7 +196,17 @@ void FunctionalGpu::tell_contents(const Targets& targets) {
     });
 }
 
+void FunctionalGpu::leave_undrawn(const Targets& targets) {
+    for (const Surface& color : targets.color)
+        if (color.format != Format::None) undrawn_.add(color.address, color.bytes());
+}
+
 void FunctionalGpu::before_read(std::uint64_t at, std::uint64_t bytes) {
+    before_bin_reads(at, bytes);
+    missed_colors_ = missed_colors_ || undrawn_.overlaps(at, bytes);
+}
+
+void FunctionalGpu::before_bin_reads(std::uint64_t at, std::uint64_t bytes) {
     if (bins_.writes.overlaps(at, bytes)) flush();
     if (under_way_.writes_to(at, bytes)) finish_carrying();
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace ffgpu {
@@ -28,6 +29,18 @@ public:
         ranges_.erase(first + 1, last);
     }
 
+    void remove(std::uint64_t at, std::uint64_t bytes) {
+        const std::uint64_t end = at + bytes;
+        std::vector<Range> left;
+        for (const Range& range : ranges_) {
+            if (range.begin < std::min(range.end, at))
+                left.push_back({range.begin, std::min(range.end, at)});
+            if (std::max(range.begin, end) < range.end)
+                left.push_back({std::max(range.begin, end), range.end});
+        }
+        ranges_ = std::move(left);
+    }
+
     bool overlaps(std::uint64_t at, std::uint64_t bytes) const {
         if (bytes == 0) return false;
         const auto first = std::upper_bound(
@@ -37,6 +50,7 @@ public:
         return first != ranges_.end() && first->begin < at + bytes;
     }
 
+    bool empty() const { return ranges_.empty(); }
     void clear() { ranges_.clear(); }
 
 private:

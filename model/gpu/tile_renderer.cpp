@@ -205,7 +205,7 @@ void TileRenderer::draw_image(const BinCommand& command) {
         if (tap_) tap_->begin(command, {});
         if (tap_) tap_->coverage();
         early_depth_test(pixels_->pipe, batch_, pipe_tap());
-        if (batch_.live.any() || records_values()) {
+        if (wants_samples() && (batch_.live.any() || records_values())) {
             for (unsigned unit = 0; unit < TextureUnits; ++unit)
                 if (pixels_->samples(unit)) {
                     coordinates_ = constant_coordinates(image.tex_coords[unit], is_cube(unit));
@@ -237,7 +237,8 @@ void TileRenderer::flush() {
     if (keeps_colors()) {
         finish_kept(runs, covered);
     } else {
-        if (batch_.live.any() || records_values()) shade_units(runs, covered);
+        if (wants_samples() && (batch_.live.any() || records_values()))
+            shade_units(runs, covered);
         finish_batch(covered);
     }
     if (context.antialias) batch_.antialias.fill(255); // Smooth primitives wrote theirs.
@@ -246,8 +247,14 @@ void TileRenderer::flush() {
 
 // Who is told of stages, or of values, is told of all of them.
 bool TileRenderer::keeps_colors() const {
-    return pixels_->pipe.keeps_colors && pixels_->units == 0 && pixels_->layout.color >= 0 &&
+    return pixels_->pipe.keeps_colors && pixels_->draws_colors && pixels_->units == 0 &&
+           pixels_->layout.color >= 0 &&
            stages_.packs_kept_colors && !records_values() && !tap_;
+}
+
+// Texels that are read without colours are recorded.
+bool TileRenderer::wants_samples() const {
+    return pixels_->draws_colors || (recording_.tile && pixels_->units != 0);
 }
 
 // From the primitives' planes to the texture units' samples.
@@ -257,7 +264,7 @@ void TileRenderer::shade_units(std::span<const BatchRun> runs, const FragmentMas
         stages_.interpolate_perspective(runs, batch_, perspective_);
         if (tap_) tap_->perspective(perspective_);
     }
-    stages_.interpolate_colors(layout, runs, perspective_, batch_);
+    if (pixels_->draws_colors) stages_.interpolate_colors(layout, runs, perspective_, batch_);
     if (tap_) tap_->colors(layout);
     for (unsigned unit = 0; unit < TextureUnits; ++unit)
         if (pixels_->samples(unit)) {
@@ -296,7 +303,10 @@ void TileRenderer::sample_unit(unsigned unit, const FragmentMask& covered) {
     // A machine that tests depth late reads the texels of hidden fragments, too.
     stages_.sample(pixels_->textures[unit],
                    coordinates_,
-                   {batch_.quad_count, covered, records_values() ? covered : batch_.live},
+                   {batch_.quad_count,
+                    covered,
+                    records_values() ? covered : batch_.live,
+                    pixels_->draws_colors},
                    batch_.texture[unit],
                    footprints);
     if (tap_) tap_->sampling(pixels_->textures[unit], unit, coordinates_);
@@ -305,7 +315,8 @@ void TileRenderer::sample_unit(unsigned unit, const FragmentMask& covered) {
 void TileRenderer::finish_batch(const FragmentMask& covered) {
     const FragmentMask early = batch_.live;
     if (early.any()) {
-        if (pixels_->layout.color >= 0) shade(pixels_->pipe, batch_, pipe_tap());
+        if (pixels_->layout.color >= 0 && pixels_->draws_colors)
+            shade(pixels_->pipe, batch_, pipe_tap());
         write(pixels_->pipe, batch_, fates_, pipe_tap());
     } else {
         fates_ = {};

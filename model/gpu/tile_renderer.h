@@ -62,6 +62,7 @@ private:
     void sample_unit(unsigned unit, const FragmentMask& covered);
     bool is_cube(unsigned unit) const { return pixels_->textures[unit].kind == TextureKind::Cube; }
     bool keeps_colors() const;
+    bool wants_samples() const;
     void finish_batch(const FragmentMask& covered);
     void finish_kept(std::span<const BatchRun> runs, const FragmentMask& covered);
     void interpolate_kept(std::span<const BatchRun> runs);

@@ -116,6 +116,7 @@ void append_accesses(const TextureUnit& unit,
 void filter_probes(const TextureUnit& unit,
                    FilterInputs inputs,
                    const FragmentMask& live,
+                   bool colors,
                    ColorPlanes& out,
                    TexelFootprints* footprints) {
     const SamplingBatch& sampling = *inputs.sampling;
@@ -126,11 +127,13 @@ void filter_probes(const TextureUnit& unit,
     inputs.coordinates = &moved;
     for (unsigned i = 1; i <= sampling.max_probes; ++i) {
         move_batch(unit, middle, sampling, i, lanes, moved);
-        filter_batch(unit, inputs, out);
-        mean.add(out, sampling, i, lanes);
+        if (colors) {
+            filter_batch(unit, inputs, out);
+            mean.add(out, sampling, i, lanes);
+        }
         if (footprints) append_accesses(unit, inputs, live, i - 1, footprints->planes);
     }
-    mean.store(sampling, lanes, out);
+    if (colors) mean.store(sampling, lanes, out);
 }
 
 // Vectors hold whole groups: behind the last quad stands the last quad.
@@ -189,9 +192,9 @@ void sample(const TextureUnit& unit,
                               &sampling,
                               quads.count};
     if (sampling.max_probes > 1) {
-        filter_probes(unit, inputs, quads.live, out, footprints);
+        filter_probes(unit, inputs, quads.live, quads.colors, out, footprints);
     } else {
-        filter_batch(unit, inputs, out);
+        if (quads.colors) filter_batch(unit, inputs, out);
         if (footprints) append_accesses(unit, inputs, quads.live, 0, footprints->planes);
     }
 }

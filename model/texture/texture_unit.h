@@ -68,6 +68,7 @@ TextureUnit compile_texture_unit(const TextureImage& image,
 struct SampleQuads {
     unsigned count = 0;
     FragmentMask covered, live;
+    bool colors = true; // false: nobody wants the colours, which may be any
 };
 
 // Samples the quads. Fragments that are not live get some colour. With footprints, appends the

@@ -295,16 +295,13 @@ unsigned threads_for(std::size_t curves) {
     return static_cast<unsigned>(std::min<std::size_t>(processors - 1, 1 + 2 * curves));
 }
 
-} // namespace
-
-void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
-    check_options(options);
-    for (const std::string& line :
-         not_followed_by_curves(options.configuration.timing, options.clients))
-        options.warn(line);
+void play_and_count(const CacheStudyOptions& options,
+                    WorkPlayOptions play,
+                    CacheStudyResult& result) {
     const std::vector<CacheVariant> wanted = variants_of(options);
     const std::size_t curves = wanted.size() * options.clients.size() * options.line_bytes.size();
     work::JobPool pool(threads_for(curves));
+    play.pool = &pool;
     std::deque<Variant> variants;
     CommandFanOut readers;
     ScanFanOut scans;
@@ -327,18 +324,43 @@ void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
             variant.tell(result);
     };
     try {
-        const WorkPlayOptions play{.input = options.input,
-                                   .frames = options.frames,
-                                   .gpu = options.configuration.gpu,
-                                   .machine = options.configuration.timing,
-                                   .warn = options.warn,
-                                   .pool = &pool};
         texels_alone ? play_work(play, scans, on_frame) : play_work(play, readers, on_frame);
     } catch (const InputError&) {
         finish();
         throw;
     }
     finish();
+}
+
+} // namespace
+
+void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
+    check_options(options);
+    for (const std::string& line :
+         not_followed_by_curves(options.configuration.timing, options.clients))
+        options.warn(line);
+    std::size_t warned = 0; // in the first run
+    WorkPlayOptions play{.input = options.input,
+                         .frames = options.frames,
+                         .gpu = options.configuration.gpu,
+                         .machine = options.configuration.timing,
+                         .warn =
+                             [&](const std::string& line) {
+                                 ++warned;
+                                 options.warn(line);
+                             },
+                         .colors = !options.configuration.timing.needs_values().empty()};
+    try {
+        return play_and_count(options, play, result);
+    } catch (const MissedColors&) {
+        result = {};
+    }
+    play.colors = true;
+    play.warn = [&](const std::string& line) {
+        if (warned == 0) return options.warn(line);
+        --warned;
+    };
+    play_and_count(options, play, result);
 }
 
 std::vector<CacheGeometry> told_geometries(const CacheStudyOptions& options,

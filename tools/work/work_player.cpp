@@ -24,7 +24,8 @@ using OnFrame = std::function<void(const work::FrameFigures&)>;
 FunctionalGpu::Config gpu_config(const WorkPlayOptions& options) {
     const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
     FunctionalGpu::Config config{.threads = options.gpu.threads,
-                                 .tile_size = options.gpu.tile_size};
+                                 .tile_size = options.gpu.tile_size,
+                                 .colors = options.colors};
     if (config.threads > 0) return config;
     config.threads = processors;
     if (!options.pool) return config;
@@ -82,6 +83,7 @@ private:
 
     void hand_over(const Frame& frame) {
         gpu_.finish();
+        if (gpu_.missed_colors()) throw MissedColors();
         thread_.check_failure();
         const work::FrameFigures figures{.number = frame.number,
                                          .width = frame.picture.width,
@@ -94,6 +96,7 @@ private:
     void finish() {
         gpu_.finish();
         thread_.drain();
+        if (gpu_.missed_colors()) throw MissedColors();
     }
 
     const WorkPlayOptions& options_;

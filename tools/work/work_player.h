@@ -27,7 +27,12 @@ struct WorkPlayOptions {
     std::function<void(const std::string& line)> warn = [](const std::string&) {};
     // What is drawn is handed over as its first stage; null: on a thread of its own.
     work::JobPool* pool = nullptr;
+    // false: colours are drawn where they decide on fragments alone; throws MissedColors where that
+    // was not enough, and all that was handed over is void.
+    bool colors = true;
 };
+
+struct MissedColors {};
 
 // Calls `frame` where a frame's work has all been handed over; that and all calls of the sink come
 // one after another, from threads that need not be the caller's. Ends behind a frame where an Interruption came,
