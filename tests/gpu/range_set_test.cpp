@@ -7,7 +7,7 @@
 
 using ffgpu::RangeSet;
 
-TEST_CASE("a range set overlaps exactly the bytes that were added") {
+TEST_CASE("a range set overlaps exactly the bytes that were added and not removed") {
     constexpr std::size_t Memory = 4096;
     std::mt19937 random(8);
     for (int round = 0; round < 200; ++round) {
@@ -16,10 +16,12 @@ TEST_CASE("a range set overlaps exactly the bytes that were added") {
         const std::uint32_t most = round % 2 ? 40 : 400;
         for (int i = 0; i < 20; ++i) {
             const std::size_t count = random() % most, at = random() % (Memory - count);
-            set.add(at, count);
+            const bool removes = i % 3 == 2;
+            removes ? set.remove(at, count) : set.add(at, count);
             for (std::size_t byte = at; byte < at + count; ++byte)
-                bytes.set(byte);
+                bytes.set(byte, !removes);
         }
+        REQUIRE(set.empty() == bytes.none());
         for (std::size_t byte = 0; byte < Memory; ++byte)
             REQUIRE(set.overlaps(byte, 1) == bytes.test(byte));
         for (int i = 0; i < 200; ++i) {

@@ -44,6 +44,17 @@ TEST_CASE("a pool's other threads work while the caller goes on") {
     pool.wait();
 }
 
+TEST_CASE("a pool that may not share now lets the caller do all") {
+    bool may_share = false;
+    ThreadPool pool(3, [&] { return may_share; });
+    CHECK_FALSE(pool.shares());
+    unsigned by_caller = 0;
+    pool.run(50, [&](unsigned worker, std::size_t) { by_caller += worker == 0; });
+    CHECK(by_caller == 50);
+    may_share = true;
+    CHECK(pool.shares());
+}
+
 TEST_CASE("a job that fails is told of by wait, and the pool goes on") {
     for (const unsigned threads : {1u, 3u}) {
         ThreadPool pool(threads);
