@@ -149,9 +149,9 @@ private:
     BinSequence bins_;      // Where commands go: to the last.
     BinSequence under_way_; // Other threads draw them while the next are filled,
     std::vector<std::uint32_t> under_way_tiles_; // tile by tile.
-    RangeSet undrawn_;     // where colours are not those that were drawn
+    RangeSet undrawn_;                           // where colours are not those that were drawn
     bool missed_colors_ = false;
-    Targets bin_targets_;                        // what the bins draw into
+    Targets bin_targets_; // what the bins draw into
     ClearedTargets cleared_;
     bool bin_serial_ = false; // A draw reads what it writes: one thread, so that it repeats.
     PixelContexts pixel_contexts_;

@@ -237,8 +237,7 @@ void TileRenderer::flush() {
     if (keeps_colors()) {
         finish_kept(runs, covered);
     } else {
-        if (wants_samples() && (batch_.live.any() || records_values()))
-            shade_units(runs, covered);
+        if (wants_samples() && (batch_.live.any() || records_values())) shade_units(runs, covered);
         finish_batch(covered);
     }
     if (context.antialias) batch_.antialias.fill(255); // Smooth primitives wrote theirs.
@@ -248,8 +247,7 @@ void TileRenderer::flush() {
 // Who is told of stages, or of values, is told of all of them.
 bool TileRenderer::keeps_colors() const {
     return pixels_->pipe.keeps_colors && pixels_->draws_colors && pixels_->units == 0 &&
-           pixels_->layout.color >= 0 &&
-           stages_.packs_kept_colors && !records_values() && !tap_;
+           pixels_->layout.color >= 0 && stages_.packs_kept_colors && !records_values() && !tap_;
 }
 
 // Texels that are read without colours are recorded.

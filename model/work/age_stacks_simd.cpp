@@ -67,8 +67,7 @@ std::size_t positions_lanes(const AgeRows& rows,
 HWY_INLINE void insert(AgeRows::Entry* stack, std::uint32_t moved, AgeRows::Entry newest) {
     const Entries entries;
     const auto beside = [&](hn::Vec<Entries> further, std::uint32_t at, std::uint32_t count) {
-        return hn::IfThenElse(
-            hn::FirstN(entries, count), further, hn::Load(entries, stack + at));
+        return hn::IfThenElse(hn::FirstN(entries, count), further, hn::Load(entries, stack + at));
     };
     const auto shifted = hn::TableLookupLanes(hn::Load(entries, stack),
                                               hn::SetTableIndices(entries, OneFurther.data()));

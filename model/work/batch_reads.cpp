@@ -75,9 +75,10 @@ std::uint64_t find_repeats(const PlaneRectangles& rectangles,
 bool place(const AccessPlane& plane, const TextureLines& texture, unsigned lane, Block& block) {
     constexpr unsigned Square = 3; // TexelAccess::linear
     const unsigned head = plane.heads()[lane], level = head & 0xff;
-    if (head >> 8 != Square || level >= texture.lines.size()) return false;
+    constexpr unsigned Levels = 32;
+    if (head >> 8 != Square || level >= Levels || (texture.in_rectangles >> level & 1) == 0)
+        return false;
     block.level = &texture.lines[level];
-    if (!block.level->has_tables() || !block.level->has_rectangles_of(texture.bits)) return false;
     const std::uint32_t layers =
         plane.has_layers() ? plane.words(AccessPlane::Words::Layers)[lane] : 0;
     if ((layers & 0xffff) == TexelAccess::BorderTexel) return false;
@@ -302,6 +303,7 @@ bool BatchReads::add_rectangles(const Unit& unit, unsigned quad, QuadLines& line
         fragments += LiveLanes[live];
     }
     const RectangleBits step{step_of(unit.texture->bits.x), step_of(unit.texture->bits.y)};
+    lines.make_room(MostPlanes * Rectangles * Lanes);
     for (; first != 0; first &= first - 1) {
         const auto at = static_cast<unsigned>(std::countr_zero(first));
         lines.add_texel(blocks[at / Rectangles % MostPlanes].line(at % Rectangles, step));

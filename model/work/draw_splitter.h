@@ -1,5 +1,5 @@
-// DrawSplitter: the functional GPU's bins draw by draw, in the order of the commands; uploads come in
-// their place between draws. Of a draw that the host split between bins each has a part.
+// DrawSplitter: the functional GPU's bins draw by draw, in the order of the commands; uploads come
+// in their place between draws. Of a draw that the host split between bins each has a part.
 
 #pragma once
 

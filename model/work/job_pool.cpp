@@ -40,9 +40,8 @@ bool JobPool::run_one(std::unique_lock<std::mutex>& lock, unsigned first_stage) 
 
 bool JobPool::has_jobs() const {
     const std::lock_guard lock(mutex_);
-    return std::any_of(orders_.begin(), orders_.end(), [](const Order* order) {
-        return !order->jobs_.is_done();
-    });
+    return std::any_of(
+        orders_.begin(), orders_.end(), [](const Order* order) { return !order->jobs_.is_done(); });
 }
 
 JobPool::Order::Order(JobPool& pool, unsigned stage, std::size_t most_weight)

@@ -35,6 +35,8 @@ LevelLines::LevelLines(const PlacedLevel& level, std::uint32_t line_bytes)
     if (level.expansion_log2 != 0 || layer_bytes_ >> 32 != 0 || width == 0 || height == 0) return;
     columns_ = table(width, [&](std::uint32_t x) { return level.column_offset(x); });
     rows_ = table(height, [&](std::uint32_t y) { return level.row_offset(y); });
+    column_mask_ = static_cast<std::uint32_t>(columns_.size() - 1);
+    row_mask_ = static_cast<std::uint32_t>(rows_.size() - 1);
     find_rectangles();
 }
 

@@ -6,6 +6,7 @@
 #include "model/packets/texel_footprint.h"
 #include "model/work/placed_level.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -27,8 +28,8 @@ public:
 
     std::uint64_t layer(std::uint32_t layer) const { return base_ + layer * layer_bytes_; }
     // Beyond the level's edges they tell of texels inside.
-    std::uint64_t column(std::uint32_t x) const { return columns_[x & (columns_.size() - 1)]; }
-    std::uint64_t row(std::uint32_t y) const { return rows_[y & (rows_.size() - 1)]; }
+    std::uint64_t column(std::uint32_t x) const { return columns_[x & column_mask_]; }
+    std::uint64_t row(std::uint32_t y) const { return rows_[y & row_mask_]; }
     // Powers of two.
     std::size_t columns() const { return columns_.size(); }
     std::size_t rows() const { return rows_.size(); }
@@ -71,6 +72,7 @@ private:
 
     std::uint64_t base_, layer_bytes_;
     unsigned line_shift_;
+    std::uint32_t column_mask_ = 0, row_mask_ = 0;
     std::vector<std::uint32_t> columns_, rows_;         // bytes; powers of two many
     Rectangles firsts_{0xffff, 0xffff, 0xffff, 0xffff}; // masks
 };
@@ -80,11 +82,13 @@ struct TextureLines {
     std::vector<PlacedLevel> levels;
     std::vector<LevelLines> lines;
     RectangleBits bits; // of rectangles, in all levels that have larger ones than texels
+    std::uint32_t in_rectangles = 0; // levels whose texels lie in those, by tables: a bit each
 
     void clear() {
         levels.clear();
         lines.clear();
         bits = {};
+        in_rectangles = 0;
     }
     void add(const PlacedLevel& level, std::uint32_t line_bytes) {
         levels.push_back(level);
@@ -105,6 +109,10 @@ private:
             bits.x |= level.rectangle_bits().x;
             bits.y |= level.rectangle_bits().y;
         }
+        in_rectangles = 0;
+        for (std::size_t i = 0; i < std::min<std::size_t>(lines.size(), 32); ++i)
+            if (lines[i].has_tables() && lines[i].has_rectangles_of(bits))
+                in_rectangles |= std::uint32_t{1} << i;
     }
 };
 

@@ -123,9 +123,7 @@ void MissCurves::count_in_sets(std::span<const SetRead> reads) {
     for (std::size_t i = 0; i < reads.size(); ++i) {
         if (i + Ahead < reads.size()) read_sets_.prefetch(reads[i + Ahead]);
         const SetRead& read = reads[i];
-        const std::span<const std::uint32_t> positions = read_sets_.use(read);
-        for (std::size_t level = 0; level < positions.size(); ++level)
-            read_positions_.add(level, read.reuse, positions[level], read.depth, read.quads);
+        read_positions_.add(read_sets_.use(read), read.reuse, read.depth, read.quads);
     }
 }
 

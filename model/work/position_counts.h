@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace ffgpu::work {
@@ -28,6 +29,21 @@ public:
 
     std::size_t levels() const { return levels_; }
 
+    // Of one line, in 2, 4, 8 ... sets; positions up to most_ways.
+    void add(std::span<const std::uint32_t> positions,
+             Reuse reuse,
+             std::uint32_t depth,
+             std::uint64_t times) {
+        std::uint64_t* counts = counts_.data() + begin(0, reuse);
+        std::uint64_t* in_both = in_both_.data();
+        for (const std::uint32_t position : positions) {
+            depth /= 2;
+            counts[position] += times;
+            in_both[std::min(position, depth)] += times;
+            counts += (ReuseScopes + 1) * positions_;
+            in_both += positions_;
+        }
+    }
     // In 2^(level + 1) sets, of a line at `depth` among all.
     void add(std::size_t level,
              Reuse reuse,

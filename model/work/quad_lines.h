@@ -42,12 +42,12 @@ public:
         else
             add_other(texture, std::bit_cast<TexelAccess>(access));
     }
-    // What several fragments read, 2x2 texels each: the lines in their order, some again, and how
-    // many fragments. Where lines are merged.
-    void add_texel(std::uint64_t line) {
-        make_room(1);
-        add_line(line);
+    // What several fragments read, 2x2 texels each: the lines in their order, some again, behind
+    // make_room() for as many, and how many fragments. Where lines are merged.
+    void make_room(std::size_t more) {
+        if (count_ + more > lines_.size()) lines_.resize(2 * (count_ + more));
     }
+    void add_texel(std::uint64_t line) { add_line(line); }
     void add_squares(std::uint32_t fragments) { reads_ += 4 * fragments; }
 
     std::span<const std::uint64_t> lines() const { return {lines_.data(), count_}; }
@@ -74,9 +74,6 @@ private:
     }
     void add_other(const TextureLines& texture, const TexelAccess& access);
 
-    void make_room(std::size_t more) {
-        if (count_ + more > lines_.size()) lines_.resize(2 * (count_ + more));
-    }
     void add_corners(const PlacedLevel& level, const TexelAccess& access);
     void add_line(std::uint64_t line) {
         std::uint64_t* const end = lines_.data() + count_;

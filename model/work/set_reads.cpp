@@ -36,15 +36,18 @@ std::span<const std::uint32_t> SetReads::use(const SetRead& read) {
 // that still stand there, above it: they are counted once. The others came from below it, and took
 // the holes above it first.
 std::span<const std::uint32_t> SetReads::positions(const SetRead& read) {
+    const NewerSharers::Counts newer = read.newer.counts();
     std::size_t level = stacks_.positions(read.line, short_of(read.left), positions_);
     if (stacks_.has_holes())
         for (std::size_t i = 0; i < level; ++i)
-            positions_[i] -= std::min(read.newer.of(i),
-                                      stacks_.holes_above(i, read.line, positions_[i]));
-    for (std::size_t i = 0; i < level; ++i)
-        positions_[i] = std::min(positions_[i] + read.newer.of(i), most_ways_);
-    for (; level < stacks_.levels() && read.newer.of(level) > 0; ++level)
-        positions_[level] = std::min(read.newer.of(level), most_ways_);
+            positions_[i] -=
+                std::min<std::uint32_t>(newer[i], stacks_.holes_above(i, read.line, positions_[i]));
+    for (std::size_t i = level; i < positions_.size(); ++i)
+        positions_[i] = 0;
+    for (std::size_t i = 0; i < positions_.size(); ++i)
+        positions_[i] = std::min(positions_[i] + newer[i], most_ways_);
+    while (level < stacks_.levels() && positions_[level] > 0)
+        ++level;
     while (level > 0 && positions_[level - 1] == 0) // Of more sets it is at no higher a position.
         --level;
     return std::span(positions_).first(level);

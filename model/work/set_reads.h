@@ -9,6 +9,7 @@
 #include "model/work/recent_lines.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,15 +20,16 @@ namespace ffgpu::work {
 struct NewerSharers {
     static constexpr std::size_t Bytes = 8;
     static_assert(RecentLines::MostLevels <= 2 * Bytes);
+    static_assert(std::endian::native == std::endian::little);
 
     std::array<std::uint64_t, 2> words{}; // of 2 sets the lowest byte of the first
 
-    std::uint32_t of(std::size_t level) const {
-        return words[level / Bytes] >> (8 * (level % Bytes)) & 0xff;
-    }
+    using Counts = std::array<std::uint8_t, 2 * Bytes>;
+    Counts counts() const { return std::bit_cast<Counts>(words); }
 };
 
-// What happens in all sets: a line is looked up, then another leaves the top; either may be missing.
+// What happens in all sets: a line is looked up, then another leaves the top; either may be
+// missing.
 struct SetRead {
     using Time = RecentLines::Time;
     enum class Kind : std::uint8_t { Use, Drop, Flush };

@@ -1,5 +1,5 @@
-// Curves are drawn without colours, but where they decide: of a picture that becomes a texture whose
-// alpha is tested, all is drawn again.
+// Curves are drawn without colours, but where they decide: of a picture that becomes a texture
+// whose alpha is tested, all is drawn again.
 
 #include "model/capture/capture_writer.h"
 #include "model/work/lookup_walk.h"
@@ -36,8 +36,8 @@ void write_capture(const std::string& path, bool tests_alpha) {
     const Surface from = scene.registers.targets.color[0];
     Surface to = from;
     to.address = test::TextureAt;
-    scene.command(CopyRectangleCommand{
-        .source = from, .destination = to, .width = Size, .height = Size});
+    scene.command(
+        CopyRectangleCommand{.source = from, .destination = to, .width = Size, .height = Size});
     scene.registers.depth = {.test_enable = true, .write_enable = true};
     scene.registers.fragment.alpha_test = tests_alpha;
     scene.registers.fragment.alpha_compare = Compare::Greater;

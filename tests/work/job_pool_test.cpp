@@ -46,7 +46,8 @@ TEST_CASE("Jobs of three stages come in order, on any number of threads", "[job_
     }
 }
 
-TEST_CASE("Two orders of one stage that feed another each do not wait for each other", "[job_pool]") {
+TEST_CASE("Two orders of one stage that feed another each do not wait for each other",
+          "[job_pool]") {
     std::atomic<int> done = 0;
     JobPool pool(2);
     JobPool::Order ends[2] = {{pool, 1, 1}, {pool, 1, 1}};

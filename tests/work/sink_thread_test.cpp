@@ -1,6 +1,7 @@
 // The reader's thread: order, failures, an end in the middle.
 
 #include "model/base/input_error.h"
+#include "model/work/job_pool.h"
 #include "model/work/sink_thread.h"
 
 #include <string>
@@ -31,12 +32,12 @@ std::shared_ptr<const WorkBin> bin(std::uint32_t number) {
     return work;
 }
 
-TEST_CASE("All is read once, in order") {
+void check_order(JobPool* pool) {
     Reader reader;
     std::vector<std::uint32_t> expected;
     std::size_t seen = 0;
     {
-        SinkThread thread(reader);
+        SinkThread thread(reader, pool);
         for (std::uint32_t i = 0; i < 50; ++i) {
             thread.bin(bin(i));
             expected.push_back(i);
@@ -51,6 +52,12 @@ TEST_CASE("All is read once, in order") {
     expected.push_back(50);
     expected.push_back(1000003);
     CHECK(reader.numbers == expected);
+}
+
+TEST_CASE("All is read once, in order, on a thread of its own and in a pool") {
+    JobPool none(0), two(2);
+    for (JobPool* const pool : {static_cast<JobPool*>(nullptr), &none, &two})
+        check_order(pool);
 }
 
 TEST_CASE("What the reader throws comes out of drain() once, and nothing is read after it") {

@@ -30,8 +30,7 @@ public:
     // Of rows from `bottom` to `top` of the picture.
     void pane(float bottom, float top, float alpha) {
         const auto corner = [&](float x, float y) {
-            return test::Vertex{
-                x, y, 0, 1, 1, 1, 1, alpha, 0.5f + 0.5f * x, 0.5f + 0.5f * y};
+            return test::Vertex{x, y, 0, 1, 1, 1, 1, alpha, 0.5f + 0.5f * x, 0.5f + 0.5f * y};
         };
         scene.draw(PrimitiveType::Quads,
                    {corner(-1, bottom), corner(1, bottom), corner(1, top), corner(-1, top)});
@@ -43,8 +42,8 @@ public:
         const Surface from = scene.registers.targets.color[0];
         Surface to = from;
         to.address = test::TextureAt;
-        scene.command(CopyRectangleCommand{
-            .source = from, .destination = to, .width = Size, .height = Size});
+        scene.command(
+            CopyRectangleCommand{.source = from, .destination = to, .width = Size, .height = Size});
     }
     void test_alpha() {
         scene.registers.fragment.alpha_test = true;

@@ -35,8 +35,9 @@ struct WorkPlayOptions {
 struct MissedColors {};
 
 // Calls `frame` where a frame's work has all been handed over; that and all calls of the sink come
-// one after another, from threads that need not be the caller's. Ends behind a frame where an Interruption came,
-// perhaps without any. Throws InputError; all that came before the fault has been handed over then.
+// one after another, from threads that need not be the caller's. Ends behind a frame where an
+// Interruption came, perhaps without any. Throws InputError; all that came before the fault has
+// been handed over then.
 void play_work(const WorkPlayOptions& options,
                work::CommandSink& sink,
                const std::function<void(const work::FrameFigures&)>& frame);
