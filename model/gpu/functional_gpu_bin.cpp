@@ -137,7 +137,7 @@ void FunctionalGpu::begin_command(BinCommand command) {
     }
     if (bins_.empty()) open_bin(targets);
     if (context_->pixels != binned_pixels_) {
-        if (!context_->pixels->draws_colors) leave_undrawn(targets);
+        leave_undrawn(targets);
         for_each_image(*context_, [this](const TextureImage& image) {
             bins_.reads.add(image.address, texture_bytes(image.shape));
         });
@@ -196,9 +196,14 @@ void FunctionalGpu::tell_contents(const Targets& targets) {
     });
 }
 
+// Depths may lie where colours were left out, as memory is used again and copied.
 void FunctionalGpu::leave_undrawn(const Targets& targets) {
-    for (const Surface& color : targets.color)
-        if (color.format != Format::None) undrawn_.add(color.address, color.bytes());
+    if (!context_->pixels->draws_colors)
+        for (const Surface& color : targets.color)
+            if (color.format != Format::None) undrawn_.add(color.address, color.bytes());
+    const Surface& depth = targets.depth;
+    if (depth.format != Format::None && undrawn_.overlaps(depth.address, depth.bytes()))
+        missed_colors_ = true;
 }
 
 void FunctionalGpu::before_read(std::uint64_t at, std::uint64_t bytes) {

@@ -4,6 +4,7 @@
 #include "tests/work/recorded_work.h"
 
 #include <bit>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
@@ -151,6 +152,36 @@ TEST_CASE("A host that reads the picture, or depths, or vertices", "[undrawn]") 
     draw.vertex_address = test::ColorAt;
     vertices.scene.command(draw);
     CHECK(vertices.missed());
+}
+
+TEST_CASE("Depths that lie where colours were left out", "[undrawn]") {
+    CopiedTexture copied; // byte by byte
+    Surface to = copied.scene.registers.targets.depth;
+    to.format = Format::Rgba8;
+    copied.scene.command(CopyRectangleCommand{.source = copied.scene.registers.targets.color[0],
+                                              .destination = to,
+                                              .width = CopiedTexture::Size,
+                                              .height = CopiedTexture::Size});
+    CHECK_FALSE(copied.missed());
+    copied.pane(-1, 1, 1);
+    CHECK(copied.missed());
+
+    CopiedTexture again; // memory that is used again
+    Targets& targets = again.scene.registers.targets;
+    std::swap(targets.color[0].address, targets.depth.address);
+    again.pane(-1, 1, 1);
+    CHECK(again.missed());
+
+    CopiedTexture together;
+    together.scene.registers.targets.depth.address = test::ColorAt;
+    together.pane(-1, 1, 1);
+    CHECK(together.missed());
+
+    CopiedTexture colors; // where depths were
+    colors.scene.registers.targets.color[0].address = test::DepthAt;
+    colors.scene.registers.targets.depth.format = Format::None;
+    colors.pane(-1, 1, 1);
+    CHECK_FALSE(colors.missed());
 }
 
 TEST_CASE("An image out of a picture without colours is missed where its alpha is tested, or where "
