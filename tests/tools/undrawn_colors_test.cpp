@@ -6,7 +6,10 @@
 #include "tests/gpu/scene.h"
 #include "tests/support/temporary_file.h"
 #include "tools/cache/cache_study.h"
+#include "tools/replay/interruption.h"
 #include "tools/work/work_player.h"
+
+#include <csignal>
 
 #include <catch2/catch.hpp>
 
@@ -69,12 +72,14 @@ public:
 };
 
 // By whole commands.
-std::uint64_t texels_read(const std::string& path, bool colors) {
+std::uint64_t texels_read(const std::string& path, bool colors, std::uint64_t at_least_frames = 0) {
     ReadCount count;
     const work::WorkConfig config;
     work::LookupWalk walk(config, {}, count);
     work::MachineOrder order(config, walk);
-    play_work({.input = path, .colors = colors}, order, [](const work::FrameFigures&) {});
+    play_work({.input = path, .colors = colors, .at_least = at_least_frames},
+              order,
+              [](const work::FrameFigures&) {});
     return count.texels;
 }
 
@@ -99,6 +104,26 @@ TEST_CASE("A capture whose alpha test reads the picture is drawn with its colour
     CHECK(result.curves[0].reads == All + All / 2);
     CHECK(result.frames.size() == 1);
     CHECK(result.curves[0].frame_lines.size() == 1);
+}
+
+TEST_CASE("Ctrl-C before it is drawn again leaves the frames that were drawn", "[undrawn]") {
+    const TemporaryFile file("", ".ffc");
+    write_capture(file.path(), true);
+    std::uint64_t next = 0;
+    try {
+        texels_read(file.path(), false);
+    } catch (const MissedColors& missed) {
+        next = missed.next;
+    }
+    CHECK(next == 1);
+    {
+        const Interruption interruption;
+        std::raise(SIGINT);
+        REQUIRE(Interruption::signal() == SIGINT);
+        CHECK(texels_read(file.path(), true) == 0);
+        CHECK(texels_read(file.path(), true, next) == std::uint64_t{Size} * Size * 3 / 2);
+    }
+    const Interruption none_came;
 }
 
 TEST_CASE("A capture whose alpha is not tested is drawn without colours", "[undrawn]") {

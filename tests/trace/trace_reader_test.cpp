@@ -288,6 +288,22 @@ TEST_CASE("A file cut at any byte of its container delivers what can be decoded"
     }
 }
 
+TEST_CASE("Of a block that is cut off the place is told where what can be decoded ends") {
+    const TraceWriter writer = small_trace();
+    constexpr std::size_t First = 60, Magic = 2;
+    const std::string file = in_snappy(writer.bytes.substr(0, First)) +
+                             in_snappy(writer.bytes.substr(First)).substr(Magic);
+    CHECK(read_all(file).error.empty());
+    for (std::size_t cut = 1; cut < 40; ++cut) {
+        const std::string error = read_all(file.substr(0, file.size() - cut)).error;
+        INFO(error);
+        REQUIRE_THAT(error, Contains("(uncompressed)") && Contains("is cut off"));
+        const std::size_t at = std::stoull(error.substr(error.find(": byte ") + 7));
+        CHECK(at >= First);
+        CHECK(at < writer.bytes.size());
+    }
+}
+
 TEST_CASE("Any flipped byte is survived") {
     const TraceWriter writer = small_trace();
     for (std::size_t at = 0; at < std::min<std::size_t>(writer.bytes.size(), 200); ++at) {

@@ -352,8 +352,9 @@ void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
                          .colors = !options.configuration.timing.needs_values().empty()};
     try {
         return play_and_count(options, play, result);
-    } catch (const MissedColors&) {
+    } catch (const MissedColors& missed) {
         result = {};
+        play.at_least = missed.next;
     }
     play.colors = true;
     play.warn = [&](const std::string& line) {

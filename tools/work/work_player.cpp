@@ -60,30 +60,33 @@ public:
 private:
     void play() {
         Progress progress(std::nullopt);
-        std::uint64_t next = source_->first_frame();
-        gpu_.number_from(static_cast<std::uint32_t>(next), source_->prepare());
-        while (next <= options_.frames.last && Interruption::signal() == 0) {
-            if (!recording_ && next >= options_.frames.first) {
+        next_ = source_->first_frame();
+        gpu_.number_from(static_cast<std::uint32_t>(next_), source_->prepare());
+        while (next_ <= options_.frames.last && !is_interrupted()) {
+            if (!recording_ && next_ >= options_.frames.first) {
                 const bool values = !options_.machine.needs_values().empty();
                 gpu_.set_work_sink(&thread_, values ? WorkDetail::Values : WorkDetail::Masks);
                 recording_ = true;
             }
             const std::optional<Frame> frame = source_->next();
             if (!frame) break;
+            next_ = frame->number + 1;
             if (recording_) hand_over(*frame);
             progress.show(frame->number);
-            next = frame->number + 1;
         }
-        if (!recording_ && Interruption::signal() == 0)
+        if (!recording_ && !is_interrupted())
             throw InputError(fmt::format("--frames: {} ends before frame {}: none of those asked "
                                          "for is there",
                                          options_.input,
-                                         next));
+                                         next_));
+    }
+    bool is_interrupted() const {
+        return Interruption::signal() != 0 && next_ >= options_.at_least;
     }
 
     void hand_over(const Frame& frame) {
         gpu_.finish();
-        if (gpu_.missed_colors()) throw MissedColors();
+        if (gpu_.missed_colors()) throw MissedColors{next_};
         thread_.check_failure();
         const work::FrameFigures figures{.number = frame.number,
                                          .width = frame.picture.width,
@@ -96,7 +99,7 @@ private:
     void finish() {
         gpu_.finish();
         thread_.drain();
-        if (gpu_.missed_colors()) throw MissedColors();
+        if (gpu_.missed_colors()) throw MissedColors{next_};
     }
 
     const WorkPlayOptions& options_;
@@ -104,6 +107,7 @@ private:
     FunctionalGpu gpu_;
     work::SinkThread thread_;
     std::unique_ptr<FrameSource> source_; // Plays on the GPU.
+    std::uint64_t next_ = 0;              // frame
     bool recording_ = false;
 };
 

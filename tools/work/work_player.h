@@ -10,6 +10,7 @@
 #include "tools/config/configuration.h"
 #include "tools/frames/frame_range.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -30,9 +31,12 @@ struct WorkPlayOptions {
     // false: colours are drawn where they decide on fragments alone; throws MissedColors where that
     // was not enough, and all that was handed over is void.
     bool colors = true;
+    std::uint64_t at_least = 0; // Frames before this one are played whatever Interruption comes.
 };
 
-struct MissedColors {};
+struct MissedColors {
+    std::uint64_t next = 0; // the frame behind those that were played
+};
 
 // Calls `frame` where a frame's work has all been handed over; that and all calls of the sink come
 // one after another, from threads that need not be the caller's. Ends behind a frame where an

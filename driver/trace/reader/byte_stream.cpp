@@ -11,12 +11,21 @@ void ByteStream::rewind() {
 
 bool ByteStream::next_chunk() {
     chunk_start_ += chunk_.size();
-    do {
-        const bool more = container_->next(chunk_);
+    const auto begin_chunk = [this] {
         at_ = chunk_.data();
         end_ = at_ + chunk_.size();
-        if (!more) return false;
-    } while (at_ == end_); // An empty block is legal.
+    };
+    try {
+        do {
+            const bool more = container_->next(chunk_);
+            begin_chunk();
+            if (!more) return false;
+        } while (at_ == end_); // An empty block is legal.
+    } catch (...) {
+        chunk_.clear(); // The place that is told is where it would begin.
+        begin_chunk();
+        throw;
+    }
     return true;
 }
 
