@@ -168,7 +168,7 @@ struct WorkBin {
 // What is recorded: which fragments were written, or also with which values (quad_values.h).
 enum class WorkDetail : std::uint8_t { Masks, Values };
 
-// Calls come from one thread, in the order of the commands. Clears and copies come as draws of
+// Calls come one after another, in the order of the commands. Clears and copies come as draws of
 // their kind.
 class WorkSink {
 public:

@@ -59,7 +59,7 @@ struct WholeCommand {
     }
 };
 
-// In the order of the commands, from one thread.
+// In the order of the commands, one after another.
 class CommandSink {
 public:
     virtual ~CommandSink() = default;

@@ -1,10 +1,8 @@
 #include "tests/trace/small_trace.h"
 
-#include <cmath>
 #include <limits>
 
 #include <catch2/catch.hpp>
-#include <unistd.h>
 
 namespace ffgpu::trace {
 namespace {
