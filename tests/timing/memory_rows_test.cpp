@@ -223,6 +223,21 @@ TEST_CASE("new rows of several bursts take the shortest round of two banks, or a
     CHECK(longer_than_form > 0);
 }
 
+// A row's two columns take four cycles of the five between two activates, and could take the slot
+// of every second activate.
+TEST_CASE("columns of several bursts leave the slots of activates by whose distance rows go") {
+    for (const std::uint32_t banks : {8u, 16u})
+        for (const bool write : {false, true})
+            for (const std::uint32_t before : {0u, 1u, 2u, 5u, 20u, 33u}) {
+                const MemoryConfig config = of_profile(MemoryProfile::Gddr3, banks);
+                const Stream stream{.bursts = 2, .write = write, .before = before};
+                REQUIRE(closed_form(config, stream) == config.activate_to_activate_cycles);
+                INFO(banks << " banks, " << (write ? "writes" : "reads") << " behind " << before);
+                CHECK(measured(config, stream) ==
+                      Approx(config.activate_to_activate_cycles).epsilon(0.005));
+            }
+}
+
 TEST_CASE(
     "new rows take the closed form's time within a hundredth over all timings, and never less") {
     Dice dice(21);

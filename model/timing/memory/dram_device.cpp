@@ -26,6 +26,17 @@ MemoryCycle DramDevice::refresh_ready() const {
     return at;
 }
 
+bool DramDevice::meets_where_activates_limit(const DramRequest& request,
+                                             MemoryCycle now,
+                                             MemoryCycle activate_at) const {
+    const MemoryCycle spacing = config_.column_spacing();
+    const MemoryCycle columns = spacing * config_.bursts(request.bytes);
+    if (activate_at <= now || activate_at >= now + columns || spacing == 1) return false;
+    const MemoryCycle four_activates =
+        std::max(4 * config_.activate_to_activate_cycles, config_.four_activates_cycles);
+    return (activate_at - now) % spacing == 0 && 4 * columns < four_activates;
+}
+
 void DramDevice::note_times(std::uint32_t bank) {
     if (bank >= BankTimes::Most) return;
     const Bank& it = banks_[bank];

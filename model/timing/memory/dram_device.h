@@ -46,6 +46,16 @@ public:
                          activates_[oldest_activate_],
                          refreshed_at_});
     }
+    // The bank, which has no row, could be activated sooner, were it not for others' activates.
+    bool is_activate_held(std::uint32_t bank) const {
+        return banks_[bank].activate_at < any_activate_at();
+    }
+    // Of the request's columns from `now` on one behind the first takes the slot of an activate,
+    // which a column later would leave, and rows of such requests go by the distance of activates,
+    // not by the bus.
+    bool meets_where_activates_limit(const DramRequest& request,
+                                     MemoryCycle now,
+                                     MemoryCycle activate_at) const;
     // What the bank needs next for another row: an activate where none is open, else a precharge.
     MemoryCycle row_ready_at(std::uint32_t bank) const {
         const Bank& it = banks_[bank];

@@ -26,6 +26,8 @@ struct DramScheduler::Search {
     std::array<std::uint64_t, 2> looked_at{};
     bool column_yields = false;  // its data could flow, but a bank's row went first
     std::uint32_t activates = 0; // of banks with older requests, which the next bank's comes behind
+    // The next activate of a bank that could take it sooner, were it not for the others'.
+    MemoryCycle held_activate_at = NoCycle;
 
     bool has_column() const { return command.kind == DramCommand::Kind::Column; }
     bool write_of(std::size_t index) const { return waiting[index].request.write; }
@@ -45,12 +47,26 @@ struct DramScheduler::Search {
     bool consider_row(DramCommand::Kind kind, std::size_t index, MemoryCycle ready_at) {
         return consider(kind, index, std::max(ready_at, row_slot));
     }
+    bool consider_activate(std::size_t index, std::uint32_t bank) {
+        const MemoryCycle ready_at = device.activate_ready_at(bank);
+        if (device.is_activate_held(bank)) held_activate_at = ready_at;
+        return consider_row(DramCommand::Kind::Activate, index, ready_at);
+    }
     // A bank whose row is in the way. Where a column could go out, too, and the bank would be
     // closed in time a cycle later, the column does.
     bool consider_precharge(std::size_t index, MemoryCycle ready_at) {
         const MemoryCycle closed_at = now + 1 + device.precharge_cycles();
         if (has_column() && device.activate_waits_for(activates, closed_at)) return false;
         return consider_row(DramCommand::Kind::Precharge, index, ready_at);
+    }
+    // The column found goes a cycle later: one of its request's would take the slot of an activate
+    // by whose distance from the one before all rows go. Then none does.
+    void yield_to_held_activate() {
+        if (!device.meets_where_activates_limit(
+                waiting[command.index].request, now, held_activate_at))
+            return;
+        command = {.again_at = now + 1};
+        column_yields = true;
     }
     // The same of a column, which may go out of turn only where that `may_pass`.
     bool consider_column(std::size_t index, bool may_pass, MemoryCycle ready_at) {
@@ -101,8 +117,7 @@ void DramScheduler::find_row(Search& search) const {
         claimed |= bank;
         if (search.is_hit(request)) continue;
         if (search.device.open_row(request.bank) == DramDevice::NoRow) {
-            const Ready ready = search.device.activate_ready(request.bank);
-            if (search.consider_row(DramCommand::Kind::Activate, i, ready.at)) return;
+            if (search.consider_activate(i, request.bank)) return;
         } else if ((search.hits & bank) == 0 || search.waiting[i].passed >= limit_) {
             const Ready ready = search.device.precharge_ready(request.bank);
             if (search.consider_precharge(i, ready.at)) return;
@@ -179,8 +194,7 @@ void DramScheduler::find_row_by_bits(Search& search) const {
         left &= ~waiting.of_bank(bank);
         if ((hits >> i & 1) != 0) continue;
         if (search.device.open_row(bank) == DramDevice::NoRow) {
-            const MemoryCycle ready_at = search.device.activate_ready_at(bank);
-            if (search.consider_row(DramCommand::Kind::Activate, i, ready_at)) return;
+            if (search.consider_activate(i, bank)) return;
         } else if (hits == 0 || waiting[i].passed >= limit_) {
             const MemoryCycle ready_at = search.device.precharge_ready(bank).at;
             if (search.consider_precharge(i, ready_at)) return;
@@ -249,7 +263,7 @@ void DramScheduler::choose_row(Search& search,
     const bool follows = !search.device.bus_stood(search.write_of(column), search.now);
     if (follows && is_bus_wanted()) return;
     find_row();
-    if (search.has_column()) return;
+    if (search.has_column()) return search.yield_to_held_activate();
     const bool row_goes = !follows || meetings_ % MeetingsToSlip == MeetingsToSlip - 1;
     if (row_goes)
         search.column_yields = true;

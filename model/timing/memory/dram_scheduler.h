@@ -5,7 +5,9 @@
 // rows to come. It is not late where its activate waits for those of older requests anyway: then
 // the column goes before its precharge. Two banks whose commands meet round after round would delay
 // each other by as much and never part; so of the meetings with a column that follows the data
-// before, one in MeetingsToSlip is the bank's, too. A request that reorder_limit younger ones have
+// before, one in MeetingsToSlip is the bank's, too. Where rows go by the distance of activates, a
+// request of several columns waits a cycle rather than that one behind the first takes the next
+// activate's slot, if no other column wants the bus. A request that reorder_limit younger ones have
 // passed is passed no more. In order is the same with a limit of zero: data in the order of the
 // requests, rows opened ahead.
 //
