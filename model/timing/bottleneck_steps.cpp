@@ -10,21 +10,65 @@
 
 namespace ffgpu::timing {
 
+namespace {
+
+// Of the passages before a step, or behind it.
+constexpr int AnyNumber = -1;
+
+template <int Count, class Each>
+[[gnu::always_inline]] inline void for_each(const auto& passages, const Each& each) {
+    if constexpr (Count == 1)
+        each(*passages.front());
+    else if constexpr (Count == AnyNumber)
+        for (auto* const passage : passages)
+            each(*passage);
+}
+
+} // namespace
+
+Bottlenecks::Inner::Inner(const StagePassage& told, const FillMoments* answers)
+    : through(static_cast<float>(told.through))
+    , through_work(static_cast<float>(told.through_work))
+    , back(static_cast<float>(told.back))
+    , back_work(static_cast<float>(told.back_work))
+    , places(told.places)
+    , works_first(told.works_first)
+    , fills(answers)
+    , exits(told.places)
+    , units(told.units)
+    , cycles_(std::bit_ceil(std::size_t{told.places} + 1)) {}
+
+// Counts are modulo 2^32.
+inline void Bottlenecks::Inner::see(const Passage& passage) {
+    coming = passage.entered - static_cast<std::uint32_t>(entered);
+    going = passage.left - static_cast<std::uint32_t>(left);
+    lookups = passage.looked_up - counted_.looked_up;
+    worked = passage.worked - counted_.worked;
+    awaited = passage.awaited;
+    behind = passage.behind;
+    waited = passage.waited - counted_.waited;
+    begun = passage.begun - counted_.begun;
+    if (begun == 0) return;
+    seen_begun_cycles_ = passage.begun_cycles;
+    begun_cycles = static_cast<float>(passage.begun_cycles - counted_.begun_cycles) /
+                   static_cast<float>(begun);
+    has_cycles_ |= begun_cycles != 0;
+}
+
 void Bottlenecks::connect_steps(Place& place) {
     place.is_last =
         std::none_of(places_.begin() + (&place - places_.data()) + 1,
                      places_.end(),
                      [&](const Place& other) { return other.stage.unit == place.stage.unit; });
+    place.passages.reserve(place.stage.passages.size());
     for (const StagePassage& told : place.stage.passages) {
-        Inner& each = place.passages.emplace_back(
-            Inner{.told = told,
-                  .exits = Moments(told.places),
-                  .units = std::vector<Inner::Begun>(told.units),
-                  .cycles = std::vector<float>(std::bit_ceil(std::size_t{told.places} + 1))});
-        if (!told.answers) continue;
-        Way& way = way_of(told.answers);
-        if (!way.fills) way.fills = &fills_.emplace_back(way.places);
-        each.fills = way.fills;
+        FillMoments* fills = nullptr;
+        if (told.answers) {
+            Way& way = way_of(told.answers);
+            if (!way.fills) way.fills = &fills_.emplace_back(way.places);
+            fills = way.fills;
+        }
+        place.passages.emplace_back(told, fills);
     }
     check(place.passages.size() <= 64, "a bit for each passage");
     for (const Step& step : place.stage.steps) {
@@ -38,8 +82,17 @@ void Bottlenecks::connect_steps(Place& place) {
             each.to.push_back(&place.passages[i]);
             each.to_bits |= std::uint64_t{1} << i;
         }
+        each.act = act_of(step);
     }
     place.gives_by_one = std::ranges::count_if(place.stage.steps, &Step::gives) == 1;
+}
+
+Bottlenecks::Act Bottlenecks::act_of(const Step& step) {
+    const std::size_t from = step.from.size(), to = step.to.size();
+    if (from == 0 && to == 1) return &Bottlenecks::act<0, 1>;
+    if (from == 1 && to == 0) return &Bottlenecks::act<1, 0>;
+    if (from == 1 && to == 1) return &Bottlenecks::act<1, 1>;
+    return &Bottlenecks::act<AnyNumber, AnyNumber>;
 }
 
 void Bottlenecks::see_passages(Place& place, std::uint64_t seen, Reader& log) {
@@ -47,11 +100,11 @@ void Bottlenecks::see_passages(Place& place, std::uint64_t seen, Reader& log) {
     for (std::uint64_t left = seen; left != 0; left &= left - 1) {
         const std::uint64_t bit = left & (~left + 1);
         Inner& each = place.passages[static_cast<std::size_t>(std::countr_zero(left))];
-        each.seen = *log.passages++;
-        if (each.coming() != 0) changed.came |= bit;
-        if (each.going() != 0) changed.went |= bit;
-        if (each.seen.looked_up != each.counted.looked_up) changed.looked_up |= bit;
-        if (each.seen.worked != each.counted.worked) changed.worked |= bit;
+        each.see(*log.passages++);
+        if (each.coming != 0) changed.came |= bit;
+        if (each.going != 0) changed.went |= bit;
+        if (each.lookups != 0) changed.looked_up |= bit;
+        if (each.worked != 0) changed.worked |= bit;
     }
 }
 
@@ -65,23 +118,25 @@ Bottlenecks::acts(const Place& place, const StepPlace& step, const Moved& moved,
            (step.told.asks && unit_asks && (changed.worked & step.from_bits) != 0);
 }
 
+template <int From, int To>
 inline Bottlenecks::StepMoved
 Bottlenecks::moved_by(const Place& place, const StepPlace& step, const Moved& moved) {
     StepMoved by{.taken = step.told.takes ? moved.taken : 0};
-    for (const Inner* const each : step.from) {
-        by.taken += each->going();
-        by.worked += static_cast<float>(each->seen.worked - each->counted.worked);
-    }
-    for (const Inner* const each : step.to) {
-        by.coming += each->coming();
-        by.lookups += each->seen.looked_up - each->counted.looked_up;
-    }
+    for_each<From>(step.from, [&](const Inner& each) {
+        by.taken += each.going;
+        by.worked += static_cast<float>(each.worked);
+    });
+    for_each<To>(step.to, [&](const Inner& each) {
+        by.coming += each.coming;
+        by.lookups += each.lookups;
+    });
     if (step.told.gives)
         by.given = place.gives_by_one ? moved.given : std::min(moved.given, by.taken);
     return by;
 }
 
 // Inlined, as pass_on(): each has one caller, which calls it for each step of each quad.
+template <int From, int To>
 [[gnu::always_inline]] inline void
 Bottlenecks::find_dependences(const Place& place, const StepPlace& step, const StepMoved& moved) {
     found_.begin(now_);
@@ -110,40 +165,37 @@ Bottlenecks::find_dependences(const Place& place, const StepPlace& step, const S
         }
     }
     const bool gives_on = moved.given > 0 && step.from.size() == 1;
-    for (const Inner* const from : step.from) {
-        const Inner& each = *from;
-        if (each.going() == 0 && !gives_on) continue;
+    for_each<From>(step.from, [&](const Inner& each) {
+        if (each.going == 0 && !gives_on) return;
         // One that gives several things goes with the last of them.
-        const std::uint64_t last = each.left + std::max(each.going(), 1u) - 1;
-        const float before = each.told.works_first ? std::max(moved.worked - 1, 0.0F) : 0;
+        const std::uint64_t last = each.left + std::max(each.going, 1u) - 1;
+        const float before = each.works_first ? std::max(moved.worked - 1, 0.0F) : 0;
         const Dependence::Part saved{
-            resource, each.told.works_first ? moved.worked - std::min(moved.worked, kept) : 0};
-        const float begun = std::max(each.cycles_of(last) - 1, 0.0F);
+            resource, each.works_first ? moved.worked - std::min(moved.worked, kept) : 0};
+        const float begun =
+            each.has_cycles() ? std::max(each.cycles_of(last) - 1, 0.0F) : 0;
         found_.add({&each.entries[last],
-                    static_cast<float>(each.told.through) + before + begun,
-                    {resource, saved.cycles + begun + static_cast<float>(each.told.through_work)}});
-        const Moment* const fill = each.fills ? each.fills->find(each.seen.awaited) : nullptr;
+                    each.through + before + begun,
+                    {resource, saved.cycles + begun + each.through_work}});
+        const Moment* const fill = each.fills ? each.fills->find(each.awaited) : nullptr;
         if (fill) found_.add({fill, 1 + before, saved});
-    }
-    for (const Inner* const to : step.to) {
-        const Inner& each = *to;
-        if (each.begun() != 0 && !each.units.empty()) {
-            const std::size_t begun = std::min<std::size_t>(each.begun(), each.units.size());
+    });
+    for_each<To>(step.to, [&](const Inner& each) {
+        if (each.begun != 0 && !each.units.empty()) {
+            const std::size_t begun = std::min<std::size_t>(each.begun, each.units.size());
             const Inner::Begun& unit = each.units[begun - 1];
             found_.add({&unit.at, unit.cycles, {resource, unit.cycles}});
         }
-        const std::uint64_t entered = each.entered + each.coming();
-        if (each.coming() > 0 && each.seen.waited != each.counted.waited) {
-            const std::uint32_t since = static_cast<std::uint32_t>(entered) - each.seen.behind;
-            found_.add({&each.exits[entered - since - 1],
-                        static_cast<float>(each.told.back),
-                        {resource, static_cast<float>(each.told.back_work)}});
+        if (each.coming == 0) return;
+        const std::uint64_t entered = each.entered + each.coming;
+        if (each.waited) {
+            const std::uint32_t since = static_cast<std::uint32_t>(entered) - each.behind;
+            found_.add({&each.exits[entered - since - 1], each.back, {resource, each.back_work}});
         }
-        if (each.coming() == 0 || entered <= each.told.places) continue;
-        found_.add({&each.exits[entered - 1 - each.told.places],
-                    static_cast<float>(each.told.back),
-                    {resource, static_cast<float>(each.told.back_work)}});
-    }
+        if (entered <= each.places) return;
+        found_.add(
+            {&each.exits[entered - 1 - each.places], each.back, {resource, each.back_work}});
+    });
     if (moved.given == 0) return;
     for (const Way* const way : place.out)
         if (way->pushed != way->seen_pushed)
@@ -153,7 +205,6 @@ Bottlenecks::find_dependences(const Place& place, const StepPlace& step, const S
 // What none of them explains was waited for behind what the unit did, or was answered, last.
 void Bottlenecks::explain(const Place& place, const StepPlace& step) {
     const float more = found_.least();
-    if (more == 0) return;
     const auto give_all_to = [&](std::size_t last) {
         found_[last].then = {place.stage.resource, found_.least()};
         found_.lengthen(last, found_.least());
@@ -185,46 +236,54 @@ void Bottlenecks::explain(const Place& place, const StepPlace& step) {
     found_.lengthen(last, found_.least());
 }
 
+template <int From, int To>
 [[gnu::always_inline]] inline void
 Bottlenecks::pass_on(Place& place, const StepPlace& step, const StepMoved& moved) {
     place.changed.worked &= ~step.from_bits;
     place.changed.looked_up &= ~step.to_bits;
-    for (Inner* const from : step.from) {
-        Inner& each = *from;
-        each.counted.worked = each.seen.worked;
-        for (std::uint32_t item = 0; item < each.going(); ++item)
+    for_each<From>(step.from, [&](Inner& each) {
+        each.count_work();
+        for (std::uint32_t item = 0; item < each.going; ++item)
             each.exits[each.left + item] = step.last;
-    }
-    for (Inner* const to : step.to) {
-        Inner& each = *to;
-        each.counted.looked_up = each.seen.looked_up;
-        for (std::uint32_t item = 0; item < each.coming(); ++item) {
-            each.entries.make_room(each.left, each.entered + item);
-            each.entries[each.entered + item] = step.last;
-            each.cycles_of(each.entered + item) = each.begun_cycles();
+    });
+    for_each<To>(step.to, [&](Inner& each) {
+        each.count_lookups();
+        for (std::uint64_t item = each.entered; item < each.entered + each.coming; ++item) {
+            each.entries.make_room(each.left, item);
+            each.entries[item] = step.last;
+            if (each.has_cycles()) each.set_cycles(item);
         }
-        each.counted.waited = each.seen.waited;
-        if (each.begun() != 0) {
-            const std::size_t begun = std::min<std::size_t>(each.begun(), each.units.size());
-            std::fill_n(each.units.begin(), begun, Inner::Begun{step.last, each.begun_cycles()});
-            std::ranges::sort(each.units, {}, &Inner::Begun::free_at);
-        }
-        each.counted.begun = each.seen.begun;
-        each.counted.begun_cycles = each.seen.begun_cycles;
-    }
+        if (each.waited) each.count_waited();
+        if (each.begun != 0) each.count_begun(step.last);
+    });
     if (step.told.asks) place.memory->looked_up = &step.last;
     if (step.told.stores) place.memory->stored = &step.last;
     if (step.told.takes)
         for (Way* const way : place.in)
             for (std::uint64_t item = way->popped; item < way->seen_popped; ++item)
                 way->freed[item] = step.last;
-    if (moved.given == 0) return;
-    // Several may give in a cycle: what comes next takes all of it.
+    if (moved.given != 0) give(place, step.last);
+}
+
+void Bottlenecks::Inner::count_begun(const Moment& moment) {
+    if (!units.empty()) {
+        const std::size_t count = std::min<std::size_t>(begun, units.size());
+        std::fill_n(units.begin(), count, Begun{moment, begun_cycles});
+        std::ranges::sort(units, {}, &Begun::free_at);
+    }
+    counted_.begun += begun;
+    counted_.begun_cycles = seen_begun_cycles_;
+    begun = 0;
+    begun_cycles = 0;
+}
+
+// Several may give in a cycle: what comes next takes all of it.
+inline void Bottlenecks::give(Place& place, const Moment& moment) {
     std::optional<Moment> merged;
-    const Moment* given = &step.last;
+    const Moment* given = &moment;
     for (Way* const way : place.out) {
         if (way->pushed == way->seen_pushed) continue;
-        if (way->sent_at == now_) {
+        if (way->sent_at == now_) [[unlikely]] {
             merged = *given;
             merge(paths_, *merged, way->sent[way->pushed]);
             given = &*merged;
@@ -235,38 +294,39 @@ Bottlenecks::pass_on(Place& place, const StepPlace& step, const StepMoved& moved
     }
 }
 
-void Bottlenecks::act(Place& place, StepPlace& step, const StepMoved& moved) {
-    find_dependences(place, step, moved);
-    explain(place, step);
+template <int From, int To>
+void Bottlenecks::act(Place& place, StepPlace& step, const Moved& all) {
+    const StepMoved moved = moved_by<From, To>(place, step, all);
+    find_dependences<From, To>(place, step, moved);
+    if (found_.least() != 0) explain(place, step);
     move_on(step.last, place.stage.resource);
     // The furthest of them stands for the stage.
     if (place.latest->at < now_ || !step.told.takes) place.latest = &step.last;
     saved_ = &place.latest->saved;
-    pass_on(place, step, moved);
+    pass_on<From, To>(place, step, moved);
 }
 
 // A way through them in which the unit goes, so that what it does behind something in the same
 // cycle finds it.
-void Bottlenecks::go_through_steps(Place& place, const Moved& moved) {
-    const bool asks = std::ranges::any_of(
-        place.asked, [](const Way* way) { return way->pushed != way->seen_pushed; });
+void Bottlenecks::go_through_steps(Place& place, const StageSeen& seen) {
+    const bool asks = (seen.links & place.asked_bits) != 0 &&
+                      std::ranges::any_of(place.asked, [](const Way* way) {
+                          return way->pushed != way->seen_pushed;
+                      });
     // A request that has waited for a place goes before anything is looked up.
     if (asks && place.request_waits) ask(place);
+    const Moved moved = moved_by(place, seen);
     for (StepPlace& step : place.steps)
-        if (acts(place, step, moved, asks)) act(place, step, moved_by(place, step, moved));
-    for (std::uint64_t left = place.changed.came | place.changed.went; left != 0;
-         left &= left - 1) {
-        Inner& each = place.passages[static_cast<std::size_t>(std::countr_zero(left))];
-        each.entered += each.coming();
-        each.left += each.going();
-        each.counted.entered = each.seen.entered;
-        each.counted.left = each.seen.left;
-    }
+        if (acts(place, step, moved, asks)) (this->*step.act)(place, step, moved);
+    for (std::uint64_t left = place.changed.came | place.changed.went; left != 0; left &= left - 1)
+        place.passages[static_cast<std::size_t>(std::countr_zero(left))].count_items();
     place.changed.came = place.changed.went = 0;
-    for (Way* const way : place.out)
-        way->pushed = way->seen_pushed;
-    for (Way* const way : place.in)
-        way->popped = way->seen_popped;
+    if ((seen.links & place.out_bits) != 0)
+        for (Way* const way : place.out)
+            way->pushed = way->seen_pushed;
+    if ((seen.links & place.in_bits) != 0)
+        for (Way* const way : place.in)
+            way->popped = way->seen_popped;
     if (asks && place.is_last) ask(place);
 }
 

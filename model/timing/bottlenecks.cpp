@@ -117,30 +117,34 @@ void Bottlenecks::charge(Saved& entry) {
     charged_ = *saved_;
 }
 
-void Bottlenecks::look(Place& place, const StageSeen& seen) {
-    if ((seen.links & place.answered_bits) != 0) take_answers(place);
-    std::uint64_t taken = 0, given = 0, asked = 0;
+Bottlenecks::Moved Bottlenecks::moved_by(const Place& place, const StageSeen& seen) {
+    Moved moved{.refused = seen.refused};
     if ((seen.links & place.in_bits) != 0)
         for (const Way* const way : place.in)
-            taken += way->going();
+            moved.taken += way->going();
     if ((seen.links & place.out_bits) != 0)
         for (const Way* const way : place.out)
-            given += way->coming();
-    if ((seen.links & place.asked_bits) != 0)
-        for (const Way* const way : place.asked)
-            asked += way->coming();
-    const Moved moved{taken, given, place.steps.empty() && seen.refused};
+            moved.given += way->coming();
+    return moved;
+}
+
+void Bottlenecks::look(Place& place, const StageSeen& seen) {
+    if ((seen.links & place.answered_bits) != 0) take_answers(place);
     if (!place.steps.empty()) {
-        if ((seen.links | seen.passages) != 0 || place.request_waits)
-            go_through_steps(place, moved);
+        if ((seen.links | seen.passages) != 0 || place.request_waits) go_through_steps(place, seen);
         place.request_waits = seen.request_waits;
         return;
     }
+    std::uint64_t asked = 0;
+    if ((seen.links & place.asked_bits) != 0)
+        for (const Way* const way : place.asked)
+            asked += way->coming();
+    const Moved moved = moved_by(place, seen);
     count_work(place, seen, moved);
     // The cycles in which its unit slept were as the last one.
     if (now_ > place.looked + 1) note_stall(place, place.activity, place.unit_was_refused);
     note_stall(place, seen.activity, seen.unit_refused);
-    if (taken + given + asked > 0) act(place, moved);
+    if (moved.taken + moved.given + asked > 0) act(place, moved);
     place.activity = seen.activity;
     place.was_refused = seen.refused;
     place.unit_was_refused = seen.unit_refused;

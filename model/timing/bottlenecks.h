@@ -36,6 +36,7 @@
 #include <array>
 #include <deque>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ffgpu::timing {
@@ -95,6 +96,7 @@ private:
         // When the place of the item came free; long ago where it is the first there.
         const Moment& place_freed(std::uint64_t item) const { return freed[item - places]; }
     };
+    struct Place;
     // What went by in a cycle: items.
     struct Moved {
         std::uint64_t taken = 0, given = 0;
@@ -109,39 +111,62 @@ private:
         const Moment* looked_up = nullptr;
         const Moment* stored = nullptr;
     };
+    // A passage, as it was told of, with what comes and goes in the cycle that is looked at.
     struct Inner {
-        const StagePassage& told;
-        std::uint64_t entered = 0, left = 0;
-        Passage counted{}, seen{}; // when the steps at its ends did something last; now
+        Inner(const StagePassage& told, const FillMoments* answers);
+
+        const float through, through_work, back, back_work;
+        const std::uint32_t places;
+        const bool works_first;
+        const FillMoments* const fills;
+        std::uint64_t entered = 0, left = 0; // items, before the cycle
+        std::uint32_t coming = 0, going = 0;
+        // Since the steps at its ends did something last.
+        std::uint32_t lookups = 0, worked = 0;
+        std::uint32_t waited = 0; // items that did until another of their place was gone
+        std::uint32_t behind = 0; // up to the last that one waited for
+        std::uint32_t begun = 0;  // units that began
+        float begun_cycles = 0;   // with items of so many cycles, in the mean
+        std::uint64_t awaited = 0;
         Moments entries{8}, exits;
-        const FillMoments* fills = nullptr;
         // What a unit began with: when, and the cycles that it takes.
         struct Begun {
             Moment at{};
             float cycles = 0;
             float free_at() const { return static_cast<float>(at.at) + cycles; }
         };
-        std::vector<Begun> units{}; // the first that is free first
-        std::vector<float> cycles;  // of items, modulo its size
+        std::vector<Begun> units; // the first that is free first
 
-        std::uint32_t coming() const { return seen.entered - counted.entered; }
-        std::uint32_t going() const { return seen.left - counted.left; }
-        std::uint32_t begun() const { return seen.begun - counted.begun; }
-        // Of each item that a unit began with, in the mean.
-        float begun_cycles() const {
-            const auto all = static_cast<float>(seen.begun_cycles - counted.begun_cycles);
-            return begun() == 0 ? 0 : all / static_cast<float>(begun());
+        void see(const Passage& passage);
+        void count_lookups() { counted_.looked_up += std::exchange(lookups, 0); }
+        void count_work() { counted_.worked += std::exchange(worked, 0); }
+        void count_waited() { counted_.waited += std::exchange(waited, 0); }
+        void count_begun(const Moment& moment);
+        void count_items() {
+            entered += std::exchange(coming, 0);
+            left += std::exchange(going, 0);
         }
-        float& cycles_of(std::uint64_t item) { return cycles[item & (cycles.size() - 1)]; }
-        float cycles_of(std::uint64_t item) const { return cycles[item & (cycles.size() - 1)]; }
+        // Of an item, where units take a time of their own for each.
+        float cycles_of(std::uint64_t item) const { return cycles_[item & (cycles_.size() - 1)]; }
+        void set_cycles(std::uint64_t item) { cycles_[item & (cycles_.size() - 1)] = begun_cycles; }
+        bool has_cycles() const { return has_cycles_; }
+
+    private:
+        Passage counted_{};         // looked_up, worked, waited, begun and begun_cycles
+        std::uint32_t seen_begun_cycles_ = 0;
+        std::vector<float> cycles_; // modulo its size
+        bool has_cycles_ = false;   // of any item
     };
     // Of passages, a bit each: where something came, or went; and where the steps at their ends
     // looked something up, or worked, since they did something last.
     struct Changed {
         std::uint64_t came = 0, went = 0, looked_up = 0, worked = 0;
     };
+    struct StepPlace;
+    using Act = void (Bottlenecks::*)(Place&, StepPlace&, const Moved&);
     struct StepPlace {
         const Step& told;
+        Act act = nullptr;                        // by the number of its passages
         std::vector<Inner*> from{}, to{};         // its passages
         std::uint64_t from_bits = 0, to_bits = 0; // and their bits
         bool expands = false;                     // what its items waited for
@@ -185,6 +210,7 @@ private:
     void reckon(const CycleSeen& cycle, Reader& seen);
     void answer(const AnswerSeen& answer);
     void look(Place& place, const StageSeen& seen);
+    static Moved moved_by(const Place& place, const StageSeen& seen);
     void note_stall(Place& place, Activity activity, bool refused) const;
     void take_answers(Place& place);
     void count_work(Place& place, const StageSeen& seen, const Moved& moved);
@@ -203,13 +229,20 @@ private:
     };
     void connect_steps(Place& place);
     static void see_passages(Place& place, std::uint64_t seen, Reader& log);
-    void go_through_steps(Place& place, const Moved& moved);
+    void go_through_steps(Place& place, const StageSeen& seen);
     static bool acts(const Place& place, const StepPlace& step, const Moved& moved, bool unit_asks);
+    static Act act_of(const Step& step);
+    // Of a step with so many passages before it and behind it: none, one, or any number.
+    template <int From, int To>
+    void act(Place& place, StepPlace& step, const Moved& all);
+    template <int From, int To>
     static StepMoved moved_by(const Place& place, const StepPlace& step, const Moved& moved);
-    void act(Place& place, StepPlace& step, const StepMoved& moved);
+    template <int From, int To>
     void find_dependences(const Place& place, const StepPlace& step, const StepMoved& moved);
     void explain(const Place& place, const StepPlace& step);
+    template <int From, int To>
     void pass_on(Place& place, const StepPlace& step, const StepMoved& moved);
+    void give(Place& place, const Moment& moment);
     void ask(Place& place);
     // Of what was found, which it may be one of.
     void move_on(Moment& moment, Resource resource);

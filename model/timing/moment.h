@@ -67,9 +67,9 @@ struct Dependence {
     Part then{};     // and what without another, behind the first
 };
 
-// How long a moment in that cycle did not wait for it.
+// How long a moment in that cycle did not wait for it. What lies ahead was not waited for.
 inline float slack(const Dependence& dependence, Cycle at) {
-    const auto since = static_cast<std::int64_t>(at - std::min(dependence.moment->at, at));
+    const auto since = static_cast<std::int64_t>(at - dependence.moment->at);
     return std::max(static_cast<float>(since) - dependence.takes, 0.0F);
 }
 
@@ -78,6 +78,10 @@ class Dependences {
 public:
     static constexpr std::size_t Most = 48;
 
+    Dependences() = default;
+    Dependences(const Dependences&) = delete; // It points into itself.
+    Dependences& operator=(const Dependences&) = delete;
+
     // No moment that comes saves anything in the rare lanes.
     void leave_out_rare() { has_rare_ = false; }
     bool has_rare() const { return has_rare_; }
@@ -85,45 +89,49 @@ public:
     // Those of another moment.
     void begin(Cycle at) {
         at_ = at;
-        count_ = 0;
+        end_ = all_.data();
+        last_ = all_.data();
         least_ = std::numeric_limits<float>::max();
     }
-    // Returns its place. Inlined, as what the caller puts together would have to wait, part by
-    // part, to be read as a whole.
-    [[gnu::always_inline]] std::size_t add(const Dependence& one) {
-        check(count_ < Most, "so many dependences at the most");
-        all_[count_] = one;
-        slack_[count_] = slack(one, at_);
-        if (slack_[count_] < least_) {
-            least_ = slack_[count_];
-            last_ = count_;
-        }
-        return count_++;
+    // Inlined, as what the caller puts together would have to wait, part by part, to be read as a
+    // whole.
+    [[gnu::always_inline]] void add(const Dependence& one) {
+        check(end_ != all_.data() + Most, "so many dependences at the most");
+        Found& found = *end_++;
+        static_cast<Dependence&>(found) = one;
+        found.slack = slack(one, at_);
+        last_ = found.slack < least_ ? &found : last_;
+        least_ = std::min(found.slack, least_);
     }
     // It takes more than was known.
     void lengthen(std::size_t place, float cycles) {
         all_[place].takes += cycles;
-        slack_[place] = slack(all_[place], at_);
-        last_ = static_cast<std::size_t>(std::min_element(slack_.begin(), slack_.begin() + count_) -
-                                         slack_.begin());
-        least_ = slack_[last_];
+        all_[place].slack = slack(all_[place], at_);
+        last_ = std::min_element(
+            all_.data(), end_, [](const Found& a, const Found& b) { return a.slack < b.slack; });
+        least_ = last_->slack;
     }
 
     Cycle at() const { return at_; }
-    std::size_t count() const { return count_; }
+    std::size_t count() const { return static_cast<std::size_t>(end_ - all_.data()); }
     const Dependence& operator[](std::size_t place) const { return all_[place]; }
     Dependence& operator[](std::size_t place) { return all_[place]; }
-    float slack_of(std::size_t place) const { return slack_[place]; }
+    float slack_of(std::size_t place) const { return all_[place].slack; }
     // The one that was over last; of several the first. There is one.
-    std::size_t last() const { return last_; }
-    const Dependence& last_one() const { return all_[last_]; }
+    std::size_t last() const { return static_cast<std::size_t>(last_ - all_.data()); }
+    const Dependence& last_one() const { return *last_; }
     // The moment did not wait for that so long.
     float least() const { return least_; }
 
 private:
-    std::array<Dependence, Most> all_; // the first of them
-    std::array<float, Most> slack_;
-    std::size_t count_ = 0, last_ = 0;
+    struct Found : Dependence {
+        float slack;
+    };
+    static_assert(sizeof(Found) == 32, "as many bytes as the dependence itself");
+
+    std::array<Found, Most> all_;
+    Found* end_ = all_.data();
+    Found* last_ = all_.data();
     float least_ = 0;
     Cycle at_ = 0;
     bool has_rare_ = true;

@@ -17,14 +17,21 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr std::size_t WideLanes = Saved::FirstLanes;
 static_assert(Saved::Lanes == WideLanes + 4);
 
+// By resources: all bits in its lane. Rows begin at vectors.
+struct alignas(64) LaneBits : std::array<std::int32_t, 32> {};
+constexpr std::array<LaneBits, Resources> OwnLane = [] {
+    std::array<LaneBits, Resources> bits{};
+    for (std::size_t i = 0; i < Resources; ++i)
+        bits[i][Saved::lane(static_cast<Resource>(i))] = -1;
+    return bits;
+}();
+
 // `cycles` in the lane of the part's resource, nothing in the others.
 template <class D>
 HWY_INLINE hn::Vec<D> lanes_of(D d, std::size_t first, const Dependence::Part& part) {
     const hn::RebindToSigned<D> numbers;
-    const auto lane = hn::Iota(numbers, static_cast<std::int32_t>(first));
-    const auto own =
-        hn::Eq(lane, hn::Set(numbers, static_cast<std::int32_t>(Saved::lane(part.resource))));
-    return hn::IfThenElseZero(hn::RebindMask(d, own), hn::Set(d, part.cycles));
+    const std::int32_t* const own = OwnLane[static_cast<std::size_t>(part.resource)].data() + first;
+    return hn::And(hn::BitCast(d, hn::Load(numbers, own)), hn::Set(d, part.cycles));
 }
 
 // Lanes from `first` on of what one dependence allows.
