@@ -48,7 +48,7 @@ FrameWaits Bottlenecks::end_frame(Cycle now) {
         found_.add({&begin, cycles, {Resource::MemoryBandwidth, cycles}});
     });
     Saved saved;
-    saved_after(found_, saved);
+    found_.save(saved);
     saved_ = &saved;
     FrameWaits waits{
         .runs = paths_.runs(path), .saved = saved, .saved_by = std::exchange(saved_by_, {})};

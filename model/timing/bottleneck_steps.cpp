@@ -24,6 +24,16 @@ template <int Count, class Each>
             each(*passage);
 }
 
+// Of a step with so many passages before it, and behind it.
+template <int From>
+bool takes(const Step& step) {
+    return From == AnyNumber ? step.takes : From == 0;
+}
+template <int To>
+bool gives(const Step& step) {
+    return To == AnyNumber ? step.gives : To == 0;
+}
+
 } // namespace
 
 Bottlenecks::Inner::Inner(const StagePassage& told, const FillMoments* answers)
@@ -83,15 +93,20 @@ void Bottlenecks::connect_steps(Place& place) {
             each.to_bits |= std::uint64_t{1} << i;
         }
         each.act = act_of(step);
+        // Each passage before it has an item and its fill, each behind it a unit and two places.
+        check(2 + 2 * step.from.size() + 3 * step.to.size() + place.in.size() + place.out.size() <=
+                  Dependences::Most,
+              "so many dependences at the most");
     }
     place.gives_by_one = std::ranges::count_if(place.stage.steps, &Step::gives) == 1;
 }
 
+// What comes from no passage comes by the links, what goes to none leaves by them.
 Bottlenecks::Act Bottlenecks::act_of(const Step& step) {
     const std::size_t from = step.from.size(), to = step.to.size();
-    if (from == 0 && to == 1) return &Bottlenecks::act<0, 1>;
-    if (from == 1 && to == 0) return &Bottlenecks::act<1, 0>;
-    if (from == 1 && to == 1) return &Bottlenecks::act<1, 1>;
+    if (step.takes && !step.gives && from == 0 && to == 1) return &Bottlenecks::act<0, 1>;
+    if (!step.takes && step.gives && from == 1 && to == 0) return &Bottlenecks::act<1, 0>;
+    if (!step.takes && !step.gives && from == 1 && to == 1) return &Bottlenecks::act<1, 1>;
     return &Bottlenecks::act<AnyNumber, AnyNumber>;
 }
 
@@ -121,7 +136,7 @@ Bottlenecks::acts(const Place& place, const StepPlace& step, const Moved& moved,
 template <int From, int To>
 inline Bottlenecks::StepMoved
 Bottlenecks::moved_by(const Place& place, const StepPlace& step, const Moved& moved) {
-    StepMoved by{.taken = step.told.takes ? moved.taken : 0};
+    StepMoved by{.taken = takes<From>(step.told) ? moved.taken : 0};
     for_each<From>(step.from, [&](const Inner& each) {
         by.taken += each.going;
         by.worked += static_cast<float>(each.worked);
@@ -130,7 +145,7 @@ Bottlenecks::moved_by(const Place& place, const StepPlace& step, const Moved& mo
         by.coming += each.coming;
         by.lookups += each.lookups;
     });
-    if (step.told.gives)
+    if (gives<To>(step.told))
         by.given = place.gives_by_one ? moved.given : std::min(moved.given, by.taken);
     return by;
 }
@@ -152,7 +167,7 @@ Bottlenecks::find_dependences(const Place& place, const StepPlace& step, const S
         std::max(free, std::min(moved.worked, taken * static_cast<float>(step.told.free_cycles)));
     const float takes = std::max(passing, work);
     found_.add({&step.last, takes, {resource, takes - kept}});
-    if (step.told.takes) {
+    if (timing::takes<From>(step.told)) {
         for (const Way* const way : place.in) {
             const bool takes_from = way->popped != way->seen_popped;
             // What it looks up, or takes parts of, before it takes it.
@@ -164,7 +179,7 @@ Bottlenecks::find_dependences(const Place& place, const StepPlace& step, const S
             found_.add({&sent, latency, {Resource::Links, latency - 1}});
         }
     }
-    const bool gives_on = moved.given > 0 && step.from.size() == 1;
+    const bool gives_on = gives<To>(step.told) && moved.given > 0 && step.from.size() == 1;
     for_each<From>(step.from, [&](const Inner& each) {
         if (each.going == 0 && !gives_on) return;
         // One that gives several things goes with the last of them.
@@ -196,7 +211,7 @@ Bottlenecks::find_dependences(const Place& place, const StepPlace& step, const S
         found_.add(
             {&each.exits[entered - 1 - each.places], each.back, {resource, each.back_work}});
     });
-    if (moved.given == 0) return;
+    if (!gives<To>(step.told) || moved.given == 0) return;
     for (const Way* const way : place.out)
         if (way->pushed != way->seen_pushed)
             found_.add({&way->place_freed(way->seen_pushed - 1), 1});
@@ -258,11 +273,11 @@ Bottlenecks::pass_on(Place& place, const StepPlace& step, const StepMoved& moved
     });
     if (step.told.asks) place.memory->looked_up = &step.last;
     if (step.told.stores) place.memory->stored = &step.last;
-    if (step.told.takes)
+    if (takes<From>(step.told))
         for (Way* const way : place.in)
             for (std::uint64_t item = way->popped; item < way->seen_popped; ++item)
                 way->freed[item] = step.last;
-    if (moved.given != 0) give(place, step.last);
+    if (gives<To>(step.told) && moved.given != 0) give(place, step.last);
 }
 
 void Bottlenecks::Inner::count_begun(const Moment& moment) {
@@ -301,30 +316,26 @@ void Bottlenecks::act(Place& place, StepPlace& step, const Moved& all) {
     if (found_.least() != 0) explain(place, step);
     move_on(step.last, place.stage.resource);
     // The furthest of them stands for the stage.
-    if (place.latest->at < now_ || !step.told.takes) place.latest = &step.last;
+    if (place.latest->at < now_ || !takes<From>(step.told)) place.latest = &step.last;
     saved_ = &place.latest->saved;
     pass_on<From, To>(place, step, moved);
 }
 
 // A way through them in which the unit goes, so that what it does behind something in the same
 // cycle finds it.
-void Bottlenecks::go_through_steps(Place& place, const StageSeen& seen) {
-    const bool asks = (seen.links & place.asked_bits) != 0 &&
-                      std::ranges::any_of(place.asked, [](const Way* way) {
-                          return way->pushed != way->seen_pushed;
-                      });
+void Bottlenecks::go_through_steps(Place& place, std::uint64_t links, const Moved& moved) {
+    const bool asks = moved.asked > 0;
     // A request that has waited for a place goes before anything is looked up.
     if (asks && place.request_waits) ask(place);
-    const Moved moved = moved_by(place, seen);
     for (StepPlace& step : place.steps)
         if (acts(place, step, moved, asks)) (this->*step.act)(place, step, moved);
     for (std::uint64_t left = place.changed.came | place.changed.went; left != 0; left &= left - 1)
         place.passages[static_cast<std::size_t>(std::countr_zero(left))].count_items();
     place.changed.came = place.changed.went = 0;
-    if ((seen.links & place.out_bits) != 0)
+    if ((links & place.out_bits) != 0)
         for (Way* const way : place.out)
             way->pushed = way->seen_pushed;
-    if ((seen.links & place.in_bits) != 0)
+    if ((links & place.in_bits) != 0)
         for (Way* const way : place.in)
             way->popped = way->seen_popped;
     if (asks && place.is_last) ask(place);

@@ -74,6 +74,7 @@ void Bottlenecks::connect(Place& place) {
         if (each.unit == unit) place.memory = &each;
     if (!place.memory) place.memory = &at_memory_.emplace_back(AtMemory{.unit = unit});
     place.latest = &place.last;
+    check(8 + place.ways.size() <= Dependences::Most, "so many dependences at the most");
     connect_steps(place);
 }
 
@@ -96,10 +97,9 @@ void Bottlenecks::reckon(const CycleSeen& cycle, Reader& seen) {
     for (std::uint32_t i = 0; i < cycle.stages; ++i) {
         const StageSeen& stage = *seen.stages++;
         Place& place = places_[stage.stage];
-        for (std::uint64_t left = stage.links; left != 0; left &= left - 1)
-            place.ways[static_cast<std::size_t>(std::countr_zero(left))]->see(*seen.links++);
+        const Moved moved = see_links(place, stage, seen);
         see_passages(place, stage.passages, seen);
-        look(place, stage);
+        look(place, stage, moved);
     }
     for (std::uint32_t i = 0; i < cycle.taken; ++i)
         take_requests(*seen.taken++);
@@ -117,34 +117,36 @@ void Bottlenecks::charge(Saved& entry) {
     charged_ = *saved_;
 }
 
-Bottlenecks::Moved Bottlenecks::moved_by(const Place& place, const StageSeen& seen) {
+inline Bottlenecks::Moved
+Bottlenecks::see_links(const Place& place, const StageSeen& seen, Reader& log) {
     Moved moved{.refused = seen.refused};
-    if ((seen.links & place.in_bits) != 0)
-        for (const Way* const way : place.in)
-            moved.taken += way->going();
-    if ((seen.links & place.out_bits) != 0)
-        for (const Way* const way : place.out)
-            moved.given += way->coming();
+    for (std::uint64_t left = seen.links; left != 0; left &= left - 1) {
+        const std::uint64_t bit = left & (~left + 1);
+        Way& way = *place.ways[static_cast<std::size_t>(std::countr_zero(left))];
+        way.see(*log.links++);
+        if ((bit & place.in_bits) != 0)
+            moved.taken += way.going();
+        else if ((bit & place.out_bits) != 0)
+            moved.given += way.coming();
+        else if ((bit & place.asked_bits) != 0)
+            moved.asked += way.coming();
+    }
     return moved;
 }
 
-void Bottlenecks::look(Place& place, const StageSeen& seen) {
+void Bottlenecks::look(Place& place, const StageSeen& seen, const Moved& moved) {
     if ((seen.links & place.answered_bits) != 0) take_answers(place);
     if (!place.steps.empty()) {
-        if ((seen.links | seen.passages) != 0 || place.request_waits) go_through_steps(place, seen);
+        if ((seen.links | seen.passages) != 0 || place.request_waits)
+            go_through_steps(place, seen.links, moved);
         place.request_waits = seen.request_waits;
         return;
     }
-    std::uint64_t asked = 0;
-    if ((seen.links & place.asked_bits) != 0)
-        for (const Way* const way : place.asked)
-            asked += way->coming();
-    const Moved moved = moved_by(place, seen);
     count_work(place, seen, moved);
     // The cycles in which its unit slept were as the last one.
     if (now_ > place.looked + 1) note_stall(place, place.activity, place.unit_was_refused);
     note_stall(place, seen.activity, seen.unit_refused);
-    if (moved.taken + moved.given + asked > 0) act(place, moved);
+    if (moved.taken + moved.given + moved.asked > 0) act(place, moved);
     place.activity = seen.activity;
     place.was_refused = seen.refused;
     place.unit_was_refused = seen.unit_refused;
@@ -340,16 +342,6 @@ void Bottlenecks::pass_on(Place& place) {
         for (Way* const way : *ways)
             for (; way->pushed < way->seen_pushed; ++way->pushed)
                 way->send(way->pushed, place.last);
-}
-
-void Bottlenecks::move_on(Moment& moment, Resource resource) {
-    const Dependence& last = found_.last_one();
-    WaitPaths::Path path = paths_.extend(last.moment->path, last.first.resource, now_ - 1);
-    path = paths_.extend(path, resource, now_);
-    // First these, since the moment is copied whole as soon as all of it is known.
-    moment.at = now_;
-    moment.path = paths_.share(path);
-    saved_after(found_, moment.saved);
 }
 
 } // namespace ffgpu::timing

@@ -99,7 +99,7 @@ private:
     struct Place;
     // What went by in a cycle: items.
     struct Moved {
-        std::uint64_t taken = 0, given = 0;
+        std::uint64_t taken = 0, given = 0, asked = 0;
         bool refused = false;
     };
     // What a unit has of the memory.
@@ -209,8 +209,8 @@ private:
     void connect(Place& place);
     void reckon(const CycleSeen& cycle, Reader& seen);
     void answer(const AnswerSeen& answer);
-    void look(Place& place, const StageSeen& seen);
-    static Moved moved_by(const Place& place, const StageSeen& seen);
+    static Moved see_links(const Place& place, const StageSeen& seen, Reader& log);
+    void look(Place& place, const StageSeen& seen, const Moved& moved);
     void note_stall(Place& place, Activity activity, bool refused) const;
     void take_answers(Place& place);
     void count_work(Place& place, const StageSeen& seen, const Moved& moved);
@@ -229,7 +229,7 @@ private:
     };
     void connect_steps(Place& place);
     static void see_passages(Place& place, std::uint64_t seen, Reader& log);
-    void go_through_steps(Place& place, const StageSeen& seen);
+    void go_through_steps(Place& place, std::uint64_t links, const Moved& moved);
     static bool acts(const Place& place, const StepPlace& step, const Moved& moved, bool unit_asks);
     static Act act_of(const Step& step);
     // Of a step with so many passages before it and behind it: none, one, or any number.
@@ -245,7 +245,15 @@ private:
     void give(Place& place, const Moment& moment);
     void ask(Place& place);
     // Of what was found, which it may be one of.
-    void move_on(Moment& moment, Resource resource);
+    void move_on(Moment& moment, Resource resource) {
+        const Dependence& last = found_.last_one();
+        WaitPaths::Path path = paths_.extend(last.moment->path, last.first.resource, now_ - 1);
+        path = paths_.extend(path, resource, now_);
+        // First these, since the moment is copied whole as soon as all of it is known.
+        moment.at = now_;
+        moment.path = paths_.share(path);
+        found_.save(moment.saved);
+    }
     void take_requests(const TakenSeen& taken);
     void charge(Saved& entry);
     void collect_paths();

@@ -87,7 +87,7 @@ const Moment& MemoryWaits::answer(WaitPaths& paths,
     if (asked && is_ours_) {
         saved = channel.turns.answer(found_[0], found_[1], now, found_.has_rare());
     } else {
-        saved_after(found_, saved);
+        found_.save(saved);
         channel.turns.note_answer(asked ? asked->at : request.issued, saved, now);
     }
     channel.last = {now, paths.share(path), saved};
@@ -118,7 +118,7 @@ const Moment& MemoryWaits::taken(WaitPaths& paths, const Moment& asked, Cycle no
     const WaitPaths::Path path = paths.extend(last.moment->path, why, now);
     taken_.at = now;
     taken_.path = paths.share(path);
-    saved_after(found_, taken_.saved);
+    found_.save(taken_.saved);
     return taken_;
 }
 

@@ -73,10 +73,16 @@ inline float slack(const Dependence& dependence, Cycle at) {
     return std::max(static_cast<float>(since) - dependence.takes, 0.0F);
 }
 
+class Dependences;
+using SavedAfter = void (*)(const Dependences& all, Saved& result);
+// saved_after() for the processor's vectors: asked once.
+SavedAfter saved_after_by_vectors();
+
 // Those of a moment in one cycle.
 class Dependences {
 public:
-    static constexpr std::size_t Most = 48;
+    // Who adds them sees to it that there are no more.
+    static constexpr std::size_t Most = 64;
 
     Dependences() = default;
     Dependences(const Dependences&) = delete; // It points into itself.
@@ -96,7 +102,6 @@ public:
     // Inlined, as what the caller puts together would have to wait, part by part, to be read as a
     // whole.
     [[gnu::always_inline]] void add(const Dependence& one) {
-        check(end_ != all_.data() + Most, "so many dependences at the most");
         Found& found = *end_++;
         static_cast<Dependence&>(found) = one;
         found.slack = slack(one, at_);
@@ -122,6 +127,8 @@ public:
     const Dependence& last_one() const { return *last_; }
     // The moment did not wait for that so long.
     float least() const { return least_; }
+    // How much sooner the moment is; it may be of one of theirs.
+    void save(Saved& result) const { by_vectors_(*this, result); }
 
 private:
     struct Found : Dependence {
@@ -135,11 +142,11 @@ private:
     float least_ = 0;
     Cycle at_ = 0;
     bool has_rare_ = true;
+    const SavedAfter by_vectors_ = saved_after_by_vectors();
 };
 
-// How much sooner a moment is that depends on these; it may be of one of theirs. By vectors, which
-// leave rare lanes as they are where there are none; the plain form is what it must equal.
-void saved_after(const Dependences& all, Saved& result);
+// How much sooner a moment is that depends on these. By vectors rare lanes are left as they are
+// where there are none; this form is what these must equal.
 Saved saved_after_plainly(const Dependences& all);
 
 } // namespace ffgpu::timing

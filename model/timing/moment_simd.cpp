@@ -1,4 +1,4 @@
-// saved_after() by vectors: sixteen resources in as few as the processor has, and four in one more.
+// What dependences save, by vectors: sixteen resources in as few as the processor has, and four in one more.
 
 #include "model/base/simd_targets.h"
 #include "model/timing/moment.h"
@@ -79,8 +79,9 @@ namespace ffgpu::timing {
 
 HWY_EXPORT(saved_after_each);
 
-void saved_after(const Dependences& all, Saved& result) {
-    HWY_DYNAMIC_DISPATCH(saved_after_each)(all, result);
+SavedAfter saved_after_by_vectors() {
+    if (!hwy::GetChosenTarget().IsInitialized()) hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    return &HWY_DYNAMIC_DISPATCH(saved_after_each);
 }
 
 } // namespace ffgpu::timing

@@ -60,7 +60,7 @@ std::vector<std::array<Cycle, 3>> begins(const Chain& chain, std::size_t free) {
 
 Saved saved_after(const Dependences& all) {
     Saved saved;
-    saved_after(all, saved);
+    all.save(saved);
     return saved;
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("vectors save what the plain form does, resource by resource") {
         if (round % 2 == 0) all.lengthen(all.last(), all.least());
         const Saved plainly = saved_after_plainly(all);
         CHECK(saved_after(all).cycles == plainly.cycles);
-        saved_after(all, moments.back().saved); // of one of them
+        all.save(moments.back().saved); // of one of them
         CHECK(moments.back().saved.cycles == plainly.cycles);
     }
 }
