@@ -293,7 +293,7 @@ void Bottlenecks::Inner::count_begun(const Moment& moment) {
 }
 
 // Several may give in a cycle: what comes next takes all of it.
-inline void Bottlenecks::give(Place& place, const Moment& moment) {
+[[gnu::always_inline]] inline void Bottlenecks::give(Place& place, const Moment& moment) {
     std::optional<Moment> merged;
     const Moment* given = &moment;
     for (Way* const way : place.out) {
