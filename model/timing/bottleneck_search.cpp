@@ -1,15 +1,9 @@
 #include "model/timing/bottleneck_search.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
 namespace ffgpu::timing {
-namespace {
-
-constexpr std::size_t StagesInLog = 1 << 11; // before it is handed over: as caches hold them
-
-} // namespace
 
 BottleneckStatistics::BottleneckStatistics(bool interpolates) {
     const auto is_there = [&](std::size_t i) {
@@ -40,17 +34,19 @@ BottleneckSearch::BottleneckSearch(const Clock& clock, PipeParts parts, bool bes
     , parts_(std::move(parts))
     , watch_(clock, parts_)
     , bottlenecks_(parts_)
-    , thread_(beside ? std::make_unique<work::JobThread>(Waiting) : nullptr) {}
+    , thread_(beside ? std::make_unique<work::JobThread>(Waiting) : nullptr) {
+    watch_.write_to(logs_[written_]);
+}
 
 void BottleneckSearch::end_cycle(std::size_t charged) {
-    watch_.end_cycle(charged, logs_[written_]);
-    const PipeLog& log = logs_[written_];
-    if (std::max(log.stages.size(), log.cycles.size()) >= StagesInLog || !thread_) hand_over();
+    watch_.end_cycle(charged);
+    if (watch_.is_full() || !thread_) hand_over();
 }
 
 // A job is begun when the one before it is done: where two wait at the most, that of the log to be
 // written next was done before.
 void BottleneckSearch::hand_over() {
+    watch_.finish_log();
     PipeLog& log = logs_[written_];
     written_ = (written_ + 1) % logs_.size();
     const auto reckon = [this, &log] {
@@ -61,6 +57,7 @@ void BottleneckSearch::hand_over() {
         thread_->push(1, reckon);
     else
         reckon();
+    watch_.write_to(logs_[written_]);
 }
 
 FrameWaits BottleneckSearch::end_frame() {

@@ -74,14 +74,13 @@ public:
         ++end_;
     }
 
-    std::size_t size() const { return static_cast<std::size_t>(end_ - items_.data()); }
     const Item* begin() const { return items_.data(); }
     const Item* end() const { return end_; }
     void clear() { end_ = items_.data(); }
 
 private:
     void grow(std::size_t items) {
-        const std::size_t kept = size();
+        const auto kept = static_cast<std::size_t>(end_ - items_.data());
         items_.resize(2 * (kept + items));
         end_ = items_.data() + kept;
         limit_ = items_.data() + items_.size();

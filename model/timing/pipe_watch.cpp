@@ -11,6 +11,7 @@ namespace ffgpu::timing {
 namespace {
 
 constexpr std::uint64_t ArbiterBit = std::uint64_t{1} << 63;
+constexpr std::size_t StagesInLog = 1 << 11, CyclesInLog = 1 << 11; // before it is full
 
 LinkSeen seen(const Link& link) {
     return {static_cast<std::uint32_t>(link.pushed()),
@@ -53,46 +54,63 @@ void PipeWatch::done(const MemoryRequest& request, std::uint64_t) {
     answers_.push_back({request, back ? seen(*back) : LinkSeen{}});
 }
 
-void PipeWatch::end_cycle(std::size_t charged, PipeLog& log) {
+// A cycle takes no more than a part of what was made room for behind where it is full.
+void PipeWatch::write_to(PipeLog& log) {
+    log_ = &log;
+    next_ = {log.cycles.room(CyclesInLog + 1),
+             log.stages.room(StagesInLog + places_.size()),
+             log.links.room(2 * StagesInLog + links_),
+             log.passages.room(StagesInLog + passages_)};
+    full_ = {next_.cycles + CyclesInLog,
+             next_.stages + StagesInLog,
+             next_.links + 2 * StagesInLog,
+             next_.passages + StagesInLog};
+}
+
+void PipeWatch::finish_log() {
+    log_->cycles.take_until(next_.cycles);
+    log_->stages.take_until(next_.stages);
+    log_->links.take_until(next_.links);
+    log_->passages.take_until(next_.passages);
+}
+
+void PipeWatch::end_cycle(std::size_t charged) {
     const std::uint64_t called = std::exchange(called_, 0);
     if (called == 0 && answers_.empty()) return;
-    CycleSeen& cycle = *log.cycles.room(1); // Field by field, as look().
+    CycleSeen& cycle = *next_.cycles; // Field by field, as look().
     cycle.now = clock_.now();
     cycle.charged = charged;
     cycle.answers = static_cast<std::uint32_t>(answers_.size());
     for (const AnswerSeen& answer : answers_)
-        log.answers.add(answer);
+        log_->answers.add(answer);
     answers_.clear();
-    const std::size_t noted = log.stages.size();
-    note_stages(called & ~ArbiterBit, log);
-    cycle.stages = static_cast<std::uint32_t>(log.stages.size() - noted);
+    const StageSeen* const before = next_.stages;
+    note_stages(called & ~ArbiterBit);
+    cycle.stages = static_cast<std::uint32_t>(next_.stages - before);
     const bool takes = (called & ArbiterBit) != 0 && parts_.arbiter.activity() == Activity::Busy;
-    cycle.taken = takes ? note_taken(log) : 0;
-    log.cycles.take_until(&cycle + 1);
+    cycle.taken = takes ? note_taken() : 0;
+    ++next_.cycles;
 }
 
-std::uint32_t PipeWatch::note_taken(PipeLog& log) {
+std::uint32_t PipeWatch::note_taken() {
     std::uint32_t ports = 0;
     for (std::size_t port = 0; port < taken_.size(); ++port) {
         const Link& link = *parts_.requests[port];
         if (std::exchange(taken_[port], link.popped()) == link.popped()) continue;
-        log.taken.add({port, seen(link)});
+        log_->taken.add({port, seen(link)});
         ++ports;
     }
     return ports;
 }
 
-void PipeWatch::note_stages(std::uint64_t called, PipeLog& log) {
+void PipeWatch::note_stages(std::uint64_t called) {
     const Cycle now = clock_.now();
-    Room room{
-        log.stages.room(places_.size()), log.links.room(links_), log.passages.room(passages_)};
+    Room next = next_;
     for (std::uint64_t left = called; left != 0; left &= left - 1) {
         const auto place = static_cast<std::uint32_t>(std::countr_zero(left));
-        look(places_[place], place, now, room);
+        look(places_[place], place, now, next);
     }
-    log.stages.take_until(room.stages);
-    log.links.take_until(room.links);
-    log.passages.take_until(room.passages);
+    next_ = next;
 }
 
 std::uint64_t PipeWatch::note_links(Place& place, Room& room) {

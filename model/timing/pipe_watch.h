@@ -29,8 +29,17 @@ public:
     // From the first cycle on. Links are connected.
     PipeWatch(const Clock& clock, const PipeParts& parts);
 
+    // What is seen from now on goes into this log, which is empty.
+    void write_to(PipeLog& log);
     // The cycle is over, and belongs to this entry of the ledger.
-    void end_cycle(std::size_t charged, PipeLog& log);
+    void end_cycle(std::size_t charged);
+    // The log is as long as the processor's caches hold it, with room for another cycle.
+    bool is_full() const {
+        return next_.cycles >= full_.cycles || next_.stages >= full_.stages ||
+               next_.links >= full_.links || next_.passages >= full_.passages;
+    }
+    // All that was seen is in the log.
+    void finish_log();
 
     // MemoryObserver
     void sent(const MemoryRequest&, std::uint64_t) override {}
@@ -54,14 +63,15 @@ private:
         std::vector<WatchedPassage> passages{};
         bool request_waits = false; // when something was noted of it last
     };
-    // Where in the log what is noted next goes; there is room for all that a cycle may have.
+    // Places in the log.
     struct Room {
-        StageSeen* stages;
-        LinkSeen* links;
-        Passage* passages;
+        CycleSeen* cycles = nullptr;
+        StageSeen* stages = nullptr;
+        LinkSeen* links = nullptr;
+        Passage* passages = nullptr;
     };
 
-    void note_stages(std::uint64_t called, PipeLog& log);
+    void note_stages(std::uint64_t called);
     // Of one that tells its steps nothing is noted where nothing moved, and no request waits or
     // did.
     static void look(Place& at, std::uint32_t place, Cycle now, Room& room);
@@ -69,12 +79,14 @@ private:
     static std::uint64_t note_links(Place& place, Room& room);
     static std::uint64_t note_passages(Place& place, Room& room);
     // Returns the number of ports.
-    std::uint32_t note_taken(PipeLog& log);
+    std::uint32_t note_taken();
 
     const Clock& clock_;
     const PipeParts& parts_;
     std::vector<Place> places_;
     std::size_t links_ = 0, passages_ = 0; // of all places
+    PipeLog* log_ = nullptr;
+    Room next_, full_; // where what is noted next goes; from where on it is full
     std::vector<AnswerSeen> answers_;      // of the cycle
     std::vector<std::uint64_t> taken_;     // by the arbiter's ports, before the cycle
     std::uint64_t called_ = 0;             // stages, a bit each, and the arbiter, whose units were
