@@ -22,11 +22,11 @@ void Bottlenecks::collect_paths() {
     for (Place& place : places_) {
         for (StepPlace& step : place.steps)
             heads_.push_back(&step.last.path);
-        for (Inner& each : place.passages) {
+        for (PassageMoments& each : place.passages) {
             for (Moments* const moments : {&each.entries, &each.exits})
                 for (Moment& moment : *moments)
                     heads_.push_back(&moment.path);
-            for (Inner::Begun& unit : each.units)
+            for (PassageMoments::Begun& unit : each.units)
                 heads_.push_back(&unit.at.path);
         }
     }
@@ -71,10 +71,10 @@ FrameWaits Bottlenecks::end_frame(Cycle now) {
     for (Place& place : places_) {
         for (StepPlace& step : place.steps)
             step.last = place.last;
-        for (Inner& each : place.passages) {
+        for (PassageMoments& each : place.passages) {
             for (Moments* const moments : {&each.entries, &each.exits})
                 std::fill(moments->begin(), moments->end(), Moment{});
-            std::ranges::fill(each.units, Inner::Begun{});
+            std::ranges::fill(each.units, PassageMoments::Begun{});
         }
     }
     memory_.restart();

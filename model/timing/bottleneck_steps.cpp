@@ -36,35 +36,6 @@ bool gives(const Step& step) {
 
 } // namespace
 
-Bottlenecks::Inner::Inner(const StagePassage& told, const FillMoments* answers)
-    : through(static_cast<float>(told.through))
-    , through_work(static_cast<float>(told.through_work))
-    , back(static_cast<float>(told.back))
-    , back_work(static_cast<float>(told.back_work))
-    , places(told.places)
-    , works_first(told.works_first)
-    , fills(answers)
-    , exits(told.places)
-    , units(told.units)
-    , cycles_(std::bit_ceil(std::size_t{told.places} + 1)) {}
-
-// Counts are modulo 2^32.
-inline void Bottlenecks::Inner::see(const Passage& passage) {
-    coming = passage.entered - static_cast<std::uint32_t>(entered);
-    going = passage.left - static_cast<std::uint32_t>(left);
-    lookups = passage.looked_up - counted_.looked_up;
-    worked = passage.worked - counted_.worked;
-    awaited = passage.awaited;
-    behind = passage.behind;
-    waited = passage.waited - counted_.waited;
-    begun = passage.begun - counted_.begun;
-    if (begun == 0) return;
-    seen_begun_cycles_ = passage.begun_cycles;
-    begun_cycles = static_cast<float>(passage.begun_cycles - counted_.begun_cycles) /
-                   static_cast<float>(begun);
-    has_cycles_ |= begun_cycles != 0;
-}
-
 void Bottlenecks::connect_steps(Place& place) {
     place.is_last =
         std::none_of(places_.begin() + (&place - places_.data()) + 1,
@@ -114,7 +85,7 @@ void Bottlenecks::see_passages(Place& place, std::uint64_t seen, Reader& log) {
     Changed& changed = place.changed;
     for (std::uint64_t left = seen; left != 0; left &= left - 1) {
         const std::uint64_t bit = left & (~left + 1);
-        Inner& each = place.passages[static_cast<std::size_t>(std::countr_zero(left))];
+        PassageMoments& each = place.passages[static_cast<std::size_t>(std::countr_zero(left))];
         each.see(*log.passages++);
         if (each.coming != 0) changed.came |= bit;
         if (each.going != 0) changed.went |= bit;
@@ -137,11 +108,11 @@ template <int From, int To>
 inline Bottlenecks::StepMoved
 Bottlenecks::moved_by(const Place& place, const StepPlace& step, const Moved& moved) {
     StepMoved by{.taken = takes<From>(step.told) ? moved.taken : 0};
-    for_each<From>(step.from, [&](const Inner& each) {
+    for_each<From>(step.from, [&](const PassageMoments& each) {
         by.taken += each.going;
         by.worked += static_cast<float>(each.worked);
     });
-    for_each<To>(step.to, [&](const Inner& each) {
+    for_each<To>(step.to, [&](const PassageMoments& each) {
         by.coming += each.coming;
         by.lookups += each.lookups;
     });
@@ -180,25 +151,24 @@ Bottlenecks::find_dependences(const Place& place, const StepPlace& step, const S
         }
     }
     const bool gives_on = gives<To>(step.told) && moved.given > 0 && step.from.size() == 1;
-    for_each<From>(step.from, [&](const Inner& each) {
+    for_each<From>(step.from, [&](const PassageMoments& each) {
         if (each.going == 0 && !gives_on) return;
         // One that gives several things goes with the last of them.
         const std::uint64_t last = each.left + std::max(each.going, 1u) - 1;
         const float before = each.works_first ? std::max(moved.worked - 1, 0.0F) : 0;
         const Dependence::Part saved{
             resource, each.works_first ? moved.worked - std::min(moved.worked, kept) : 0};
-        const float begun =
-            each.has_cycles() ? std::max(each.cycles_of(last) - 1, 0.0F) : 0;
+        const float begun = each.has_cycles() ? std::max(each.cycles_of(last) - 1, 0.0F) : 0;
         found_.add({&each.entries[last],
                     each.through + before + begun,
                     {resource, saved.cycles + begun + each.through_work}});
         const Moment* const fill = each.fills ? each.fills->find(each.awaited) : nullptr;
         if (fill) found_.add({fill, 1 + before, saved});
     });
-    for_each<To>(step.to, [&](const Inner& each) {
+    for_each<To>(step.to, [&](const PassageMoments& each) {
         if (each.begun != 0 && !each.units.empty()) {
             const std::size_t begun = std::min<std::size_t>(each.begun, each.units.size());
-            const Inner::Begun& unit = each.units[begun - 1];
+            const PassageMoments::Begun& unit = each.units[begun - 1];
             found_.add({&unit.at, unit.cycles, {resource, unit.cycles}});
         }
         if (each.coming == 0) return;
@@ -208,8 +178,7 @@ Bottlenecks::find_dependences(const Place& place, const StepPlace& step, const S
             found_.add({&each.exits[entered - since - 1], each.back, {resource, each.back_work}});
         }
         if (entered <= each.places) return;
-        found_.add(
-            {&each.exits[entered - 1 - each.places], each.back, {resource, each.back_work}});
+        found_.add({&each.exits[entered - 1 - each.places], each.back, {resource, each.back_work}});
     });
     if (!gives<To>(step.told) || moved.given == 0) return;
     for (const Way* const way : place.out)
@@ -256,12 +225,12 @@ template <int From, int To>
 Bottlenecks::pass_on(Place& place, const StepPlace& step, const StepMoved& moved) {
     place.changed.worked &= ~step.from_bits;
     place.changed.looked_up &= ~step.to_bits;
-    for_each<From>(step.from, [&](Inner& each) {
+    for_each<From>(step.from, [&](PassageMoments& each) {
         each.count_work();
         for (std::uint32_t item = 0; item < each.going; ++item)
             each.exits[each.left + item] = step.last;
     });
-    for_each<To>(step.to, [&](Inner& each) {
+    for_each<To>(step.to, [&](PassageMoments& each) {
         each.count_lookups();
         for (std::uint64_t item = each.entered; item < each.entered + each.coming; ++item) {
             each.entries.make_room(each.left, item);
@@ -278,18 +247,6 @@ Bottlenecks::pass_on(Place& place, const StepPlace& step, const StepMoved& moved
             for (std::uint64_t item = way->popped; item < way->seen_popped; ++item)
                 way->freed[item] = step.last;
     if (gives<To>(step.told) && moved.given != 0) give(place, step.last);
-}
-
-void Bottlenecks::Inner::count_begun(const Moment& moment) {
-    if (!units.empty()) {
-        const std::size_t count = std::min<std::size_t>(begun, units.size());
-        std::fill_n(units.begin(), count, Begun{moment, begun_cycles});
-        std::ranges::sort(units, {}, &Begun::free_at);
-    }
-    counted_.begun += begun;
-    counted_.begun_cycles = seen_begun_cycles_;
-    begun = 0;
-    begun_cycles = 0;
 }
 
 // Several may give in a cycle: what comes next takes all of it.

@@ -74,7 +74,8 @@ void Bottlenecks::connect(Place& place) {
         if (each.unit == unit) place.memory = &each;
     if (!place.memory) place.memory = &at_memory_.emplace_back(AtMemory{.unit = unit});
     place.latest = &place.last;
-    check(8 + place.ways.size() <= Dependences::Most, "so many dependences at the most");
+    check(8 + place.in.size() + place.out.size() + place.asked.size() <= Dependences::Most,
+          "so many dependences at the most");
     connect_steps(place);
 }
 

@@ -28,6 +28,7 @@
 #include "model/timing/memory_waits.h"
 #include "model/timing/moment.h"
 #include "model/timing/moments.h"
+#include "model/timing/passage_moments.h"
 #include "model/timing/pipe_log.h"
 #include "model/timing/pipe_watch.h"
 #include "model/timing/resource.h"
@@ -111,52 +112,6 @@ private:
         const Moment* looked_up = nullptr;
         const Moment* stored = nullptr;
     };
-    // A passage, as it was told of, with what comes and goes in the cycle that is looked at.
-    struct Inner {
-        Inner(const StagePassage& told, const FillMoments* answers);
-
-        const float through, through_work, back, back_work;
-        const std::uint32_t places;
-        const bool works_first;
-        const FillMoments* const fills;
-        std::uint64_t entered = 0, left = 0; // items, before the cycle
-        std::uint32_t coming = 0, going = 0;
-        // Since the steps at its ends did something last.
-        std::uint32_t lookups = 0, worked = 0;
-        std::uint32_t waited = 0; // items that did until another of their place was gone
-        std::uint32_t behind = 0; // up to the last that one waited for
-        std::uint32_t begun = 0;  // units that began
-        float begun_cycles = 0;   // with items of so many cycles, in the mean
-        std::uint64_t awaited = 0;
-        Moments entries{8}, exits;
-        // What a unit began with: when, and the cycles that it takes.
-        struct Begun {
-            Moment at{};
-            float cycles = 0;
-            float free_at() const { return static_cast<float>(at.at) + cycles; }
-        };
-        std::vector<Begun> units; // the first that is free first
-
-        void see(const Passage& passage);
-        void count_lookups() { counted_.looked_up += std::exchange(lookups, 0); }
-        void count_work() { counted_.worked += std::exchange(worked, 0); }
-        void count_waited() { counted_.waited += std::exchange(waited, 0); }
-        void count_begun(const Moment& moment);
-        void count_items() {
-            entered += std::exchange(coming, 0);
-            left += std::exchange(going, 0);
-        }
-        // Of an item, where units take a time of their own for each.
-        float cycles_of(std::uint64_t item) const { return cycles_[item & (cycles_.size() - 1)]; }
-        void set_cycles(std::uint64_t item) { cycles_[item & (cycles_.size() - 1)] = begun_cycles; }
-        bool has_cycles() const { return has_cycles_; }
-
-    private:
-        Passage counted_{};         // looked_up, worked, waited, begun and begun_cycles
-        std::uint32_t seen_begun_cycles_ = 0;
-        std::vector<float> cycles_; // modulo its size
-        bool has_cycles_ = false;   // of any item
-    };
     // Of passages, a bit each: where something came, or went; and where the steps at their ends
     // looked something up, or worked, since they did something last.
     struct Changed {
@@ -166,10 +121,10 @@ private:
     using Act = void (Bottlenecks::*)(Place&, StepPlace&, const Moved&);
     struct StepPlace {
         const Step& told;
-        Act act = nullptr;                        // by the number of its passages
-        std::vector<Inner*> from{}, to{};         // its passages
-        std::uint64_t from_bits = 0, to_bits = 0; // and their bits
-        bool expands = false;                     // what its items waited for
+        Act act = nullptr;                         // by the number of its passages
+        std::vector<PassageMoments*> from{}, to{}; // its passages
+        std::uint64_t from_bits = 0, to_bits = 0;  // and their bits
+        bool expands = false;                      // what its items waited for
         Moment last{};
     };
     struct Place {
@@ -180,7 +135,7 @@ private:
         Moment last; // of one with steps: the frame's begin
         AtMemory* memory;
         const Moment* latest = nullptr; // the last, or a step's that stands for it
-        std::vector<Inner> passages{};
+        std::vector<PassageMoments> passages{};
         std::vector<StepPlace> steps{};
         Changed changed{}; // of these passages
         Cycle looked = 0;

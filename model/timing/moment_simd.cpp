@@ -1,4 +1,5 @@
-// What dependences save, by vectors: sixteen resources in as few as the processor has, and four in one more.
+// What dependences save, by vectors: sixteen resources in as few as the processor has, and four in
+// one more.
 
 #include "model/base/simd_targets.h"
 #include "model/timing/moment.h"
@@ -80,7 +81,8 @@ namespace ffgpu::timing {
 HWY_EXPORT(saved_after_each);
 
 SavedAfter saved_after_by_vectors() {
-    if (!hwy::GetChosenTarget().IsInitialized()) hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    if (!hwy::GetChosenTarget().IsInitialized())
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     return &HWY_DYNAMIC_DISPATCH(saved_after_each);
 }
 

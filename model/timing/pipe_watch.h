@@ -86,10 +86,10 @@ private:
     std::vector<Place> places_;
     std::size_t links_ = 0, passages_ = 0; // of all places
     PipeLog* log_ = nullptr;
-    Room next_, full_; // where what is noted next goes; from where on it is full
-    std::vector<AnswerSeen> answers_;      // of the cycle
-    std::vector<std::uint64_t> taken_;     // by the arbiter's ports, before the cycle
-    std::uint64_t called_ = 0;             // stages, a bit each, and the arbiter, whose units were
+    Room next_, full_;                 // where what is noted next goes; from where on it is full
+    std::vector<AnswerSeen> answers_;  // of the cycle
+    std::vector<std::uint64_t> taken_; // by the arbiter's ports, before the cycle
+    std::uint64_t called_ = 0;         // stages, a bit each, and the arbiter, whose units were
 };
 
 } // namespace ffgpu::timing
