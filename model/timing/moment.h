@@ -75,7 +75,7 @@ inline float slack(const Dependence& dependence, Cycle at) {
 
 class Dependences;
 using SavedAfter = void (*)(const Dependences& all, Saved& result);
-// saved_after() for the processor's vectors: asked once.
+// Dependences::save() by the processor's vectors: asked for once.
 SavedAfter saved_after_by_vectors();
 
 // Those of a moment in one cycle.

@@ -21,7 +21,7 @@ enum class LostTo : std::uint8_t {
     NoRequest,  // the channel had nothing to do
     Row,        // precharge, activate, write recovery: tRP, tRCD, tRAS, tRTP, tWR
     Activates,  // tRRD, tFAW
-    Commands,   // the one command a cycle went to another bank
+    Commands,   // the one command a cycle went, or was left, to another bank
     Turnaround, // between read and write: tWTR, tRTW, different column latencies
     Refresh,    // rows closed for it, and tRFC
     Column,     // tCCD longer than a burst
