@@ -1,5 +1,6 @@
 #include "model/work/miss_classifier.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ffgpu::work {
@@ -23,27 +24,38 @@ MissClassifier::MissClassifier(std::uint32_t sets, std::uint32_t ways)
 MissKind MissClassifier::access(std::uint64_t line) {
     shadow_missed_ = false;
     const std::uint32_t newest = nodes_[0].after;
-    if (newest != 0 && nodes_[newest].line == line)
-        return fully_associative_ ? MissKind::Capacity : MissKind::Conflict;
+    if (newest != 0 && nodes_[newest].line == line) return kind_beside_shadow();
+    std::uint32_t node = 0;
+    const MissKind kind = find_or_take(line, node);
+    link_first(node);
+    return kind;
+}
 
+MissKind MissClassifier::access_first(std::uint64_t line, std::size_t place) {
+    std::uint32_t& first = first_[place];
+    if (first != 0) link_first(first);
+    return find_or_take(line, first);
+}
+
+// The line's node, which is in no list then.
+MissKind MissClassifier::find_or_take(std::uint64_t line, std::uint32_t& node) {
     std::uint32_t& here = node_of(line);
     const std::uint32_t before = here;
-    if (before != Nowhere && before != Untouched) {
+    shadow_missed_ = before == Nowhere || before == Untouched;
+    if (!shadow_missed_) {
         unlink(before);
-        link_first(before);
-        return fully_associative_ ? MissKind::Capacity : MissKind::Conflict;
+        node = before;
+        return kind_beside_shadow();
     }
-    shadow_missed_ = true;
-    const std::uint32_t node = take_node();
-    here = node;
+    node = here = take_node();
     nodes_[node].line = line;
-    link_first(node);
     return before == Untouched ? MissKind::Compulsory : MissKind::Capacity;
 }
 
 void MissClassifier::flush() {
     nodes_.assign(1, {});
     free_nodes_.clear();
+    first_.fill(0);
     pages_.assign(FirstPages, {});
     page_count_ = 0;
 }
@@ -53,7 +65,10 @@ void MissClassifier::drop(std::uint64_t line) {
     if (page.number != line / PageLines) return;
     const std::uint32_t node = std::exchange(page.nodes[line % PageLines], Untouched);
     if (node == Nowhere || node == Untouched) return;
-    unlink(node);
+    if (const auto first = std::ranges::find(first_, node); first != first_.end())
+        *first = 0;
+    else
+        unlink(node);
     free_nodes_.push_back(node);
 }
 

@@ -27,6 +27,18 @@ public:
     // Every look-up goes through here, hit or miss; the result says what it is if it was a miss.
     MissKind access(std::uint64_t line);
 
+    // The same of a line that is then kept beside the shadow's list, in one of its first places:
+    // what is looked up again and again need not be moved in the list, nor told, as long as it is
+    // among the last that were. What was in the place before is the most recently used of the list
+    // now. Of a shadow with a line for each place; all look-ups go this way then.
+    static constexpr std::size_t FirstPlaces = 4;
+    MissKind access_first(std::uint64_t line, std::size_t place);
+    // Of a miss where the shadow hits, which all lines of the first places do.
+    MissKind kind_beside_shadow() const {
+        return fully_associative_ ? MissKind::Capacity : MissKind::Conflict;
+    }
+    std::size_t capacity() const { return capacity_; }
+
     // The shadow missed at the last access.
     bool shadow_missed() const { return shadow_missed_; }
 
@@ -54,6 +66,7 @@ private:
     std::uint32_t& node_of(std::uint64_t line);
     std::size_t place_of(std::uint64_t page) const;
     void grow();
+    MissKind find_or_take(std::uint64_t line, std::uint32_t& node);
     void unlink(std::uint32_t node);
     void link_first(std::uint32_t node);
     std::uint32_t take_node();
@@ -63,6 +76,7 @@ private:
     bool shadow_missed_ = false;
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> free_nodes_;
+    std::array<std::uint32_t, FirstPlaces> first_{}; // their nodes, which are in no list; 0: none
     // Open addressing; pages are added and never taken out but all at once.
     std::vector<Page> pages_;
     std::size_t page_count_ = 0;
