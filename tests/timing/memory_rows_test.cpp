@@ -199,6 +199,12 @@ TEST_CASE("new rows whose commands meet take the shortest round that there is") 
     const std::uint32_t round = ShortestRound(four, writes).cycles();
     CHECK(round == RowCycle(four, writes).cycles() + 1);
     check_profile(four, true, round / 4.0);
+
+    const Stream of_four{.bursts = 4, .write = true};
+    const MemoryConfig gddr3 = of_profile(MemoryProfile::Gddr3, 4);
+    const std::uint32_t shortest = ShortestRound(gddr3, of_four).cycles();
+    CHECK(shortest == RowCycle(gddr3, of_four).cycles() + 2);
+    CHECK(measured(gddr3, of_four) == Approx(shortest / 4.0).epsilon(0.002));
 }
 
 // Each column of a request stands in the way of the other bank's rows. Writes of four bursts take a
@@ -224,8 +230,7 @@ TEST_CASE("new rows of several bursts take the shortest round of two banks, or a
 }
 
 // The form is a bound. These alone take more than two hundredths longer, as docs/units/memory.md
-// says: of two banks, and of writes of one burst over four, no round is shorter, but for writes of
-// four bursts.
+// says, six of them because no round is shorter.
 TEST_CASE("new rows of several bursts take the closed form's time, but for nine forms") {
     struct Form {
         MemoryProfile profile;
