@@ -21,14 +21,19 @@ public:
     static constexpr std::size_t MostUnits = 63;
     static constexpr Cycle Pages = 64;
 
-    // The unit is due at cycle `at`, which is after `now`; Never: not at all.
-    void add(std::size_t unit, Cycle at, Cycle now) {
-        if (at == now + 1) {
+    // The unit is due at cycle `at`, which is after `now`; Never: not at all. Mostly at the next:
+    // that is inlined wherever somebody is woken, the rest is not.
+    [[gnu::always_inline]] void add(std::size_t unit, Cycle at, Cycle now) {
+        if (at == now + 1)
             next_page_ |= std::uint64_t{1} << unit;
-        } else if (at - now < Pages) {
+        else if (at != Never)
+            add_later(unit, at, now);
+    }
+    [[gnu::noinline]] void add_later(std::size_t unit, Cycle at, Cycle now) {
+        if (at - now < Pages) {
             pages_[at % Pages] |= std::uint64_t{1} << unit;
             used_ |= std::uint64_t{1} << at % Pages;
-        } else if (at != Never) {
+        } else {
             later_[unit] = std::min(later_[unit], at);
             soonest_later_ = std::min(soonest_later_, at);
         }

@@ -65,7 +65,7 @@ public:
     // The units, in the order in which they are evaluated; returns the unit's place. Units know
     // the clock as one that they cannot change: when they are due is not its time.
     std::size_t attach(Unit& unit) const;
-    void wake(std::size_t place, Cycle at) const {
+    [[gnu::always_inline]] void wake(std::size_t place, Cycle at) const {
         calendar_.add(place, std::max(at, now_ + 1), now_);
     }
 

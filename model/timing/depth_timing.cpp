@@ -196,7 +196,7 @@ bool DepthTiming::look_up_lines(Path path,
 
 // Takes one quad in and looks its line up if it is tested on this path.
 template <DepthTiming::Path path>
-bool DepthTiming::look_up(Budget& budget, Activity& reason) {
+[[gnu::always_inline]] inline bool DepthTiming::look_up(Budget& budget, Activity& reason) {
     if (is_past_cache(path)) return read_pixels(budget, reason);
     Channel<QuadToken>& in = path == Path::Early ? ports_.early_in : ports_.late_in;
     ParkedQuads& parked = path == Path::Early ? early_ : late_;

@@ -58,7 +58,7 @@ public:
     bool can_push(std::size_t pipe) const {
         return in_order_ ? finished_[pipe].size() < places_ : out_.can_push();
     }
-    void push(std::size_t pipe, const QuadToken& quad) {
+    [[gnu::always_inline]] void push(std::size_t pipe, const QuadToken& quad) {
         if (!in_order_) return out_.push(quad);
         finished_[pipe].push_back(quad);
         ++passages_[pipe].entered;
@@ -66,7 +66,16 @@ public:
 
     // Once a cycle, when all pipes have worked: quads whose turn it is leave. Tells whether any
     // did.
-    bool advance() {
+    bool advance() { return !order_.empty() && send_in_order(); }
+
+    bool is_empty() const { return order_.empty(); }
+    // Where they leave in order: from each pipe to the way out. Else there are none.
+    std::span<const Passage> passages() const {
+        return std::span(passages_).first(in_order_ ? width_ : 0);
+    }
+
+private:
+    bool send_in_order() {
         bool any = false;
         for (std::size_t i = 0; i < width_ && !order_.empty(); ++i) {
             Ring<QuadToken>& pipe = finished_[order_.front()];
@@ -80,13 +89,6 @@ public:
         return any;
     }
 
-    bool is_empty() const { return order_.empty(); }
-    // Where they leave in order: from each pipe to the way out. Else there are none.
-    std::span<const Passage> passages() const {
-        return std::span(passages_).first(in_order_ ? width_ : 0);
-    }
-
-private:
     Channel<QuadToken>& out_;
     std::size_t width_;
     bool in_order_;

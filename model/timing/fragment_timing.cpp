@@ -30,7 +30,7 @@ void FragmentTiming::distribute() {
     }
 }
 
-void FragmentTiming::send(std::size_t number) {
+[[gnu::always_inline]] inline void FragmentTiming::send(std::size_t number) {
     Pipe& pipe = pipes_[number];
     exit_.push(number, pipe.waiting.front());
     pipe.waiting.pop_front();
@@ -39,7 +39,7 @@ void FragmentTiming::send(std::size_t number) {
 }
 
 // A quad leaves at the end of its cycles.
-Activity FragmentTiming::go_round(std::size_t number) {
+inline Activity FragmentTiming::go_round(std::size_t number) {
     Pipe& pipe = pipes_[number];
     if (pipe.waiting.empty()) return Activity::Idle;
     if (!std::exchange(pipe.inside, true))

@@ -38,7 +38,7 @@ bool TextureTiming::is_empty() const {
 }
 
 // Those before a quad whose texels may have changed read the former ones from the same caches.
-bool TextureTiming::can_distribute() const {
+inline bool TextureTiming::can_distribute() const {
     if (!ports_.quads_in.can_pop()) return false;
     const QuadToken& quad = ports_.quads_in.front();
     if (ports_.rewrites.come_before(quad.scene->number) && !is_empty()) return false;
@@ -66,7 +66,7 @@ void TextureTiming::forget_former_draw(const QuadToken& quad) {
 }
 
 // In the order in which they came: a quad whose pipe's queue is full holds up those behind it.
-void TextureTiming::distribute() {
+[[gnu::always_inline]] inline void TextureTiming::distribute() {
     const std::size_t pipes = config_.raster.quads_per_cycle;
     for (std::size_t i = 0; i < pipes && can_distribute(); ++i) {
         const QuadToken& quad = ports_.quads_in.front();

@@ -51,7 +51,7 @@ public:
     void settle() { account_until(clock_.now()); }
 
     // The unit is due at cycle `at`, if not before.
-    void wake(Cycle at) {
+    [[gnu::always_inline]] void wake(Cycle at) {
         if (attached_) clock_.wake(place_, at);
     }
     void wake() { wake(clock_.now() + 1); }
