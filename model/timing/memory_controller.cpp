@@ -177,6 +177,12 @@ void MemoryController::settle() {
     statistics_.set_bus_cycles(end * config_.channels);
 }
 
+std::vector<const StatisticsGroup*> MemoryController::statistics() const {
+    for (const Lane& lane : lanes_)
+        lane.dram->tell();
+    return {&statistics_};
+}
+
 // When the channel has to be looked at for its next command: in the cycle in which that goes out;
 // but where nobody asks what the bus does, and nothing waits for a place, it is enough to be there
 // before an answer could be back. What went out until then is made up for, then or when something

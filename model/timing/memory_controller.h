@@ -45,7 +45,7 @@ public:
     std::string state() const override;
     void leave_out_figures() override;
     void set_command_observer(DramCommandObserver* observer) override;
-    std::vector<const StatisticsGroup*> statistics() const override { return {&statistics_}; }
+    std::vector<const StatisticsGroup*> statistics() const override;
 
 private:
     struct Response {

@@ -50,7 +50,7 @@ void DramDevice::activate(std::uint32_t bank, std::uint64_t row, MemoryCycle now
     const Ready ready = activate_ready(bank);
     it.opened_after = ready.at == now ? ready.cause : LostTo::Row;
     it.row = row;
-    it.column_at = now + config_.row_to_column_cycles;
+    it.column_at = all_take_columns_at_ = now + config_.row_to_column_cycles;
     it.precharge_at = now + config_.row_active_cycles;
     it.last_column = now;
     note_times(bank);
@@ -78,7 +78,7 @@ void DramDevice::refresh(MemoryCycle now) {
 
 DataBurst DramDevice::column(const DramRequest& request, MemoryCycle now) {
     const std::uint32_t spacing = config_.column_spacing();
-    const std::uint32_t bursts = config_.bursts(request.bytes);
+    const std::uint32_t bursts = data_of(request.bytes).bursts;
     const MemoryCycle last = now + MemoryCycle{bursts - 1} * spacing;
     const MemoryCycle latency = column_latency(request.write);
     const DataBurst data{now + latency, last + latency + config_.burst_cycles};

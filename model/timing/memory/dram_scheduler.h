@@ -13,8 +13,9 @@
 //
 // Two forms of one rule: the plain one looks at each request, and is the specification; the other
 // looks at the bits of WaitingRequests, at a request for each bank and kind, where the queue has
-// them. Mostly nothing can go out, or a row alone: where banks are few, one look at all of them
-// tells so, in which nothing is to be foretold (bank_scan.h).
+// them. Mostly no bank waits for a row: then it is enough to look at the bus. Else mostly nothing
+// can go out, or a row alone: where banks are few, one look at all of them tells so, in which
+// nothing is to be foretold (bank_scan.h).
 
 #pragma once
 
@@ -28,11 +29,15 @@ namespace ffgpu::timing {
 struct DramCommand {
     enum class Kind : std::uint8_t { None, Column, Activate, Precharge };
     Kind kind = Kind::None;
-    std::size_t index = 0;            // of the waiting request
-    MemoryCycle again_at = 0;         // None: nothing can go out before
-    MemoryCycle column_at = NoCycle;  // None: a column can go out then, where that is known
-    LostTo cause = LostTo::NoRequest; // None: why not now
-    bool meets = false;               // a column without a gap, and a row: one goes, both could
+    std::size_t index = 0;           // of the waiting request
+    MemoryCycle again_at = 0;        // None: nothing can go out before
+    MemoryCycle column_at = NoCycle; // None: a column can go out then, where that is known
+    bool meets = false;              // a column without a gap, and a row: one goes, both could
+    // Why no data flow: a column's could, but a bank's row went first; a younger request's could,
+    // but for the order. Neither: for what the oldest request waits for.
+    bool column_yields = false, order_forbids = false;
+
+    bool waits_for_oldest() const { return !column_yields && !order_forbids; }
 };
 
 class DramScheduler {
@@ -62,11 +67,11 @@ public:
                                           const WaitingRequests& waiting,
                                           const DramDevice& device,
                                           MemoryCycle now) const;
-    // Why no data flow where nothing can go out.
-    static LostTo
-    why_nothing(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now);
-    // Nobody asks why no data flow.
-    void leave_out_causes() { tells_causes_ = false; }
+    // Why no data flow where this command was chosen, which is no column, and has not gone out yet.
+    static LostTo why(const DramCommand& command,
+                      const WaitingRequests& waiting,
+                      const DramDevice& device,
+                      MemoryCycle now);
     // The command that was chosen goes out.
     void issued(const DramCommand& command) { meetings_ += command.meets; }
 
@@ -75,6 +80,10 @@ private:
     static constexpr std::uint32_t FewBanks = BankTimes::Most;
 
     struct Search;
+    bool find_column_alone(const WaitingRequests& waiting,
+                           const DramDevice& device,
+                           MemoryCycle now,
+                           DramCommand& command) const;
     void choose_plainly(Search& search) const;
     void find_column(Search& search) const;
     void find_row(Search& search) const;
@@ -87,13 +96,10 @@ private:
     template <class FindRow, class IsBusWanted>
     void
     choose_row(Search& search, const FindRow& find_row, const IsBusWanted& is_bus_wanted) const;
-    void name_cause(Search& search) const;
-    static LostTo why_oldest_waits(const Search& search);
 
     const std::uint32_t limit_;
     const bool by_bits_, by_banks_;
     const std::uint32_t banks_;
-    bool tells_causes_ = true;
     std::uint32_t meetings_ = 0;
 };
 
