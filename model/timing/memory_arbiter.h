@@ -49,7 +49,10 @@ public:
     void go_directly(MemoryModule& memory) { direct_ = memory.go_directly(*this); }
     std::string state() const override;
     bool waits_outside() const override { return pool_.first_used() != nullptr; }
-    const ClientStatistics& statistics() const { return statistics_; }
+    const ClientStatistics& statistics() const {
+        statistics_.count_done();
+        return statistics_;
+    }
     // Null: nobody.
     void set_observer(MemoryObserver* observer) { observer_ = observer; }
     // The machine's own, who looks what is waited for; null: nobody.
@@ -82,7 +85,7 @@ private:
     InFlight& in_flight_;
     PayloadPool pool_;
     DirectMemory* direct_ = nullptr; // null: by the socket
-    ClientStatistics statistics_;
+    mutable ClientStatistics statistics_; // brought up to date when somebody asks
     MemoryObserver* observer_ = nullptr;
     MemoryObserver* waits_ = nullptr;
     CommandLedger* ledger_ = nullptr;
