@@ -84,7 +84,7 @@ private:
     const Ports ports_;
     InFlight& in_flight_;
     PayloadPool pool_;
-    DirectMemory* direct_ = nullptr; // null: by the socket
+    DirectMemory* direct_ = nullptr;      // null: by the socket
     mutable ClientStatistics statistics_; // brought up to date when somebody asks
     MemoryObserver* observer_ = nullptr;
     MemoryObserver* waits_ = nullptr;

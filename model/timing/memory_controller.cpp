@@ -103,14 +103,15 @@ void MemoryController::start(Lane& lane, MemoryCycle at) {
 // the answer is back.
 void MemoryController::answer(Lane& lane) {
     Ring<ServedRequest>& served = lane.dram->served();
+    const bool tells = tells_carrying();
     for (; !served.empty(); served.pop_front()) {
         const auto& [request, data] = served.front();
-        const Cycle last = core_time(data.end);
-        if (tells_carrying()) carry(lane, {std::max(core_time(data.begin + 1), now()), last});
-        const Cycle at = last + way_back();
+        const Cycle last = core_time(data.end), at = last + way_back();
+        if (tells) carry(lane, {std::max(core_time(data.begin + 1), now()), last});
         if (lane.responses.empty()) lane.answer_at = at;
         lane.responses.push_back({at, static_cast<RequestTag*>(request.payload)});
     }
+    if (tells) note_carrying(lane);
 }
 
 void MemoryController::carry(Lane& lane, const Carrying& carrying) {
@@ -146,17 +147,24 @@ void MemoryController::say(RequestTag& request, tlm::tlm_phase phase) {
     socket_->nb_transport_bw(*request.payload, phase, delay);
 }
 
-// The channel, and what comes to it.
+// The channel, and what comes to it. Refreshes of a channel that nobody waits for are made up for
+// when somebody does.
 inline void MemoryController::work(Lane& lane) {
-    const MemoryCycle begin = memory_time(now() - 1);
+    const Cycle cycle = now();
+    const MemoryCycle begin = memory_time(cycle - 1);
     DramChannel& dram = *lane.dram;
+    const Channel<RequestTag*>& arrivals = *lane.arrivals;
     dram.advance(begin); // What went by while asleep: refreshes.
-    const bool may_arrive = lane.arrivals->can_pop() && dram.has_room();
-    if (may_arrive || (lane.refused && !lane.arrivals->is_full())) accept_arrivals(lane, begin);
-    dram.advance(memory_time(now()));
+    const bool may_arrive = arrivals.can_pop() && dram.has_room();
+    if (may_arrive || (lane.refused && !arrivals.is_full())) accept_arrivals(lane, begin);
+    dram.advance(memory_time(cycle));
     if (!dram.served().empty()) answer(lane);
     const MemoryCycle next = dram.next_work();
     lane.command_at = next == NoCycle ? Never : core_time(next + 1);
+    lane.column_at = dram.has_waiting() ? next_command(lane) : Never;
+    lane.is_behind = lane.column_at > lane.command_at && dram.has_waiting();
+    lane.arrival_at = std::max(next_arrival(lane), cycle + 1);
+    lane.waits = dram.has_waiting() || arrivals.can_pop();
 }
 
 inline void MemoryController::note_carrying(Lane& lane) {
@@ -171,42 +179,31 @@ inline void MemoryController::note_carrying(Lane& lane) {
     lane.carrying_at = lane.moves ? carrying.last + 1 : carrying.first;
 }
 
-// Mostly one part alone is due. Refreshes of a channel that nobody waits for are made up for when
-// somebody does.
+// Mostly one part alone is due.
 inline void MemoryController::step(Lane& lane) {
     const Cycle cycle = now();
-    const bool works = std::min(lane.command_at, lane.arrival_at) <= cycle;
-    if (works) work(lane);
-    if (works || lane.carrying_at <= cycle) {
-        note_carrying(lane);
-        lane.waits =
-            lane.dram->has_waiting() || !lane.carryings.empty() || lane.arrivals->can_pop();
-    }
+    if (std::min(lane.command_at, lane.arrival_at) <= cycle) work(lane);
+    if (lane.carrying_at <= cycle) note_carrying(lane);
     if (lane.answer_at <= cycle) deliver(lane);
-    lane.due = std::min(lane.carrying_at, lane.answer_at);
-    const bool has_waiting = lane.dram->has_waiting();
-    if (has_waiting) lane.due = std::min(lane.due, next_command(lane));
-    lane.is_behind = has_waiting && lane.due > lane.command_at;
-    lane.arrival_at = next_arrival(lane);
-    lane.due = std::max(std::min(lane.due, lane.arrival_at), cycle + 1);
+    lane.due = std::min({lane.column_at, lane.arrival_at, lane.carrying_at, lane.answer_at});
 }
 
 // Busy while a bus carries data; all else that it does for a request is a stall.
 Activity MemoryController::step() {
     const Cycle cycle = now();
     if (cycle < next_work_) return activity_;
-    bool moving = false, waiting = false;
+    Activity activity = Activity::Idle;
     Cycle next = Never;
     for (Lane& lane : lanes_) {
         if (lane.due <= cycle) step(lane);
-        moving |= lane.moves;
-        waiting |= lane.waits;
+        if (lane.moves)
+            activity = Activity::Busy;
+        else if (activity == Activity::Idle && lane.is_waiting())
+            activity = Activity::StalledMemory;
         next = std::min(next, lane.due);
     }
     next_work_ = next;
-    return activity_ = moving    ? Activity::Busy
-                       : waiting ? Activity::StalledMemory
-                                 : Activity::Idle;
+    return activity_ = activity;
 }
 
 void MemoryController::settle() {

@@ -65,15 +65,17 @@ private:
         Ring<Carrying> carryings; // from the one of this cycle on, gaps between them
         // What the last look at the lane said.
         bool moves = false, waits = false;
-        bool is_behind = false; // Commands went out that were not looked at yet.
+        bool is_behind = false; // Commands may have gone out that were not looked at yet.
 
-        // When each part has to be looked at again.
-        Cycle command_at = 0;     // for all that the channel does
-        Cycle arrival_at = Never; // for what comes to it
+        Cycle command_at = 0; // The channel does something.
+        // When each part has to be looked at again, and the first of these.
+        Cycle column_at = Never; // the channel, for what it does
+        Cycle arrival_at = Never;
         Cycle carrying_at = Never;
         Cycle answer_at = Never;
-        Cycle due = 0; // the first of these that somebody waits for
+        Cycle due = 0;
 
+        bool is_waiting() const { return waits || carrying_at != Never; }
         // An arrival is looked at where the channel takes it, or has to be made up for.
         bool looks_at_arrivals() const { return is_behind || dram->has_room(); }
     };

@@ -171,7 +171,7 @@ void DramChannel::tell_columns(const DramRequest& request, bool closes, MemoryCy
 
 // Why the command's slot passed without a column: of the slot alone, or, where none went out, also
 // of those behind it.
-void DramChannel::note_why(const DramCommand& command, MemoryCycle now) {
+inline void DramChannel::note_why(const DramCommand& command, MemoryCycle now) {
     const bool is_none = command.kind == DramCommand::Kind::None;
     if (is_none && command.waits_for_oldest() && !waiting_.empty()) return note_oldest(now);
     if (!is_none && leaves_open_ && now < charged_slots_)
@@ -185,18 +185,12 @@ void DramChannel::note_why(const DramCommand& command, MemoryCycle now) {
 // carries data all the time.
 inline void DramChannel::note_oldest(MemoryCycle from) {
     close_cause(from);
-    if (leaves_open_)
-        open_from_ = from;
-    else
-        causes_.note(from, DramScheduler::why({}, waiting_, device_, from));
+    open_from_ = from;
+    if (!leaves_open_) close_cause(NoCycle);
 }
 
-// Another cause holds from `end` on.
-inline void DramChannel::close_cause(MemoryCycle end) {
-    if (open_from_ == NoCycle) return;
-    if (end > charged_slots_)
-        causes_.note(open_from_, DramScheduler::why({}, waiting_, device_, open_from_));
-    open_from_ = NoCycle;
+void DramChannel::find_open_cause() {
+    causes_.note(open_from_, DramScheduler::why({}, waiting_, device_, open_from_));
 }
 
 // A column's data: nobody asks for causes where they follow those before.
@@ -229,31 +223,28 @@ inline void DramChannel::note_charged() {
     charged_slots_ = charged_ - std::min(charged_, latency);
 }
 
-// What follows its like is one with it. Of the rest there is not much.
-inline void DramChannel::charge(const Charge& charge) {
-    if (charge.cycles == 0) return;
+void DramChannel::charge_other(const Charge& charge) {
+    if (untold_.size() >= MostUntold) tell();
+    if (last_.cycles > 0) untold_.push_back(last_);
+    last_ = charge;
     charged_ += charge.cycles;
-    if (!untold_.empty()) {
-        Charge& last = untold_.back();
-        if (last.data == charge.data && last.cause == charge.cause) {
-            last.cycles += charge.cycles;
-            return;
-        }
-        if (untold_.size() >= MostUntold) tell();
-    }
-    untold_.push_back(charge);
 }
 
 // A column's data may lie beyond a frame's end.
 void DramChannel::tell(MemoryCycle end) {
     while (told_ < end && !untold_.empty()) {
-        Charge& first = untold_.front();
-        const MemoryCycle cycles = std::min(first.cycles, end - told_);
-        first.data ? observer_.on_data(cycles) : observer_.on_lost(first.cause, cycles);
-        told_ += cycles;
-        first.cycles -= cycles;
-        if (first.cycles == 0) untold_.pop_front();
+        tell(untold_.front(), end);
+        if (untold_.front().cycles == 0) untold_.pop_front();
     }
+    if (told_ < end) tell(last_, end);
+}
+
+void DramChannel::tell(Charge& charge, MemoryCycle end) {
+    const MemoryCycle cycles = std::min(charge.cycles, end - told_);
+    if (cycles == 0) return;
+    charge.data ? observer_.on_data(cycles) : observer_.on_lost(charge.cause, cycles);
+    told_ += cycles;
+    charge.cycles -= cycles;
 }
 
 void DramChannel::settle(MemoryCycle end) {

@@ -77,6 +77,10 @@ private:
         bool data = false;
         LostTo cause = LostTo::NoRequest; // where no data
         MemoryCycle cycles = 0;
+
+        bool is_like(const Charge& other) const {
+            return data == other.data && cause == other.cause;
+        }
     };
 
     void note(MemoryCycle from, LostTo cause) {
@@ -86,12 +90,25 @@ private:
     }
     void note_why(const DramCommand& command, MemoryCycle now);
     void note_oldest(MemoryCycle from);
-    void close_cause(MemoryCycle end);
+    // Another cause holds from `end` on.
+    void close_cause(MemoryCycle end) {
+        if (open_from_ < end && end > charged_slots_) find_open_cause();
+        open_from_ = NoCycle;
+    }
+    void find_open_cause();
     void close_causes_before(const DramRequest& request, MemoryCycle now);
     void charge_until(const DataBurst& data, std::uint32_t bytes, LostTo before);
-    void charge(const Charge& charge);
+    // What follows its like is one with it.
+    void charge(const Charge& charge) {
+        if (charge.cycles == 0) return;
+        if (!charge.is_like(last_)) return charge_other(charge);
+        charged_ += charge.cycles;
+        last_.cycles += charge.cycles;
+    }
+    void charge_other(const Charge& charge);
     void note_charged();
     void tell(MemoryCycle end);
+    void tell(Charge& charge, MemoryCycle end);
     bool is_wanted(std::uint32_t bank) const;
     MemoryCycle next_row_to_close(MemoryCycle now) const;
 
@@ -112,7 +129,8 @@ private:
     MemoryCycle charged_slots_ = 0;   // and those of slots up to here, if not more
     MemoryCycle told_ = 0;            // and up to here the observer knows
     MemoryCycle to_tell_ = 0;         // up to there it is to
-    Ring<Charge> untold_;             // from told_ to charged_
+    Ring<Charge> untold_;             // from told_ on
+    Charge last_;                     // behind these, to charged_
     MemoryCycle next_work_ = 0;       // nothing happens before
     DramCommand planned_;             // what goes out in cycle planned_at_, unless something comes
     MemoryCycle planned_at_ = NoCycle;

@@ -277,28 +277,56 @@ void DramScheduler::choose_by_bits(Search& search) const {
         search, [&] { find_row_by_bits(search); }, [&] { return is_bus_wanted_by_bits(search); });
 }
 
-// Where no bank waits for a row and tRCD of all rows is over: the oldest of the columns that the
-// bus takes. Of those that wait some are for open rows then, and no request was passed too often.
-inline bool DramScheduler::find_column_alone(const WaitingRequests& waiting,
-                                             const DramDevice& device,
-                                             MemoryCycle now,
-                                             DramCommand& command) const {
-    if (!by_bits_ || waiting.banks_without_hits() != 0 || device.all_take_columns_at() > now ||
-        waiting.front().passed >= limit_)
-        return false;
+// No column can go out before command.column_at: the oldest request of a bank that could be made
+// ready for it. A bank works for its oldest one, where nobody waits for the row that it has open.
+inline void DramScheduler::choose_row_by_banks(const WaitingRequests& waiting,
+                                               const DramDevice& device,
+                                               MemoryCycle now,
+                                               DramCommand& command) const {
+    const MemoryCycle slot = device.free_slot(now);
+    WaitingRequests::Bits ready = 0;
+    for (std::uint64_t left = waiting.banks_without_hits(); left != 0; left &= left - 1) {
+        const auto bank = static_cast<std::uint32_t>(std::countr_zero(left));
+        const MemoryCycle at = std::max(device.row_ready_at(bank), slot);
+        command.again_at = std::min(command.again_at, at);
+        if (at <= now) ready |= waiting.of_bank(bank);
+    }
+    if (ready == 0) return;
+    const auto index = static_cast<std::size_t>(std::countr_zero(ready));
+    const bool closed = device.open_row(waiting[index].request.bank) == DramDevice::NoRow;
+    command = {.kind = closed ? DramCommand::Kind::Activate : DramCommand::Kind::Precharge,
+               .index = index};
+}
+
+// All columns of a kind can go out at one time.
+inline void DramScheduler::choose_by_bus(const WaitingRequests& waiting,
+                                         const DramDevice& device,
+                                         MemoryCycle now,
+                                         DramCommand& command) const {
     const WaitingRequests::Bits reads = waiting.hits() & waiting.of_kind(false);
     const WaitingRequests::Bits writes = waiting.hits() & waiting.of_kind(true);
     const MemoryCycle read_at = reads != 0 ? device.bus_ready_at(false) : NoCycle;
     const MemoryCycle write_at = writes != 0 ? device.bus_ready_at(true) : NoCycle;
     const MemoryCycle at = std::min(read_at, write_at);
+    const bool has_rows = waiting.banks_without_hits() != 0;
     if (at > now) {
         command.again_at = command.column_at = at;
-        return true;
+        if (has_rows) choose_row_by_banks(waiting, device, now, command);
+        return;
     }
+    if (has_rows) return choose_first_by_bits(waiting, device, now, command);
     const WaitingRequests::Bits due = (read_at <= now ? reads : 0) | (write_at <= now ? writes : 0);
     command.kind = DramCommand::Kind::Column;
     command.index = static_cast<std::size_t>(std::countr_zero(due));
-    return true;
+}
+
+void DramScheduler::choose_first_by_bits(const WaitingRequests& waiting,
+                                         const DramDevice& device,
+                                         MemoryCycle now,
+                                         DramCommand& command) const {
+    Search search{waiting, device, now, command};
+    choose_by_bits(search);
+    search.note_why();
 }
 
 void DramScheduler::choose(const WaitingRequests& waiting,
@@ -306,7 +334,8 @@ void DramScheduler::choose(const WaitingRequests& waiting,
                            MemoryCycle now,
                            DramCommand& command) const {
     command = {.again_at = NoCycle};
-    if (waiting.empty() || find_column_alone(waiting, device, now, command)) return;
+    if (waiting.empty()) return;
+    if (is_for_the_bus(waiting, device, now)) return choose_by_bus(waiting, device, now, command);
     Search search{waiting, device, now, command};
     if (!by_bits_)
         choose_plainly(search);
@@ -320,10 +349,8 @@ void DramScheduler::choose_with_column(const WaitingRequests& waiting,
                                        MemoryCycle now,
                                        DramCommand& command) const {
     command = {.again_at = NoCycle};
-    if (find_column_alone(waiting, device, now, command)) return;
-    Search search{waiting, device, now, command};
-    choose_by_bits(search);
-    search.note_why();
+    if (is_for_the_bus(waiting, device, now)) return choose_by_bus(waiting, device, now, command);
+    choose_first_by_bits(waiting, device, now, command);
 }
 
 } // namespace ffgpu::timing

@@ -13,9 +13,10 @@
 //
 // Two forms of one rule: the plain one looks at each request, and is the specification; the other
 // looks at the bits of WaitingRequests, at a request for each bank and kind, where the queue has
-// them. Mostly no bank waits for a row: then it is enough to look at the bus. Else mostly nothing
-// can go out, or a row alone: where banks are few, one look at all of them tells so, in which
-// nothing is to be foretold (bank_scan.h).
+// them. Mostly tRCD of all rows is over: then the bus alone says when a column goes, and of the
+// banks those matter alone that wait for another row, mostly none or one. Else mostly nothing can
+// go out, or a row alone: where banks are few, one look at all of them tells so, in which nothing
+// is to be foretold (bank_scan.h).
 
 #pragma once
 
@@ -80,10 +81,24 @@ private:
     static constexpr std::uint32_t FewBanks = BankTimes::Most;
 
     struct Search;
-    bool find_column_alone(const WaitingRequests& waiting,
-                           const DramDevice& device,
-                           MemoryCycle now,
-                           DramCommand& command) const;
+    // tRCD of all rows is over, and no request was passed too often.
+    bool is_for_the_bus(const WaitingRequests& waiting,
+                        const DramDevice& device,
+                        MemoryCycle now) const {
+        return by_bits_ && device.all_take_columns_at() <= now && waiting.front().passed < limit_;
+    }
+    void choose_by_bus(const WaitingRequests& waiting,
+                       const DramDevice& device,
+                       MemoryCycle now,
+                       DramCommand& command) const;
+    void choose_row_by_banks(const WaitingRequests& waiting,
+                             const DramDevice& device,
+                             MemoryCycle now,
+                             DramCommand& command) const;
+    void choose_first_by_bits(const WaitingRequests& waiting,
+                              const DramDevice& device,
+                              MemoryCycle now,
+                              DramCommand& command) const;
     void choose_plainly(Search& search) const;
     void find_column(Search& search) const;
     void find_row(Search& search) const;

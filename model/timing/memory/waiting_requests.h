@@ -28,7 +28,8 @@ public:
     static constexpr std::size_t MostWithBits = 64;
 
     explicit WaitingRequests(std::uint32_t banks)
-        : of_bank_((banks + BankTimes::Most - 1) / BankTimes::Most * BankTimes::Most, 0) {}
+        : banks_(banks)
+        , of_bank_((banks + BankTimes::Most - 1) / BankTimes::Most * BankTimes::Most, 0) {}
 
     bool empty() const { return count_ == 0; }
     std::size_t size() const { return count_; }
@@ -89,12 +90,15 @@ public:
     Bits banks_without_hits() const { return without_hits_; }
 
 private:
+    static constexpr std::size_t AtATime = 4;
+    static_assert(BankTimes::Most % AtATime == 0);
+
     void remove_bits(std::size_t index) {
         const Bits before = (Bits{1} << index) - 1;
         const auto close_up = [=](Bits& bits) { bits = (bits & before) | ((bits >> 1) & ~before); };
-        // As many as vectors take, whose number is known.
-        for (std::size_t bank = 0; bank < of_bank_.size(); bank += BankTimes::Most)
-            for (std::size_t i = 0; i < BankTimes::Most; ++i)
+        // Some at a time, whose number is known: by vectors.
+        for (std::size_t bank = 0; bank < banks_; bank += AtATime)
+            for (std::size_t i = 0; i < AtATime; ++i)
                 close_up(of_bank_[bank + i]);
         for (Bits& bits : of_kind_)
             close_up(bits);
@@ -116,8 +120,9 @@ private:
 
     std::vector<WaitingRequest> places_;
     std::size_t first_ = 0, count_ = 0; // those in use
-    std::vector<Bits> of_bank_;         // those behind the last stay empty
-    std::array<Bits, 2> of_kind_{};     // reads, writes
+    std::size_t banks_;
+    std::vector<Bits> of_bank_;     // those behind the last stay empty
+    std::array<Bits, 2> of_kind_{}; // reads, writes
     Bits hits_ = 0, without_hits_ = 0;
 };
 
