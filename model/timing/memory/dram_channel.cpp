@@ -29,6 +29,26 @@ void DramChannel::push(const DramRequest& request, MemoryCycle now) {
     waiting_.push(request, device_.open_row(request.bank));
 }
 
+// Why the command's slot passed without a column: of the slot alone, or, where none went out, also
+// of those behind it.
+inline void DramChannel::note_why(const DramCommand& command, MemoryCycle now) {
+    const bool is_none = command.kind == DramCommand::Kind::None;
+    if (is_none && command.waits_for_oldest() && !waiting_.empty()) return note_oldest(now);
+    if (!is_none && leaves_open_ && now < charged_slots_)
+        open_from_ = NoCycle;
+    else
+        note(now, DramScheduler::why(command, waiting_, device_, now));
+}
+
+// The slots from there on are lost to what the oldest request waits for. As long as that is the
+// oldest, and no command goes out, it can be found out later; mostly nobody has to, since the bus
+// carries data all the time.
+inline void DramChannel::note_oldest(MemoryCycle from) {
+    close_cause(from);
+    open_from_ = from;
+    if (!leaves_open_) close_cause(NoCycle);
+}
+
 // Mostly it is enough to look at what has come.
 inline void DramChannel::wait_also_for(const DramRequest& request, MemoryCycle now) {
     const auto soonest =
@@ -55,7 +75,7 @@ void DramChannel::work(MemoryCycle now) {
     look_ahead(now + 1);
 }
 
-void DramChannel::rest(const DramCommand& none, MemoryCycle now) {
+inline void DramChannel::rest(const DramCommand& none, MemoryCycle now) {
     if (counts_) note_why(none, now);
     next_work_ = std::min(none.again_at, refresh_due_);
     rests_ = config_.page_policy != PagePolicy::Timeout;
@@ -167,26 +187,6 @@ void DramChannel::tell_columns(const DramRequest& request, bool closes, MemoryCy
                        .row = request.row,
                        .bursts = config_.bursts(request.bytes),
                        .byte = request.offset});
-}
-
-// Why the command's slot passed without a column: of the slot alone, or, where none went out, also
-// of those behind it.
-inline void DramChannel::note_why(const DramCommand& command, MemoryCycle now) {
-    const bool is_none = command.kind == DramCommand::Kind::None;
-    if (is_none && command.waits_for_oldest() && !waiting_.empty()) return note_oldest(now);
-    if (!is_none && leaves_open_ && now < charged_slots_)
-        open_from_ = NoCycle;
-    else
-        note(now, DramScheduler::why(command, waiting_, device_, now));
-}
-
-// The slots from there on are lost to what the oldest request waits for. As long as that is the
-// oldest, and no command goes out, it can be found out later; mostly nobody has to, since the bus
-// carries data all the time.
-inline void DramChannel::note_oldest(MemoryCycle from) {
-    close_cause(from);
-    open_from_ = from;
-    if (!leaves_open_) close_cause(NoCycle);
 }
 
 void DramChannel::find_open_cause() {

@@ -307,23 +307,25 @@ inline void DramScheduler::choose_by_bus(const WaitingRequests& waiting,
     const WaitingRequests::Bits writes = waiting.hits() & waiting.of_kind(true);
     const MemoryCycle read_at = reads != 0 ? device.bus_ready_at(false) : NoCycle;
     const MemoryCycle write_at = writes != 0 ? device.bus_ready_at(true) : NoCycle;
-    const MemoryCycle at = std::min(read_at, write_at);
+    const MemoryCycle at = std::min(read_at, write_at), when = std::max(at, now);
     const bool has_rows = waiting.banks_without_hits() != 0;
-    if (at > now) {
-        command.again_at = command.column_at = at;
-        if (has_rows) choose_row_by_banks(waiting, device, now, command);
+    if (at <= now && has_rows) return choose_first_by_bits(waiting, device, now, command);
+    const WaitingRequests::Bits due =
+        (read_at <= when ? reads : 0) | (write_at <= when ? writes : 0);
+    command.index = static_cast<std::size_t>(std::countr_zero(due));
+    if (at <= now) {
+        command.kind = DramCommand::Kind::Column;
         return;
     }
-    if (has_rows) return choose_first_by_bits(waiting, device, now, command);
-    const WaitingRequests::Bits due = (read_at <= now ? reads : 0) | (write_at <= now ? writes : 0);
-    command.kind = DramCommand::Kind::Column;
-    command.index = static_cast<std::size_t>(std::countr_zero(due));
+    command.again_at = command.column_at = at;
+    command.foresees_column = true;
+    if (has_rows) choose_row_by_banks(waiting, device, now, command);
 }
 
-void DramScheduler::choose_first_by_bits(const WaitingRequests& waiting,
-                                         const DramDevice& device,
-                                         MemoryCycle now,
-                                         DramCommand& command) const {
+[[gnu::noinline]] void DramScheduler::choose_first_by_bits(const WaitingRequests& waiting,
+                                                           const DramDevice& device,
+                                                           MemoryCycle now,
+                                                           DramCommand& command) const {
     Search search{waiting, device, now, command};
     choose_by_bits(search);
     search.note_why();
@@ -336,6 +338,13 @@ void DramScheduler::choose(const WaitingRequests& waiting,
     command = {.again_at = NoCycle};
     if (waiting.empty()) return;
     if (is_for_the_bus(waiting, device, now)) return choose_by_bus(waiting, device, now, command);
+    choose_otherwise(waiting, device, now, command);
+}
+
+[[gnu::noinline]] void DramScheduler::choose_otherwise(const WaitingRequests& waiting,
+                                                       const DramDevice& device,
+                                                       MemoryCycle now,
+                                                       DramCommand& command) const {
     Search search{waiting, device, now, command};
     if (!by_bits_)
         choose_plainly(search);
@@ -348,6 +357,10 @@ void DramScheduler::choose_with_column(const WaitingRequests& waiting,
                                        const DramDevice& device,
                                        MemoryCycle now,
                                        DramCommand& command) const {
+    if (command.foresees_column && command.column_at == now && waiting.banks_without_hits() == 0) {
+        command.kind = DramCommand::Kind::Column;
+        return;
+    }
     command = {.again_at = NoCycle};
     if (is_for_the_bus(waiting, device, now)) return choose_by_bus(waiting, device, now, command);
     choose_first_by_bits(waiting, device, now, command);

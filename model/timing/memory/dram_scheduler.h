@@ -33,6 +33,7 @@ struct DramCommand {
     std::size_t index = 0;           // of the waiting request
     MemoryCycle again_at = 0;        // None: nothing can go out before
     MemoryCycle column_at = NoCycle; // None: a column can go out then, where that is known
+    bool foresees_column = false;    // None: that of `index`, if no bank waits for a row then
     bool meets = false;              // a column without a gap, and a row: one goes, both could
     // Why no data flow: a column's could, but a bank's row went first; a younger request's could,
     // but for the order. Neither: for what the oldest request waits for.
@@ -56,7 +57,8 @@ public:
                 const DramDevice& device,
                 MemoryCycle now,
                 DramCommand& command) const;
-    // The same where a look before, since which nothing went out, told that a column is due.
+    // The same where a look before, since which nothing went out, told that a column is due:
+    // `command` is what it found, and what came since is younger.
     void choose_with_column(const WaitingRequests& waiting,
                             const DramDevice& device,
                             MemoryCycle now,
@@ -99,6 +101,10 @@ private:
                               const DramDevice& device,
                               MemoryCycle now,
                               DramCommand& command) const;
+    void choose_otherwise(const WaitingRequests& waiting,
+                          const DramDevice& device,
+                          MemoryCycle now,
+                          DramCommand& command) const;
     void choose_plainly(Search& search) const;
     void find_column(Search& search) const;
     void find_row(Search& search) const;
