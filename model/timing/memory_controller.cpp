@@ -122,6 +122,8 @@ void MemoryController::carry(Lane& lane, const Carrying& carrying) {
 }
 
 void MemoryController::accept_arrivals(Lane& lane, MemoryCycle at) {
+    const bool may_arrive = lane.arrivals->can_pop() && lane.dram->has_room();
+    if (!may_arrive && lane.arrivals->is_full()) return;
     while (lane.arrivals->can_pop() && lane.dram->has_room())
         start(lane, at);
     if (lane.refused && lane.arrivals->can_push()) {
@@ -151,20 +153,22 @@ void MemoryController::say(RequestTag& request, tlm::tlm_phase phase) {
 // when somebody does.
 inline void MemoryController::work(Lane& lane) {
     const Cycle cycle = now();
-    const MemoryCycle begin = memory_time(cycle - 1);
     DramChannel& dram = *lane.dram;
-    const Channel<RequestTag*>& arrivals = *lane.arrivals;
-    dram.advance(begin); // What went by while asleep: refreshes.
-    const bool may_arrive = arrivals.can_pop() && dram.has_room();
-    if (may_arrive || (lane.refused && !arrivals.is_full())) accept_arrivals(lane, begin);
+    const MemoryCycle begin = memory_time(cycle - 1);
+    if (lane.command_at < cycle) dram.advance(begin); // What went by unseen.
+    if (lane.arrival_at <= cycle) accept_arrivals(lane, begin);
     dram.advance(memory_time(cycle));
     if (!dram.served().empty()) answer(lane);
+    look_ahead(lane);
+}
+
+inline void MemoryController::look_ahead(Lane& lane) {
+    const DramChannel& dram = *lane.dram;
     const MemoryCycle next = dram.next_work();
     lane.command_at = next == NoCycle ? Never : core_time(next + 1);
     lane.column_at = dram.has_waiting() ? next_command(lane) : Never;
-    lane.is_behind = lane.column_at > lane.command_at && dram.has_waiting();
-    lane.arrival_at = std::max(next_arrival(lane), cycle + 1);
-    lane.waits = dram.has_waiting() || arrivals.can_pop();
+    lane.is_behind = !tells_carrying() && dram.has_waiting() && lane.column_at > lane.command_at;
+    lane.arrival_at = std::max(next_arrival(lane), now() + 1);
 }
 
 inline void MemoryController::note_carrying(Lane& lane) {
@@ -209,8 +213,10 @@ Activity MemoryController::step() {
 void MemoryController::settle() {
     Unit::settle();
     const MemoryCycle end = memory_time(now());
-    for (Lane& lane : lanes_)
+    for (Lane& lane : lanes_) {
         lane.dram->settle(end);
+        look_at_arrival(lane, now() + 1); // There may be room.
+    }
     statistics_.count_accesses();
     statistics_.set_bus_cycles(end * config_.channels);
 }
@@ -222,12 +228,14 @@ std::vector<const StatisticsGroup*> MemoryController::statistics() const {
     return {&statistics_};
 }
 
-// When the channel has to be looked at for its next command: in the cycle in which that goes out;
-// but where nobody asks what the bus does, and nothing waits for a place, it is enough to be there
-// before an answer could be back. What went out until then is made up for, then or when something
-// arrives.
+// When the channel has to be looked at for its next command: in the cycle in which that goes out,
+// if it is a column or all are observed; but where nobody asks what the bus does, and nothing waits
+// for a place, it is enough to be there before an answer could be back. What went out until then is
+// made up for, then or when something arrives.
 inline Cycle MemoryController::next_command(const Lane& lane) const {
-    if (tells_carrying() || lane.refused || lane.arrivals->can_pop()) return lane.command_at;
+    if (commands_are_observed_) return lane.command_at;
+    if (tells_carrying()) return core_time(lane.dram->next_column() + 1);
+    if (lane.refused || lane.arrivals->can_pop()) return lane.command_at;
     const MemoryCycle least = std::min(config_.column_cycles, config_.write_column_cycles);
     return std::max(lane.command_at, core_time(lane.dram->next_work() + least + 1) + way_back());
 }

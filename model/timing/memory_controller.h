@@ -64,8 +64,8 @@ private:
         Ring<Response> responses; // in the order of their data
         Ring<Carrying> carryings; // from the one of this cycle on, gaps between them
         // What the last look at the lane said.
-        bool moves = false, waits = false;
-        bool is_behind = false; // Commands may have gone out that were not looked at yet.
+        bool moves = false;
+        bool is_behind = false; // Columns may have gone out that were not looked at yet.
 
         Cycle command_at = 0; // The channel does something.
         // When each part has to be looked at again, and the first of these.
@@ -75,7 +75,9 @@ private:
         Cycle answer_at = Never;
         Cycle due = 0;
 
-        bool is_waiting() const { return waits || carrying_at != Never; }
+        bool is_waiting() const {
+            return dram->has_waiting() || carrying_at != Never || arrivals->can_pop();
+        }
         // An arrival is looked at where the channel takes it, or has to be made up for.
         bool looks_at_arrivals() const { return is_behind || dram->has_room(); }
     };
@@ -84,6 +86,7 @@ private:
     Cycle next_work(Activity) const override { return next_work_; }
     void step(Lane& lane);
     void work(Lane& lane);
+    void look_ahead(Lane& lane);
     void note_carrying(Lane& lane);
     Cycle next_arrival(const Lane& lane) const;
     Cycle next_command(const Lane& lane) const;

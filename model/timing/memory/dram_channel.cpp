@@ -31,13 +31,18 @@ void DramChannel::push(const DramRequest& request, MemoryCycle now) {
 
 // Why the command's slot passed without a column: of the slot alone, or, where none went out, also
 // of those behind it.
-inline void DramChannel::note_why(const DramCommand& command, MemoryCycle now) {
+[[gnu::always_inline]] inline void DramChannel::note_why(const DramCommand& command,
+                                                         MemoryCycle now) {
     const bool is_none = command.kind == DramCommand::Kind::None;
     if (is_none && command.waits_for_oldest() && !waiting_.empty()) return note_oldest(now);
     if (!is_none && leaves_open_ && now < charged_slots_)
         open_from_ = NoCycle;
     else
-        note(now, DramScheduler::why(command, waiting_, device_, now));
+        find_cause(command, now);
+}
+
+void DramChannel::find_cause(const DramCommand& command, MemoryCycle now) {
+    note(now, DramScheduler::why(command, waiting_, device_, now));
 }
 
 // The slots from there on are lost to what the oldest request waits for. As long as that is the
@@ -56,14 +61,17 @@ inline void DramChannel::wait_also_for(const DramRequest& request, MemoryCycle n
     if (soonest && *soonest > now) {
         if (counts_) note_oldest(now);
         next_work_ = std::min(next_work_, *soonest);
+        next_column_ = std::min(next_column_, *soonest);
     } else {
         next_work_ = std::min(next_work_, now);
+        next_column_ = now;
         rests_ = false;
     }
 }
 
 // One cycle's command, or how long there will be none.
 void DramChannel::work(MemoryCycle now) {
+    next_column_ = now;
     const bool column_is_due = std::exchange(rests_, false) && planned_.column_at <= now;
     if (now >= refresh_due_) return work_on_refresh(now);
     if (column_is_due)
@@ -78,9 +86,16 @@ void DramChannel::work(MemoryCycle now) {
 inline void DramChannel::rest(const DramCommand& none, MemoryCycle now) {
     if (counts_) note_why(none, now);
     next_work_ = std::min(none.again_at, refresh_due_);
-    rests_ = config_.page_policy != PagePolicy::Timeout;
-    if (config_.page_policy != PagePolicy::Timeout || close_idle_row(now)) return;
-    next_work_ = std::min(next_work_, next_row_to_close(now));
+    if (config_.page_policy == PagePolicy::Timeout) return rest_until_timeout(now);
+    rests_ = true;
+    // A row that is opened meanwhile takes columns later.
+    if (none.column_at != NoCycle || none.foresees_column)
+        next_column_ =
+            std::min({none.column_at, none.again_at + config_.row_to_column_cycles, refresh_due_});
+}
+
+void DramChannel::rest_until_timeout(MemoryCycle now) {
+    if (!close_idle_row(now)) next_work_ = std::min(next_work_, next_row_to_close(now));
 }
 
 // Behind a command mostly nothing can go out, and nobody has to come back to see that. What is

@@ -45,6 +45,8 @@ public:
 
     // Nothing happens before that cycle unless something is pushed.
     MemoryCycle next_work() const { return next_work_; }
+    // Nor does a column go out before that one.
+    MemoryCycle next_column() const { return std::max(next_work_, next_column_); }
     bool has_waiting() const { return !waiting_.empty(); }
     std::size_t waiting() const { return waiting_.size(); }
     // Charges the bus's cycles before `end` that nothing was charged with yet.
@@ -59,6 +61,7 @@ private:
     void wait_also_for(const DramRequest& request, MemoryCycle now);
     void work(MemoryCycle now);
     void rest(const DramCommand& none, MemoryCycle now);
+    void rest_until_timeout(MemoryCycle now);
     void look_ahead(MemoryCycle next);
     void work_on_refresh(MemoryCycle now);
     bool close_idle_row(MemoryCycle now);
@@ -89,6 +92,7 @@ private:
         causes_.note(from, cause);
     }
     void note_why(const DramCommand& command, MemoryCycle now);
+    void find_cause(const DramCommand& command, MemoryCycle now);
     void note_oldest(MemoryCycle from);
     // Another cause holds from `end` on.
     void close_cause(MemoryCycle end) {
@@ -132,6 +136,7 @@ private:
     Ring<Charge> untold_;             // from told_ on
     Charge last_;                     // behind these, to charged_
     MemoryCycle next_work_ = 0;       // nothing happens before
+    MemoryCycle next_column_ = 0;     // no column goes out before, if that is later
     DramCommand planned_;             // what goes out in cycle planned_at_, unless something comes
     MemoryCycle planned_at_ = NoCycle;
     bool rests_ = false; // Until next_work_ nothing of what is there can go out.

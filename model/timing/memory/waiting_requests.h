@@ -48,7 +48,7 @@ public:
             if (request.row == open_row) hits_ |= it;
             note_hits(request.bank);
         }
-        if (first_ + count_ == places_.size()) make_room();
+        if (first_ + count_ == end_) make_room();
         WaitingRequest& place = places_[first_ + count_++];
         place.request = request;
         place.result = RowResult::Hit;
@@ -116,9 +116,11 @@ private:
         if (2 * count_ >= places_.size()) places_.resize(2 * places_.size() + 8);
         std::copy_n(places_.begin() + static_cast<std::ptrdiff_t>(first_), count_, places_.begin());
         first_ = 0;
+        end_ = places_.size();
     }
 
     std::vector<WaitingRequest> places_;
+    std::size_t end_ = 0;               // places_.size(), which is a division
     std::size_t first_ = 0, count_ = 0; // those in use
     std::size_t banks_;
     std::vector<Bits> of_bank_;     // those behind the last stay empty
