@@ -30,16 +30,30 @@ Activity MemoryArbiter::step() {
     for (std::size_t port = ports_.requests_in.size(); port-- > 0;)
         wanting += wanting + std::uint64_t{requests_in[port]->arrival() <= cycle};
     std::uint32_t left = channels_;
-    while (left > 0 && wanting != 0) {
-        const std::uint32_t sent = send_round(wanting, left);
-        if (sent == 0) break;
-        left -= sent;
+    for (std::uint32_t sent = 1; sent > 0 && left > 0 && wanting != 0; left -= sent) {
+        const bool is_one = (wanting & (wanting - 1)) == 0;
+        sent = is_one ? send_of_one(wanting, left) : send_round(wanting, left);
     }
     if (left < channels_) {
         if (wanting == 0) rest_as(Activity::Idle);
         return Activity::Busy;
     }
     return wanting != 0 ? Activity::StalledOutput : Activity::Idle;
+}
+
+// Rounds where one port alone has requests.
+inline std::uint32_t MemoryArbiter::send_of_one(std::uint64_t& wanting, std::uint32_t most) {
+    const auto port = static_cast<std::size_t>(std::countr_zero(wanting));
+    const Channel<MemoryRequest>& requests = *ports_.requests_in[port];
+    std::uint32_t sent = 0;
+    for (; sent < most && wanting != 0; ++sent) {
+        const std::uint32_t channel = mapping_.channel(requests.front().address);
+        if (!is_free(channel)) break;
+        send(port, channel);
+        if (!requests.can_pop()) wanting = 0;
+    }
+    if (sent > 0) next_port_ = port + 1 < ports_.requests_in.size() ? port + 1 : 0;
+    return sent;
 }
 
 inline std::uint32_t MemoryArbiter::send_round(std::uint64_t& wanting, std::uint32_t most) {
@@ -64,7 +78,7 @@ inline std::uint32_t MemoryArbiter::send_round(std::uint64_t& wanting, std::uint
     return sent;
 }
 
-inline void MemoryArbiter::send(std::size_t port, std::uint32_t channel) {
+[[gnu::always_inline]] inline void MemoryArbiter::send(std::size_t port, std::uint32_t channel) {
     Channel<MemoryRequest>& requests = *ports_.requests_in[port];
     RequestTag& tag = pool_.acquire(requests.front(), port, requests.popped());
     requests.drop();

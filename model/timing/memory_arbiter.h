@@ -68,6 +68,7 @@ private:
     Activity step() override;
     // `wanting`: ports with a request, a bit each.
     std::uint32_t send_round(std::uint64_t& wanting, std::uint32_t most);
+    std::uint32_t send_of_one(std::uint64_t& wanting, std::uint32_t most);
     void send(std::size_t port, std::uint32_t channel);
     bool send_by_socket(const RequestTag& tag);
     bool is_free(std::uint32_t channel) const {
