@@ -26,13 +26,13 @@ MemoryArbiter::MemoryArbiter(sc_core::sc_module_name name,
 Activity MemoryArbiter::step() {
     const Cycle cycle = now();
     std::uint64_t wanting = 0; // ports with a request, a bit each
-    for (std::size_t port = 0; port < ports_.requests_in.size(); ++port)
-        wanting |= std::uint64_t{ports_.requests_in[port]->arrival() <= cycle} << port;
+    const Channel<MemoryRequest>* const* const requests_in = ports_.requests_in.data();
+    for (std::size_t port = ports_.requests_in.size(); port-- > 0;)
+        wanting += wanting + std::uint64_t{requests_in[port]->arrival() <= cycle};
     std::uint32_t left = channels_;
-    while (left > 0 && wanting != 0) {
-        const std::uint32_t sent = send_round(wanting, left);
-        if (sent == 0) break;
-        left -= sent;
+    for (std::uint32_t sent = 1; sent > 0 && left > 0 && wanting != 0; left -= sent) {
+        const bool is_one = (wanting & (wanting - 1)) == 0;
+        sent = is_one ? send_of_one(wanting, left) : send_round(wanting, left);
     }
     if (left < channels_) {
         if (wanting == 0) rest_as(Activity::Idle);
@@ -41,26 +41,44 @@ Activity MemoryArbiter::step() {
     return wanting != 0 ? Activity::StalledOutput : Activity::Idle;
 }
 
+// Rounds where one port alone has requests.
+inline std::uint32_t MemoryArbiter::send_of_one(std::uint64_t& wanting, std::uint32_t most) {
+    const auto port = static_cast<std::size_t>(std::countr_zero(wanting));
+    const Channel<MemoryRequest>& requests = *ports_.requests_in[port];
+    std::uint32_t sent = 0;
+    for (; sent < most && wanting != 0; ++sent) {
+        const std::uint32_t channel = mapping_.channel(requests.front().address);
+        if (!is_free(channel)) break;
+        send(port, channel);
+        if (!requests.can_pop()) wanting = 0;
+    }
+    if (sent > 0) next_port_ = port + 1 < ports_.requests_in.size() ? port + 1 : 0;
+    return sent;
+}
+
 inline std::uint32_t MemoryArbiter::send_round(std::uint64_t& wanting, std::uint32_t most) {
     const std::size_t ports = ports_.requests_in.size();
     std::uint32_t sent = 0;
     const std::uint64_t before = (std::uint64_t{1} << next_port_) - 1;
-    for (std::uint64_t turn : {wanting & ~before, wanting & before}) {
-        for (; turn != 0 && sent < most; turn &= turn - 1) {
-            const auto port = static_cast<std::size_t>(std::countr_zero(turn));
-            const Channel<MemoryRequest>& requests = *ports_.requests_in[port];
-            const std::uint32_t channel = mapping_.channel(requests.front().address);
-            if (!is_free(channel)) continue;
-            send(port, channel);
-            if (!requests.can_pop()) wanting &= ~(turn & -turn);
-            next_port_ = port + 1 < ports ? port + 1 : 0;
-            ++sent;
-        }
+    std::uint64_t turn = wanting & ~before, then = wanting & before;
+    if (turn == 0) turn = std::exchange(then, 0);
+    while (turn != 0 && sent < most) {
+        const std::uint64_t it = turn & -turn;
+        const auto port = static_cast<std::size_t>(std::countr_zero(turn));
+        turn ^= it;
+        if (turn == 0) turn = std::exchange(then, 0);
+        const Channel<MemoryRequest>& requests = *ports_.requests_in[port];
+        const std::uint32_t channel = mapping_.channel(requests.front().address);
+        if (!is_free(channel)) continue;
+        send(port, channel);
+        if (!requests.can_pop()) wanting ^= it;
+        next_port_ = port + 1 < ports ? port + 1 : 0;
+        ++sent;
     }
     return sent;
 }
 
-void MemoryArbiter::send(std::size_t port, std::uint32_t channel) {
+[[gnu::always_inline]] inline void MemoryArbiter::send(std::size_t port, std::uint32_t channel) {
     Channel<MemoryRequest>& requests = *ports_.requests_in[port];
     RequestTag& tag = pool_.acquire(requests.front(), port, requests.popped());
     requests.drop();
@@ -106,7 +124,7 @@ void MemoryArbiter::done(RequestTag& tag) {
     if (observer_) observer_->done(request, cycle);
     if (!request.write) ports_.responses_out[request.port]->push(request.ticket);
     if (request.client != Client::ScanOut) in_flight_.leave(); // No frame waits for the screen.
-    tag.payload->release();
+    direct_ ? pool_.give_back(tag) : tag.payload->release();
 }
 
 } // namespace ffgpu::timing

@@ -49,7 +49,10 @@ public:
     void go_directly(MemoryModule& memory) { direct_ = memory.go_directly(*this); }
     std::string state() const override;
     bool waits_outside() const override { return pool_.first_used() != nullptr; }
-    const ClientStatistics& statistics() const { return statistics_; }
+    const ClientStatistics& statistics() const {
+        statistics_.count_done();
+        return statistics_;
+    }
     // Null: nobody.
     void set_observer(MemoryObserver* observer) { observer_ = observer; }
     // The machine's own, who looks what is waited for; null: nobody.
@@ -65,6 +68,7 @@ private:
     Activity step() override;
     // `wanting`: ports with a request, a bit each.
     std::uint32_t send_round(std::uint64_t& wanting, std::uint32_t most);
+    std::uint32_t send_of_one(std::uint64_t& wanting, std::uint32_t most);
     void send(std::size_t port, std::uint32_t channel);
     bool send_by_socket(const RequestTag& tag);
     bool is_free(std::uint32_t channel) const {
@@ -81,8 +85,8 @@ private:
     const Ports ports_;
     InFlight& in_flight_;
     PayloadPool pool_;
-    DirectMemory* direct_ = nullptr; // null: by the socket
-    ClientStatistics statistics_;
+    DirectMemory* direct_ = nullptr;      // null: by the socket
+    mutable ClientStatistics statistics_; // brought up to date when somebody asks
     MemoryObserver* observer_ = nullptr;
     MemoryObserver* waits_ = nullptr;
     CommandLedger* ledger_ = nullptr;

@@ -78,12 +78,19 @@ bool MemoryController::take(RequestTag& request, std::uint32_t channel) {
     Lane& lane = lanes_[channel];
     if (!lane.arrivals->can_push()) {
         lane.refused = &request;
-        lane.due = std::min(lane.due, now() + 1);
+        look_at_arrival(lane, now() + 1);
         wake();
         return false;
     }
     lane.arrivals->push(&request);
+    if (lane.looks_at_arrivals()) look_at_arrival(lane, lane.arrivals->arrival());
     return true;
+}
+
+inline void MemoryController::look_at_arrival(Lane& lane, Cycle at) {
+    lane.arrival_at = std::min(lane.arrival_at, at);
+    lane.due = std::min(lane.due, at);
+    next_work_ = std::min(next_work_, at);
 }
 
 void MemoryController::start(Lane& lane, MemoryCycle at) {
@@ -96,12 +103,15 @@ void MemoryController::start(Lane& lane, MemoryCycle at) {
 // the answer is back.
 void MemoryController::answer(Lane& lane) {
     Ring<ServedRequest>& served = lane.dram->served();
+    const bool tells = tells_carrying();
     for (; !served.empty(); served.pop_front()) {
         const auto& [request, data] = served.front();
-        const Cycle last = core_time(data.end);
-        if (tells_carrying()) carry(lane, {std::max(core_time(data.begin + 1), now()), last});
-        lane.responses.push_back({last + way_back(), static_cast<RequestTag*>(request.payload)});
+        const Cycle last = core_time(data.end), at = last + way_back();
+        if (tells) carry(lane, {std::max(core_time(data.begin + 1), now()), last});
+        if (lane.responses.empty()) lane.answer_at = at;
+        lane.responses.push_back({at, static_cast<RequestTag*>(request.payload)});
     }
+    if (tells) note_carrying(lane);
 }
 
 void MemoryController::carry(Lane& lane, const Carrying& carrying) {
@@ -112,6 +122,8 @@ void MemoryController::carry(Lane& lane, const Carrying& carrying) {
 }
 
 void MemoryController::accept_arrivals(Lane& lane, MemoryCycle at) {
+    const bool may_arrive = lane.arrivals->can_pop() && lane.dram->has_room();
+    if (!may_arrive && lane.arrivals->is_full()) return;
     while (lane.arrivals->can_pop() && lane.dram->has_room())
         start(lane, at);
     if (lane.refused && lane.arrivals->can_push()) {
@@ -122,9 +134,10 @@ void MemoryController::accept_arrivals(Lane& lane, MemoryCycle at) {
 }
 
 void MemoryController::deliver(Lane& lane) {
-    while (!lane.responses.empty() && lane.responses.front().at <= now()) {
+    while (lane.answer_at <= now()) {
         RequestTag& request = *lane.responses.front().request;
         lane.responses.pop_front();
+        lane.answer_at = lane.responses.empty() ? Never : lane.responses.front().at;
         client_ ? client_->done(request) : say(request, tlm::BEGIN_RESP);
     }
 }
@@ -136,69 +149,100 @@ void MemoryController::say(RequestTag& request, tlm::tlm_phase phase) {
     socket_->nb_transport_bw(*request.payload, phase, delay);
 }
 
-void MemoryController::step(Lane& lane) {
+// The channel, and what comes to it. Refreshes of a channel that nobody waits for are made up for
+// when somebody does.
+inline void MemoryController::work(Lane& lane) {
     const Cycle cycle = now();
-    const MemoryCycle begin = memory_time(cycle - 1);
     DramChannel& dram = *lane.dram;
-    dram.advance(begin); // What went by while asleep: refreshes.
-    const bool may_arrive = lane.arrivals->can_pop() && dram.has_room();
-    if (may_arrive || (lane.refused && !lane.arrivals->is_full())) accept_arrivals(lane, begin);
+    const MemoryCycle begin = memory_time(cycle - 1);
+    if (lane.command_at < cycle) dram.advance(begin); // What went by unseen.
+    if (lane.arrival_at <= cycle) accept_arrivals(lane, begin);
     dram.advance(memory_time(cycle));
     if (!dram.served().empty()) answer(lane);
+    look_ahead(lane);
+}
+
+inline void MemoryController::look_ahead(Lane& lane) {
+    const DramChannel& dram = *lane.dram;
+    const MemoryCycle next = dram.next_work();
+    lane.command_at = next == NoCycle ? Never : core_time(next + 1);
+    lane.column_at = dram.has_waiting() ? next_command(lane) : Never;
+    lane.is_behind = !tells_carrying() && dram.has_waiting() && lane.column_at > lane.command_at;
+    lane.arrival_at = std::max(next_arrival(lane), now() + 1);
+}
+
+inline void MemoryController::note_carrying(Lane& lane) {
+    const Cycle cycle = now();
     while (!lane.carryings.empty() && lane.carryings.front().last < cycle)
         lane.carryings.pop_front();
-    lane.moves = !lane.carryings.empty() && lane.carryings.front().first <= cycle;
-    lane.waits = dram.has_waiting() || !lane.carryings.empty() || lane.arrivals->can_pop();
-    if (!lane.responses.empty() && lane.responses.front().at <= cycle) deliver(lane);
-    lane.due = next_work(lane);
-    lane.is_behind = dram.has_waiting() && lane.due > core_time(dram.next_work() + 1);
+    lane.moves = false;
+    lane.carrying_at = Never;
+    if (lane.carryings.empty()) return;
+    const Carrying& carrying = lane.carryings.front();
+    lane.moves = carrying.first <= cycle;
+    lane.carrying_at = lane.moves ? carrying.last + 1 : carrying.first;
+}
+
+// Mostly one part alone is due.
+inline void MemoryController::step(Lane& lane) {
+    const Cycle cycle = now();
+    if (std::min(lane.command_at, lane.arrival_at) <= cycle) work(lane);
+    if (lane.carrying_at <= cycle) note_carrying(lane);
+    if (lane.answer_at <= cycle) deliver(lane);
+    lane.due = std::min({lane.column_at, lane.arrival_at, lane.carrying_at, lane.answer_at});
 }
 
 // Busy while a bus carries data; all else that it does for a request is a stall.
 Activity MemoryController::step() {
     const Cycle cycle = now();
-    bool moving = false, waiting = false;
+    if (cycle < next_work_) return activity_;
+    Activity activity = Activity::Idle;
     Cycle next = Never;
     for (Lane& lane : lanes_) {
-        if (lane.is_due(cycle)) step(lane);
-        moving |= lane.moves;
-        waiting |= lane.waits;
+        if (lane.due <= cycle) step(lane);
+        if (lane.moves)
+            activity = Activity::Busy;
+        else if (activity == Activity::Idle && lane.is_waiting())
+            activity = Activity::StalledMemory;
         next = std::min(next, lane.due);
     }
     next_work_ = next;
-    return moving ? Activity::Busy : waiting ? Activity::StalledMemory : Activity::Idle;
+    return activity_ = activity;
 }
 
 void MemoryController::settle() {
     Unit::settle();
     const MemoryCycle end = memory_time(now());
-    for (Lane& lane : lanes_)
+    for (Lane& lane : lanes_) {
         lane.dram->settle(end);
+        look_at_arrival(lane, now() + 1); // There may be room.
+    }
+    statistics_.count_accesses();
     statistics_.set_bus_cycles(end * config_.channels);
 }
 
-// When the channel has to be looked at for its next command: in the cycle in which that goes out;
-// but where nobody asks what the bus does, and nothing waits for a place, it is enough to be there
-// before an answer could be back. What went out until then is made up for, then or when something
-// arrives.
-Cycle MemoryController::next_command(const Lane& lane) const {
-    const MemoryCycle command = lane.dram->next_work();
-    if (tells_carrying() || lane.refused || lane.arrivals->can_pop()) return core_time(command + 1);
-    const MemoryCycle least = std::min(config_.column_cycles, config_.write_column_cycles);
-    return std::max(core_time(command + 1), core_time(command + least + 1) + way_back());
+std::vector<const StatisticsGroup*> MemoryController::statistics() const {
+    for (const Lane& lane : lanes_)
+        lane.dram->tell();
+    statistics_.count_accesses();
+    return {&statistics_};
 }
 
-// Refreshes of a channel that nobody waits for are made up for when somebody does.
-Cycle MemoryController::next_work(const Lane& lane) const {
-    if (lane.arrivals->can_pop() && lane.dram->has_room()) return now() + 1;
+// When the channel has to be looked at for its next command: in the cycle in which that goes out,
+// if it is a column or all are observed; but where nobody asks what the bus does, and nothing waits
+// for a place, it is enough to be there before an answer could be back. What went out until then is
+// made up for, then or when something arrives.
+inline Cycle MemoryController::next_command(const Lane& lane) const {
+    if (commands_are_observed_) return lane.command_at;
+    if (tells_carrying()) return core_time(lane.dram->next_column() + 1);
+    if (lane.refused || lane.arrivals->can_pop()) return lane.command_at;
+    const MemoryCycle least = std::min(config_.column_cycles, config_.write_column_cycles);
+    return std::max(lane.command_at, core_time(lane.dram->next_work() + least + 1) + way_back());
+}
+
+inline Cycle MemoryController::next_arrival(const Lane& lane) const {
     if (lane.refused && !lane.arrivals->is_full()) return now() + 1;
-    Cycle next = lane.responses.empty() ? Never : lane.responses.front().at;
-    if (lane.dram->has_waiting()) next = std::min(next, next_command(lane));
-    if (!lane.carryings.empty()) { // to say that it carries data, or not any more
-        const Carrying& carrying = lane.carryings.front();
-        next = std::min(next, lane.moves ? carrying.last + 1 : carrying.first);
-    }
-    return std::max(next, now() + 1);
+    return lane.looks_at_arrivals() ? lane.arrivals->arrival() : Never;
 }
 
 } // namespace ffgpu::timing

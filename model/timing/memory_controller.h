@@ -14,6 +14,7 @@
 #include "model/timing/memory_payload.h"
 #include "model/timing/memory_statistics.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -45,7 +46,7 @@ public:
     std::string state() const override;
     void leave_out_figures() override;
     void set_command_observer(DramCommandObserver* observer) override;
-    std::vector<const StatisticsGroup*> statistics() const override { return {&statistics_}; }
+    std::vector<const StatisticsGroup*> statistics() const override;
 
 private:
     struct Response {
@@ -62,22 +63,34 @@ private:
         std::unique_ptr<DramChannel> dram;
         Ring<Response> responses; // in the order of their data
         Ring<Carrying> carryings; // from the one of this cycle on, gaps between them
-        // What the last look at the lane said, and when it has to be looked at again.
-        bool moves = false, waits = false;
+        // What the last look at the lane said.
+        bool moves = false;
+        bool is_behind = false; // Columns may have gone out that were not looked at yet.
+
+        Cycle command_at = 0; // The channel does something.
+        // When each part has to be looked at again, and the first of these.
+        Cycle column_at = Never; // the channel, for what it does
+        Cycle arrival_at = Never;
+        Cycle carrying_at = Never;
+        Cycle answer_at = Never;
         Cycle due = 0;
 
-        bool is_behind = false; // Commands went out that were not looked at yet.
-
-        bool is_due(Cycle now) const {
-            return due <= now || (arrivals->can_pop() && (is_behind || dram->has_room()));
+        bool is_waiting() const {
+            return dram->has_waiting() || carrying_at != Never || arrivals->can_pop();
         }
+        // An arrival is looked at where the channel takes it, or has to be made up for.
+        bool looks_at_arrivals() const { return is_behind || dram->has_room(); }
     };
 
     Activity step() override;
     Cycle next_work(Activity) const override { return next_work_; }
     void step(Lane& lane);
+    void work(Lane& lane);
+    void look_ahead(Lane& lane);
+    void note_carrying(Lane& lane);
+    Cycle next_arrival(const Lane& lane) const;
     Cycle next_command(const Lane& lane) const;
-    Cycle next_work(const Lane& lane) const;
+    void look_at_arrival(Lane& lane, Cycle at);
     tlm::tlm_sync_enum
     on_forward(tlm::tlm_generic_payload& payload, tlm::tlm_phase& phase, sc_core::sc_time& delay);
     // DirectMemory
@@ -107,9 +120,10 @@ private:
     const AddressMapping mapping_;
     DirectClient* client_ = nullptr; // null: who asks does so by the socket
     tlm_utils::simple_target_socket<MemoryController> socket_{"socket"};
-    DramStatistics statistics_;
+    mutable DramStatistics statistics_; // brought up to date when somebody asks
     std::vector<Lane> lanes_;
     Cycle next_work_ = 0; // of all lanes
+    Activity activity_ = Activity::Idle;
     bool counts_ = true;
     bool commands_are_observed_ = false;
 };

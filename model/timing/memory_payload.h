@@ -13,6 +13,7 @@ namespace ffgpu::timing {
 struct RequestTag : tlm::tlm_extension<RequestTag> {
     MemoryRequest request;
     tlm::tlm_generic_payload* payload = nullptr; // that it belongs to
+    bool is_used = false;
 
     tlm::tlm_extension_base* clone() const override { return new RequestTag(*this); }
     void copy_from(const tlm::tlm_extension_base& from) override {
@@ -20,7 +21,8 @@ struct RequestTag : tlm::tlm_extension<RequestTag> {
     }
 };
 
-// Payloads are reference counted and come back here when the last user releases them.
+// Payloads that went by a socket are reference counted and come back here when the last user
+// releases them.
 class PayloadPool : public tlm::tlm_mm_interface {
 public:
     ~PayloadPool() override {
@@ -30,7 +32,7 @@ public:
         }
     }
 
-    // The tag of a payload with one reference, for `request`, the `number`-th of its port.
+    // The tag of a payload for `request`, the `number`-th of its port.
     RequestTag& acquire(const MemoryRequest& request, std::size_t port, std::uint64_t number) {
         if (free_.empty()) {
             all_.push_back(new tlm::tlm_generic_payload(this));
@@ -41,18 +43,25 @@ public:
         }
         RequestTag& tag = *free_.back();
         free_.pop_back();
-        tag.payload->acquire();
+        tag.is_used = true;
         tag.request = request;
         tag.request.port = port;
         tag.request.number = number;
         return tag;
     }
 
-    // What the socket's other end reads of a payload. It carries no data: values come from the
-    // functional GPU.
+    // Of one that did not go by a socket.
+    void give_back(RequestTag& tag) {
+        tag.is_used = false;
+        free_.push_back(&tag);
+    }
+
+    // With one reference, and what the socket's other end reads of a payload. It carries no data:
+    // values come from the functional GPU.
     static tlm::tlm_generic_payload& filled_in(const RequestTag& tag) {
         const MemoryRequest& request = tag.request;
         tlm::tlm_generic_payload& payload = *tag.payload;
+        payload.acquire();
         payload.set_command(request.write ? tlm::TLM_WRITE_COMMAND : tlm::TLM_READ_COMMAND);
         payload.set_address(request.address);
         payload.set_data_length(request.bytes);
@@ -67,17 +76,15 @@ public:
     // Of those that are in use, the one whose request was issued first; null: none is.
     const MemoryRequest* first_used() const {
         const MemoryRequest* first = nullptr;
-        for (std::size_t i = 0; i < all_.size(); ++i) {
-            const MemoryRequest& request = tags_[i]->request;
-            if (all_[i]->get_ref_count() > 0 && (!first || request.issued < first->issued))
-                first = &request;
-        }
+        for (const std::unique_ptr<RequestTag>& tag : tags_)
+            if (tag->is_used && (!first || tag->request.issued < first->issued))
+                first = &tag->request;
         return first;
     }
     std::size_t used() const { return all_.size() - free_.size(); }
 
     void free(tlm::tlm_generic_payload* payload) override {
-        free_.push_back(payload->get_extension<RequestTag>());
+        give_back(*payload->get_extension<RequestTag>());
     }
 
 private:

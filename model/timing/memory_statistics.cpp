@@ -1,5 +1,7 @@
 #include "model/timing/memory_statistics.h"
 
+#include <utility>
+
 namespace ffgpu::timing {
 namespace {
 
@@ -46,14 +48,23 @@ ClientStatistics::OfClient ClientStatistics::of_client(const std::string& prefix
     return of;
 }
 
-void ClientStatistics::on_done(const MemoryRequest& request, std::uint64_t now) {
-    OfClient& of = clients_[static_cast<std::size_t>(request.client)];
-    const std::uint64_t latency = now - request.issued;
-    ++*of.requests;
-    *(request.write ? of.written_bytes : of.read_bytes) += request.bytes;
-    *(request.write ? of.write_latency : of.latency) += latency;
-    (request.write ? of.write_latencies : of.read_latencies).add(Histogram::doubling(latency));
-    if (!request.write) ++*of.histogram[bucket(latency)];
+void ClientStatistics::count_done() {
+    for (std::size_t client = 0; client < Clients; ++client) {
+        OfClient& of = clients_[client];
+        for (const bool write : {false, true}) {
+            Done& done = done_[client][write];
+            *(write ? of.written_bytes : of.read_bytes) += done.bytes;
+            *(write ? of.write_latency : of.latency) += done.latency;
+            for (unsigned width = 0; width < done.by_width.size(); ++width) {
+                const std::uint64_t times = done.by_width[width];
+                if (times == 0) continue;
+                *of.requests += times;
+                (write ? of.write_latencies : of.read_latencies).add(width, times);
+                if (!write) *of.histogram[bucket_of(width)] += times;
+            }
+            done = {};
+        }
+    }
 }
 
 std::vector<const Histogram*> ClientStatistics::histograms() const {
@@ -63,7 +74,8 @@ std::vector<const Histogram*> ClientStatistics::histograms() const {
     return histograms;
 }
 
-DramStatistics::DramStatistics(const MemoryConfig& config) {
+DramStatistics::DramStatistics(const MemoryConfig& config)
+    : accesses_(config.channels * Clients) {
     for (std::size_t i = 0; i < LostCauses; ++i)
         lost_[i] = &add("memory_lost_" + std::string(LostToNames[i]) + "_cycles",
                         "memory cycles",
@@ -81,13 +93,15 @@ DramStatistics::Rows DramStatistics::rows(const std::string& prefix) {
             &add(prefix + "row_conflicts", "requests", "that had to close another row")};
 }
 
-void DramStatistics::on_access(std::uint32_t channel,
-                               const DramRequest& request,
-                               RowResult result) {
-    const auto i = static_cast<std::size_t>(result);
-    ++*total_[i];
-    ++*of_client_[request.client][i];
-    ++*of_channel_[channel][i];
+void DramStatistics::count_accesses() {
+    for (std::size_t i = 0; i < accesses_.size(); ++i) {
+        for (std::size_t result = 0; result < accesses_[i].size(); ++result) {
+            const std::uint64_t times = std::exchange(accesses_[i][result], 0);
+            *total_[result] += times;
+            *of_client_[i % Clients][result] += times;
+            *of_channel_[i / Clients][result] += times;
+        }
+    }
 }
 
 } // namespace ffgpu::timing

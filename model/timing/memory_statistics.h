@@ -9,6 +9,7 @@
 #include "model/timing/memory/dram_request.h"
 #include "model/timing/memory_request.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <deque>
@@ -32,7 +33,15 @@ private:
 class ClientStatistics : public NamedStatistics {
 public:
     ClientStatistics();
-    void on_done(const MemoryRequest& request, std::uint64_t now);
+    void on_done(const MemoryRequest& request, std::uint64_t now) {
+        const std::uint64_t latency = now - request.issued;
+        Done& done = done_[static_cast<std::size_t>(request.client)][request.write];
+        done.bytes += request.bytes;
+        done.latency += latency;
+        ++done.by_width[Histogram::doubling(latency)];
+    }
+    // The counters and histograms know of all of them then.
+    void count_done();
 
     std::vector<const Histogram*> histograms() const;
 
@@ -40,7 +49,10 @@ public:
     static constexpr unsigned FirstBucket = 5;
     static constexpr unsigned Buckets = 7;
     static unsigned bucket(std::uint64_t cycles) {
-        const auto width = static_cast<unsigned>(std::bit_width(cycles));
+        return bucket_of(static_cast<unsigned>(std::bit_width(cycles)));
+    }
+    // By the bits of the number of cycles.
+    static unsigned bucket_of(unsigned width) {
         return width <= FirstBucket ? 0 : std::min(width - FirstBucket, Buckets - 1);
     }
 
@@ -52,14 +64,24 @@ private:
     };
     OfClient of_client(const std::string& prefix);
 
+    struct Done {
+        std::uint64_t bytes = 0, latency = 0;
+        std::array<std::uint64_t, 65> by_width{}; // requests, by the bits of their latency
+    };
+
     std::vector<OfClient> clients_;
+    std::array<std::array<Done, 2>, Clients> done_{}; // not counted yet: reads, writes
 };
 
 class DramStatistics : public NamedStatistics, public DramObserver {
 public:
     explicit DramStatistics(const MemoryConfig& config);
 
-    void on_access(std::uint32_t channel, const DramRequest& request, RowResult result) override;
+    void on_access(std::uint32_t channel, const DramRequest& request, RowResult result) override {
+        ++accesses_[channel * Clients + request.client][static_cast<std::size_t>(result)];
+    }
+    // The counters know of all of them then.
+    void count_accesses();
     void on_data(MemoryCycle cycles) override { data_cycles_ += cycles; }
     void on_lost(LostTo cause, MemoryCycle cycles) override {
         *lost_[static_cast<std::size_t>(cause)] += cycles;
@@ -84,6 +106,8 @@ private:
     Rows total_;
     std::array<Rows, Clients> of_client_;
     std::vector<Rows> of_channel_;
+    // Not counted yet: of each channel's clients, by what the row did.
+    std::vector<std::array<std::uint64_t, static_cast<std::size_t>(RowResult::Count)>> accesses_;
 };
 
 } // namespace ffgpu::timing

@@ -5,6 +5,7 @@
 
 #include <random>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -43,6 +44,8 @@ MemoryConfig random_config(std::mt19937& random) {
     config.four_activates_cycles = one_of({0, 20});
     config.refresh_interval_cycles = one_of({0, 300});
     config.column_cycles = one_of({0, 3, 9});
+    config.write_column_cycles = one_of({0, 1, 12}); // Data of a read may come before a write's.
+    config.read_to_write_cycles = one_of({0, 1, 30});
     config.row_to_column_cycles = one_of({0, 4, 12});
     config.write_to_read_cycles = one_of({0, 3, 8});
     return config;
@@ -72,6 +75,66 @@ std::vector<Event> served(const MemoryConfig& config, std::uint32_t seed, bool p
         events.emplace_back(last.request.client, last.data.begin, last.data.end);
     }
     return events;
+}
+
+// The same of a channel that is asked in each cycle when its next column goes out.
+void check_next_columns(const MemoryConfig& config, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    Recorder recorder;
+    DramChannel channel(config, 0, recorder);
+    for (MemoryCycle now = 0; now < 3000; ++now) {
+        if (channel.has_room() && random() % 8 == 0)
+            channel.push({.bank = static_cast<std::uint32_t>(random() % config.banks),
+                          .row = random() % 3,
+                          .bytes = 16u << random() % 4,
+                          .write = random() % 3 == 0},
+                         now);
+        const MemoryCycle next = channel.next_column();
+        REQUIRE(next >= channel.next_work());
+        channel.advance(now + 1);
+        if (!channel.served().empty()) REQUIRE(next <= now);
+        channel.served().clear();
+    }
+}
+
+TEST_CASE("no column goes out before the one that a channel tells of") {
+    std::mt19937 random(8);
+    for (std::uint32_t seed = 0; seed < 200; ++seed) {
+        const MemoryConfig config = random_config(random);
+        CAPTURE(seed, config.banks, config.queue, config.reorder_limit);
+        check_next_columns(config, seed);
+    }
+}
+
+// Whoever asks between the columns, and however often, is told as much as who asks at the end.
+TEST_CASE("what a channel has told of its bus hangs on no question") {
+    std::mt19937 random(9);
+    MemoryConfig config = random_config(random);
+    const auto told = [&](bool asks) {
+        std::mt19937 requests(10);
+        Recorder recorder;
+        DramChannel channel(config, 0, recorder);
+        std::uint64_t data = 0, lost = 0;
+        for (MemoryCycle now = 0; now < 20000; ++now) {
+            if (channel.has_room() && requests() % 9 == 0)
+                channel.push({.bank = static_cast<std::uint32_t>(requests() % config.banks),
+                              .row = requests() % 3,
+                              .bytes = 64,
+                              .write = requests() % 3 == 0},
+                             now);
+            channel.advance(now + 1);
+            if (asks) channel.tell();
+        }
+        channel.settle(20000);
+        for (const auto& [what, cause, cycles] : recorder.events) {
+            if (what == 1) data += cause; // of data the first number is that of the cycles
+            if (what == 2) lost += cycles;
+        }
+        CHECK(data + lost == 20000);
+        return std::pair(data, lost);
+    };
+    for (std::uint32_t i = 0; i < 40; ++i, config = random_config(random))
+        CHECK(told(false) == told(true));
 }
 
 TEST_CASE("requests chosen by bits are those chosen by looking at each") {

@@ -27,10 +27,7 @@ public:
                 bool plainly = false);
 
     // The observer is told no more.
-    void leave_out_figures() {
-        counts_ = false;
-        scheduler_.leave_out_causes();
-    }
+    void leave_out_figures() { counts_ = false; }
     // Null: nobody.
     void set_command_observer(DramCommandObserver* observer) { commands_ = observer; }
 
@@ -48,15 +45,23 @@ public:
 
     // Nothing happens before that cycle unless something is pushed.
     MemoryCycle next_work() const { return next_work_; }
+    // Nor does a column go out before that one.
+    MemoryCycle next_column() const { return std::max(next_work_, next_column_); }
     bool has_waiting() const { return !waiting_.empty(); }
     std::size_t waiting() const { return waiting_.size(); }
     // Charges the bus's cycles before `end` that nothing was charged with yet.
     void settle(MemoryCycle end);
+    // The observer knows of all cycles up to the last column, if not of more. Until somebody asks
+    // it need not.
+    void tell() { tell(to_tell_); }
 
 private:
+    static constexpr std::size_t MostUntold = 16;
+
     void wait_also_for(const DramRequest& request, MemoryCycle now);
     void work(MemoryCycle now);
     void rest(const DramCommand& none, MemoryCycle now);
+    void rest_until_timeout(MemoryCycle now);
     void look_ahead(MemoryCycle next);
     void work_on_refresh(MemoryCycle now);
     bool close_idle_row(MemoryCycle now);
@@ -70,19 +75,44 @@ private:
                       std::uint64_t row = 0) const {
         if (commands_) commands_->issued({now, number_, bank, operation, row, 1, 0});
     }
-    // The bus's cycles from charged_ on: what they carried or were lost to.
+    // What the bus's cycles carried or were lost to.
     struct Charge {
         bool data = false;
         LostTo cause = LostTo::NoRequest; // where no data
         MemoryCycle cycles = 0;
+
+        bool is_like(const Charge& other) const {
+            return data == other.data && cause == other.cause;
+        }
     };
 
     void note(MemoryCycle from, LostTo cause) {
-        if (counts_) causes_.note(from, cause);
+        if (!counts_) return;
+        close_cause(from);
+        causes_.note(from, cause);
     }
+    void note_why(const DramCommand& command, MemoryCycle now);
+    void find_cause(const DramCommand& command, MemoryCycle now);
+    void note_oldest(MemoryCycle from);
+    // Another cause holds from `end` on.
+    void close_cause(MemoryCycle end) {
+        if (open_from_ < end && end > charged_slots_) find_open_cause();
+        open_from_ = NoCycle;
+    }
+    void find_open_cause();
+    void close_causes_before(const DramRequest& request, MemoryCycle now);
     void charge_until(const DataBurst& data, std::uint32_t bytes, LostTo before);
-    void charge(const Charge& charge);
+    // What follows its like is one with it.
+    void charge(const Charge& charge) {
+        if (charge.cycles == 0) return;
+        if (!charge.is_like(last_)) return charge_other(charge);
+        charged_ += charge.cycles;
+        last_.cycles += charge.cycles;
+    }
+    void charge_other(const Charge& charge);
+    void note_charged();
     void tell(MemoryCycle end);
+    void tell(Charge& charge, MemoryCycle end);
     bool is_wanted(std::uint32_t bank) const;
     MemoryCycle next_row_to_close(MemoryCycle now) const;
 
@@ -96,12 +126,18 @@ private:
     RowPolicy policy_;
     WaitingRequests waiting_;
     Ring<ServedRequest> served_;
+    const bool leaves_open_; // why nothing goes out, as long as nobody has to know
     SlotCauses causes_;
-    MemoryCycle charged_ = 0;   // data cycles up to here have their cause
-    MemoryCycle told_ = 0;      // and up to here the observer knows
-    Ring<Charge> untold_;       // from told_ to charged_
-    MemoryCycle next_work_ = 0; // nothing happens before
-    DramCommand planned_;       // what goes out in cycle planned_at_, unless something comes
+    MemoryCycle open_from_ = NoCycle; // From there on slots have the cause that the oldest names.
+    MemoryCycle charged_ = 0;         // data cycles up to here have their cause
+    MemoryCycle charged_slots_ = 0;   // and those of slots up to here, if not more
+    MemoryCycle told_ = 0;            // and up to here the observer knows
+    MemoryCycle to_tell_ = 0;         // up to there it is to
+    Ring<Charge> untold_;             // from told_ on
+    Charge last_;                     // behind these, to charged_
+    MemoryCycle next_work_ = 0;       // nothing happens before
+    MemoryCycle next_column_ = 0;     // no column goes out before, if that is later
+    DramCommand planned_;             // what goes out in cycle planned_at_, unless something comes
     MemoryCycle planned_at_ = NoCycle;
     bool rests_ = false; // Until next_work_ nothing of what is there can go out.
     MemoryCycle refresh_due_;

@@ -50,7 +50,7 @@ void DramDevice::activate(std::uint32_t bank, std::uint64_t row, MemoryCycle now
     const Ready ready = activate_ready(bank);
     it.opened_after = ready.at == now ? ready.cause : LostTo::Row;
     it.row = row;
-    it.column_at = now + config_.row_to_column_cycles;
+    it.column_at = all_take_columns_at_ = now + config_.row_to_column_cycles;
     it.precharge_at = now + config_.row_active_cycles;
     it.last_column = now;
     note_times(bank);
@@ -78,7 +78,7 @@ void DramDevice::refresh(MemoryCycle now) {
 
 DataBurst DramDevice::column(const DramRequest& request, MemoryCycle now) {
     const std::uint32_t spacing = config_.column_spacing();
-    const std::uint32_t bursts = config_.bursts(request.bytes);
+    const std::uint32_t bursts = data_of(request.bytes).bursts;
     const MemoryCycle last = now + MemoryCycle{bursts - 1} * spacing;
     const MemoryCycle latency = column_latency(request.write);
     const DataBurst data{now + latency, last + latency + config_.burst_cycles};
@@ -87,14 +87,18 @@ DataBurst DramDevice::column(const DramRequest& request, MemoryCycle now) {
     bank.precharge_at = std::max(bank.precharge_at,
                                  request.write ? data.end + config_.write_recovery_cycles
                                                : last + config_.read_to_precharge_cycles);
-    note_times(request.bank);
+    if (request.bank < BankTimes::Most) times_.row_at[request.bank] = bank.precharge_at;
     first_column_ = now;
     last_column_ = last;
     next_column_ = last + spacing;
     bus_free_ = data.end;
     last_was_write_ = request.write;
-    for (const bool write : {false, true})
-        bus_ready_[write] = bus_ready({}, write).at;
+    // What bus_ready() says: of the same kind, whose data never come too early, and of the other.
+    bus_ready_[request.write] = next_column_;
+    const MemoryCycle write_data = data.end + config_.read_to_write_cycles;
+    const MemoryCycle write_at = write_data - std::min(write_data, column_latency(true));
+    const MemoryCycle read_at = data.end + config_.write_to_read_cycles;
+    bus_ready_[!request.write] = std::max(next_column_, request.write ? read_at : write_at);
     return data;
 }
 

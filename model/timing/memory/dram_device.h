@@ -77,6 +77,8 @@ public:
     bool takes_columns(std::uint32_t bank, MemoryCycle now) const {
         return banks_[bank].column_at <= now;
     }
+    // That of all rows is, from then on.
+    MemoryCycle all_take_columns_at() const { return all_take_columns_at_; }
     // The bus could have taken a column of that kind before.
     bool bus_stood(bool write, MemoryCycle now) const { return bus_ready_[write] < now; }
     // An activate finds its row's bank closed by `closed_at`, and goes out behind `others`: no
@@ -102,6 +104,23 @@ public:
     // The row closes by itself as soon as it may (the column command said so).
     void auto_precharge(std::uint32_t bank) { precharge(bank, banks_[bank].precharge_at); }
 
+    // A request's data.
+    struct DataOf {
+        std::uint32_t bytes = 0, bursts = 0;
+        MemoryCycle asked = 0, on_bus = 0; // cycles of what was asked for, and of whole bursts
+    };
+    // Kept of the last number of bytes: most requests are of one, and these are divisions.
+    const DataOf& data_of(std::uint32_t bytes) {
+        if (bytes != data_of_.bytes) {
+            const std::uint32_t bursts = config_.bursts(bytes);
+            data_of_ = {bytes,
+                        bursts,
+                        (bytes + config_.bytes_per_cycle - 1) / config_.bytes_per_cycle,
+                        MemoryCycle{bursts} * config_.burst_cycles};
+        }
+        return data_of_;
+    }
+
     MemoryCycle column_latency(bool write) const {
         return write ? config_.write_column_cycles : config_.column_cycles;
     }
@@ -125,9 +144,11 @@ private:
 
     const MemoryConfig& config_;
     std::vector<Bank> banks_;
+    DataOf data_of_;
     BankTimes times_;
     MemoryCycle refreshed_at_ = 0;           // end of the last refresh
     MemoryCycle next_activate_ = 0;          // tRRD
+    MemoryCycle all_take_columns_at_ = 0;    // tRCD of the last activate
     std::array<MemoryCycle, 4> activates_{}; // the last four, + tFAW
     std::size_t oldest_activate_ = 0;
     MemoryCycle first_column_ = 1, last_column_ = 0; // of the last request

@@ -68,6 +68,10 @@ struct DramScheduler::Search {
         command = {.again_at = now + 1};
         column_yields = true;
     }
+    void note_why() {
+        command.column_yields = column_yields;
+        command.order_forbids = order_forbids;
+    }
     // The same of a column, which may go out of turn only where that `may_pass`.
     bool consider_column(std::size_t index, bool may_pass, MemoryCycle ready_at) {
         if (index == 0 || may_pass) return consider(DramCommand::Kind::Column, index, ready_at);
@@ -205,28 +209,25 @@ void DramScheduler::find_row_by_bits(Search& search) const {
     }
 }
 
-// Data do not flow because of the oldest request: what it waits for, or waited for until now. Where
+// Where the oldest request is what data wait for: what it waits for, or waited for until now. Where
 // nothing goes out though it could, younger ones still use its bank's row.
-LostTo DramScheduler::why_oldest_waits(const Search& search) {
-    const DramRequest& oldest = search.waiting.front().request;
-    const DramDevice& device = search.device;
-    const Ready ready = search.is_hit(oldest) ? device.column_ready(oldest)
-                        : device.open_row(oldest.bank) == DramDevice::NoRow
-                            ? device.activate_ready(oldest.bank)
-                            : device.precharge_ready(oldest.bank);
-    const DramCommand& command = search.command;
+LostTo DramScheduler::why(const DramCommand& command,
+                          const WaitingRequests& waiting,
+                          const DramDevice& device,
+                          MemoryCycle now) {
+    if (waiting.empty()) return LostTo::NoRequest;
+    const DramRequest& oldest = waiting.front().request;
+    const std::uint64_t open_row = device.open_row(oldest.bank);
+    const Ready ready = open_row == oldest.row          ? device.column_ready(oldest)
+                        : open_row == DramDevice::NoRow ? device.activate_ready(oldest.bank)
+                                                        : device.precharge_ready(oldest.bank);
     const bool goes_elsewhere = command.kind != DramCommand::Kind::None &&
-                                search.waiting[command.index].request.bank != oldest.bank;
-    const bool no_slot = search.row_slot > search.now;
-    if ((goes_elsewhere || no_slot) && ready.at <= search.now) return LostTo::Commands;
-    return ready.at < search.now ? LostTo::Row : ready.cause;
-}
-
-LostTo DramScheduler::why_nothing(const WaitingRequests& waiting,
-                                  const DramDevice& device,
-                                  MemoryCycle now) {
-    DramCommand none;
-    return why_oldest_waits({waiting, device, now, none});
+                                waiting[command.index].request.bank != oldest.bank;
+    const bool no_slot = device.free_slot(now) > now;
+    LostTo cause = ready.at < now ? LostTo::Row : ready.cause;
+    if (command.column_yields || ((goes_elsewhere || no_slot) && ready.at <= now))
+        cause = LostTo::Commands;
+    return command.order_forbids && cause != LostTo::Turnaround ? LostTo::Order : cause;
 }
 
 // A request for the open row of a bank that was to be closed for an older one keeps it open.
@@ -241,14 +242,6 @@ std::optional<MemoryCycle> DramScheduler::soonest_of(const DramRequest& request,
                             : std::max(device.row_ready_at(request.bank), device.free_slot(now));
     if (of_bank != 0 && (of_bank & waiting.hits()) == 0) return std::nullopt;
     return device.column_ready_at(request.bank, request.write);
-}
-
-// Where data do not flow: why.
-void DramScheduler::name_cause(Search& search) const {
-    if (search.has_column() || !tells_causes_) return;
-    search.command.cause = search.column_yields ? LostTo::Commands : why_oldest_waits(search);
-    if (search.order_forbids && search.command.cause != LostTo::Turnaround)
-        search.command.cause = LostTo::Order;
 }
 
 // Behind the search for a column. Where one could go out and a row, too, the row goes if the bus
@@ -284,28 +277,93 @@ void DramScheduler::choose_by_bits(Search& search) const {
         search, [&] { find_row_by_bits(search); }, [&] { return is_bus_wanted_by_bits(search); });
 }
 
+// No column can go out before command.column_at: the oldest request of a bank that could be made
+// ready for it. A bank works for its oldest one, where nobody waits for the row that it has open.
+inline void DramScheduler::choose_row_by_banks(const WaitingRequests& waiting,
+                                               const DramDevice& device,
+                                               MemoryCycle now,
+                                               DramCommand& command) const {
+    const MemoryCycle slot = device.free_slot(now);
+    WaitingRequests::Bits ready = 0;
+    for (std::uint64_t left = waiting.banks_without_hits(); left != 0; left &= left - 1) {
+        const auto bank = static_cast<std::uint32_t>(std::countr_zero(left));
+        const MemoryCycle at = std::max(device.row_ready_at(bank), slot);
+        command.again_at = std::min(command.again_at, at);
+        if (at <= now) ready |= waiting.of_bank(bank);
+    }
+    if (ready == 0) return;
+    const auto index = static_cast<std::size_t>(std::countr_zero(ready));
+    const bool closed = device.open_row(waiting[index].request.bank) == DramDevice::NoRow;
+    command = {.kind = closed ? DramCommand::Kind::Activate : DramCommand::Kind::Precharge,
+               .index = index};
+}
+
+// All columns of a kind can go out at one time.
+inline void DramScheduler::choose_by_bus(const WaitingRequests& waiting,
+                                         const DramDevice& device,
+                                         MemoryCycle now,
+                                         DramCommand& command) const {
+    const WaitingRequests::Bits reads = waiting.hits() & waiting.of_kind(false);
+    const WaitingRequests::Bits writes = waiting.hits() & waiting.of_kind(true);
+    const MemoryCycle read_at = reads != 0 ? device.bus_ready_at(false) : NoCycle;
+    const MemoryCycle write_at = writes != 0 ? device.bus_ready_at(true) : NoCycle;
+    const MemoryCycle at = std::min(read_at, write_at), when = std::max(at, now);
+    const bool has_rows = waiting.banks_without_hits() != 0;
+    if (at <= now && has_rows) return choose_first_by_bits(waiting, device, now, command);
+    const WaitingRequests::Bits due =
+        (read_at <= when ? reads : 0) | (write_at <= when ? writes : 0);
+    command.index = static_cast<std::size_t>(std::countr_zero(due));
+    if (at <= now) {
+        command.kind = DramCommand::Kind::Column;
+        return;
+    }
+    command.again_at = command.column_at = at;
+    command.foresees_column = true;
+    if (has_rows) choose_row_by_banks(waiting, device, now, command);
+}
+
+[[gnu::noinline]] void DramScheduler::choose_first_by_bits(const WaitingRequests& waiting,
+                                                           const DramDevice& device,
+                                                           MemoryCycle now,
+                                                           DramCommand& command) const {
+    Search search{waiting, device, now, command};
+    choose_by_bits(search);
+    search.note_why();
+}
+
 void DramScheduler::choose(const WaitingRequests& waiting,
                            const DramDevice& device,
                            MemoryCycle now,
                            DramCommand& command) const {
     command = {.again_at = NoCycle};
     if (waiting.empty()) return;
+    if (is_for_the_bus(waiting, device, now)) return choose_by_bus(waiting, device, now, command);
+    choose_otherwise(waiting, device, now, command);
+}
+
+[[gnu::noinline]] void DramScheduler::choose_otherwise(const WaitingRequests& waiting,
+                                                       const DramDevice& device,
+                                                       MemoryCycle now,
+                                                       DramCommand& command) const {
     Search search{waiting, device, now, command};
     if (!by_bits_)
         choose_plainly(search);
     else if (!by_banks_ || !find_without_column(search))
         choose_by_bits(search);
-    name_cause(search);
+    search.note_why();
 }
 
 void DramScheduler::choose_with_column(const WaitingRequests& waiting,
                                        const DramDevice& device,
                                        MemoryCycle now,
                                        DramCommand& command) const {
+    if (command.foresees_column && command.column_at == now && waiting.banks_without_hits() == 0) {
+        command.kind = DramCommand::Kind::Column;
+        return;
+    }
     command = {.again_at = NoCycle};
-    Search search{waiting, device, now, command};
-    choose_by_bits(search);
-    name_cause(search);
+    if (is_for_the_bus(waiting, device, now)) return choose_by_bus(waiting, device, now, command);
+    choose_first_by_bits(waiting, device, now, command);
 }
 
 } // namespace ffgpu::timing

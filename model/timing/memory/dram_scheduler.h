@@ -13,8 +13,10 @@
 //
 // Two forms of one rule: the plain one looks at each request, and is the specification; the other
 // looks at the bits of WaitingRequests, at a request for each bank and kind, where the queue has
-// them. Mostly nothing can go out, or a row alone: where banks are few, one look at all of them
-// tells so, in which nothing is to be foretold (bank_scan.h).
+// them. Mostly tRCD of all rows is over: then the bus alone says when a column goes, and of the
+// banks those matter alone that wait for another row, mostly none or one. Else mostly nothing can
+// go out, or a row alone: where banks are few, one look at all of them tells so, in which nothing
+// is to be foretold (bank_scan.h).
 
 #pragma once
 
@@ -28,11 +30,16 @@ namespace ffgpu::timing {
 struct DramCommand {
     enum class Kind : std::uint8_t { None, Column, Activate, Precharge };
     Kind kind = Kind::None;
-    std::size_t index = 0;            // of the waiting request
-    MemoryCycle again_at = 0;         // None: nothing can go out before
-    MemoryCycle column_at = NoCycle;  // None: a column can go out then, where that is known
-    LostTo cause = LostTo::NoRequest; // None: why not now
-    bool meets = false;               // a column without a gap, and a row: one goes, both could
+    std::size_t index = 0;           // of the waiting request
+    MemoryCycle again_at = 0;        // None: nothing can go out before
+    MemoryCycle column_at = NoCycle; // None: a column can go out then, where that is known
+    bool foresees_column = false;    // None: that of `index`, if no bank waits for a row then
+    bool meets = false;              // a column without a gap, and a row: one goes, both could
+    // Why no data flow: a column's could, but a bank's row went first; a younger request's could,
+    // but for the order. Neither: for what the oldest request waits for.
+    bool column_yields = false, order_forbids = false;
+
+    bool waits_for_oldest() const { return !column_yields && !order_forbids; }
 };
 
 class DramScheduler {
@@ -50,7 +57,8 @@ public:
                 const DramDevice& device,
                 MemoryCycle now,
                 DramCommand& command) const;
-    // The same where a look before, since which nothing went out, told that a column is due.
+    // The same where a look before, since which nothing went out, told that a column is due:
+    // `command` is what it found, and what came since is younger.
     void choose_with_column(const WaitingRequests& waiting,
                             const DramDevice& device,
                             MemoryCycle now,
@@ -62,11 +70,11 @@ public:
                                           const WaitingRequests& waiting,
                                           const DramDevice& device,
                                           MemoryCycle now) const;
-    // Why no data flow where nothing can go out.
-    static LostTo
-    why_nothing(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now);
-    // Nobody asks why no data flow.
-    void leave_out_causes() { tells_causes_ = false; }
+    // Why no data flow where this command was chosen, which is no column, and has not gone out yet.
+    static LostTo why(const DramCommand& command,
+                      const WaitingRequests& waiting,
+                      const DramDevice& device,
+                      MemoryCycle now);
     // The command that was chosen goes out.
     void issued(const DramCommand& command) { meetings_ += command.meets; }
 
@@ -75,6 +83,28 @@ private:
     static constexpr std::uint32_t FewBanks = BankTimes::Most;
 
     struct Search;
+    // tRCD of all rows is over, and no request was passed too often.
+    bool is_for_the_bus(const WaitingRequests& waiting,
+                        const DramDevice& device,
+                        MemoryCycle now) const {
+        return by_bits_ && device.all_take_columns_at() <= now && waiting.front().passed < limit_;
+    }
+    void choose_by_bus(const WaitingRequests& waiting,
+                       const DramDevice& device,
+                       MemoryCycle now,
+                       DramCommand& command) const;
+    void choose_row_by_banks(const WaitingRequests& waiting,
+                             const DramDevice& device,
+                             MemoryCycle now,
+                             DramCommand& command) const;
+    void choose_first_by_bits(const WaitingRequests& waiting,
+                              const DramDevice& device,
+                              MemoryCycle now,
+                              DramCommand& command) const;
+    void choose_otherwise(const WaitingRequests& waiting,
+                          const DramDevice& device,
+                          MemoryCycle now,
+                          DramCommand& command) const;
     void choose_plainly(Search& search) const;
     void find_column(Search& search) const;
     void find_row(Search& search) const;
@@ -87,13 +117,10 @@ private:
     template <class FindRow, class IsBusWanted>
     void
     choose_row(Search& search, const FindRow& find_row, const IsBusWanted& is_bus_wanted) const;
-    void name_cause(Search& search) const;
-    static LostTo why_oldest_waits(const Search& search);
 
     const std::uint32_t limit_;
     const bool by_bits_, by_banks_;
     const std::uint32_t banks_;
-    bool tells_causes_ = true;
     std::uint32_t meetings_ = 0;
 };
 

@@ -29,7 +29,7 @@ public:
 
     explicit WaitingRequests(std::uint32_t banks)
         : banks_(banks)
-        , of_bank_(std::max(std::size_t{banks}, BankTimes::Most), 0) {}
+        , of_bank_((banks + BankTimes::Most - 1) / BankTimes::Most * BankTimes::Most, 0) {}
 
     bool empty() const { return count_ == 0; }
     std::size_t size() const { return count_; }
@@ -46,8 +46,9 @@ public:
             of_bank_[request.bank] |= it;
             of_kind_[request.write] |= it;
             if (request.row == open_row) hits_ |= it;
+            note_hits(request.bank);
         }
-        if (first_ + count_ == places_.size()) make_room();
+        if (first_ + count_ == end_) make_room();
         WaitingRequest& place = places_[first_ + count_++];
         place.request = request;
         place.result = RowResult::Hit;
@@ -56,16 +57,16 @@ public:
 
     // Takes the request out. Those before it have been passed, and move up; mostly there is none.
     void remove(std::size_t index) {
+        const std::uint32_t bank = (*this)[index].request.bank;
         for (std::size_t i = index; i > 0; --i) {
             (*this)[i] = (*this)[i - 1];
             ++(*this)[i].passed;
         }
         ++first_;
         --count_;
-        if (index == 0) return for_all_bits([](Bits& bits) { bits >>= 1; });
         if (index >= MostWithBits) return;
-        const Bits before = (Bits{1} << index) - 1;
-        for_all_bits([=](Bits& bits) { bits = (bits & before) | ((bits >> 1) & ~before); });
+        remove_bits(index);
+        note_hits(bank);
     }
 
     // The bank has another row open, or none.
@@ -75,6 +76,7 @@ public:
             const auto i = static_cast<std::size_t>(std::countr_zero(left));
             if ((*this)[i].request.row == row) hits_ |= left & -left;
         }
+        note_hits(bank);
     }
 
     // All bits are right where the queue never has more than MostWithBits requests.
@@ -84,15 +86,29 @@ public:
     // Of all, a word each; at least BankTimes::Most words.
     const Bits* of_banks() const { return of_bank_.data(); }
     Bits of_kind(bool write) const { return of_kind_[write]; }
+    // Of banks a bit each: those that requests wait for, but none for the row that is open.
+    Bits banks_without_hits() const { return without_hits_; }
 
 private:
-    template <class Change>
-    void for_all_bits(const Change& change) {
-        for (std::size_t bank = 0; bank < banks_; ++bank)
-            change(of_bank_[bank]);
+    static constexpr std::size_t AtATime = 4;
+    static_assert(BankTimes::Most % AtATime == 0);
+
+    void remove_bits(std::size_t index) {
+        const Bits before = (Bits{1} << index) - 1;
+        const auto close_up = [=](Bits& bits) { bits = (bits & before) | ((bits >> 1) & ~before); };
+        // Some at a time, whose number is known: by vectors.
+        for (std::size_t bank = 0; bank < banks_; bank += AtATime)
+            for (std::size_t i = 0; i < AtATime; ++i)
+                close_up(of_bank_[bank + i]);
         for (Bits& bits : of_kind_)
-            change(bits);
-        change(hits_);
+            close_up(bits);
+        close_up(hits_);
+    }
+
+    void note_hits(std::uint32_t bank) {
+        const Bits waiting = of_bank_[bank];
+        const Bits has_none{waiting != 0 && (waiting & hits_) == 0};
+        without_hits_ = (without_hits_ & ~(Bits{1} << bank)) | has_none << bank;
     }
 
     // Behind the last, where half of the places are free; else there are as many again.
@@ -100,14 +116,16 @@ private:
         if (2 * count_ >= places_.size()) places_.resize(2 * places_.size() + 8);
         std::copy_n(places_.begin() + static_cast<std::ptrdiff_t>(first_), count_, places_.begin());
         first_ = 0;
+        end_ = places_.size();
     }
 
     std::vector<WaitingRequest> places_;
+    std::size_t end_ = 0;               // places_.size(), which is a division
     std::size_t first_ = 0, count_ = 0; // those in use
     std::size_t banks_;
     std::vector<Bits> of_bank_;     // those behind the last stay empty
     std::array<Bits, 2> of_kind_{}; // reads, writes
-    Bits hits_ = 0;
+    Bits hits_ = 0, without_hits_ = 0;
 };
 
 } // namespace ffgpu::timing
