@@ -50,18 +50,19 @@ Kept walked(const WaitingRequests& waiting, const std::vector<std::uint64_t>& op
 
 TEST_CASE("the bits of waiting requests are what a walk over them finds", "[timing][dram]") {
     std::mt19937 random(41);
+    const auto below = [&](std::size_t end) { return static_cast<std::uint32_t>(random() % end); };
     for (const std::uint32_t banks : {1u, 2u, 4u, 8u, 16u, 64u}) {
         WaitingRequests waiting(banks);
         std::vector<std::uint64_t> open_rows(banks, 3);
         for (std::uint32_t step = 0; step < 20000; ++step) {
-            const std::uint32_t bank = random() % banks, what = random() % 8;
+            const std::uint32_t bank = below(banks), what = below(8);
             if (what < 4 && waiting.size() < WaitingRequests::MostWithBits) {
-                waiting.push({.bank = bank, .row = random() % 4, .write = random() % 2 == 0},
+                waiting.push({.bank = bank, .row = below(4), .write = below(2) == 0},
                              open_rows[bank]);
             } else if (what < 7 && !waiting.empty()) {
-                waiting.remove(random() % waiting.size());
+                waiting.remove(below(waiting.size()));
             } else {
-                open_rows[bank] = random() % 5; // of four that anybody waits for
+                open_rows[bank] = below(5); // of four that anybody waits for
                 waiting.set_open_row(bank, open_rows[bank]);
             }
             REQUIRE(kept(waiting, banks) == walked(waiting, open_rows));
