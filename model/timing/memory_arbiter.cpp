@@ -28,7 +28,7 @@ Activity MemoryArbiter::step() {
     std::uint64_t wanting = 0; // ports with a request, a bit each
     const Channel<MemoryRequest>* const* const requests_in = ports_.requests_in.data();
     for (std::size_t port = ports_.requests_in.size(); port-- > 0;)
-        wanting += wanting + std::uint64_t{requests_in[port]->arrival() <= cycle};
+        wanting = wanting << 1 | std::uint64_t{requests_in[port]->arrival() <= cycle};
     std::uint32_t left = channels_;
     for (std::uint32_t sent = 1; sent > 0 && left > 0 && wanting != 0; left -= sent) {
         const bool is_one = (wanting & (wanting - 1)) == 0;

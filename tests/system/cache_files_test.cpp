@@ -1,5 +1,6 @@
 // What `ffgpu cache` writes: counts as CSV that add up, charts, pictures of where caches miss.
 
+#include "model/base/input_error.h"
 #include "model/work/lookup_walk.h"
 #include "tests/support/temporary_file.h"
 #include "tests/support/temporary_folder.h"
@@ -11,6 +12,9 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 
@@ -101,12 +105,59 @@ TEST_CASE("what curves do not follow of the configured machine is told", "[cache
     study_caches(options, result);
     CHECK(lines.empty());
     timing.texel_cache.index_hash = work::IndexHash::Xor;
+    timing.texel_cache.replacement = work::Replacement::Fifo;
     timing.texel_cache.per_pipe = true;
     timing.raster.quads_per_cycle = 2;
     study_caches(options, result);
-    REQUIRE(lines.size() == 2);
+    REQUIRE(lines.size() == 3);
     CHECK_THAT(lines[0], Contains("texel_cache.index_hash: not followed"));
-    CHECK_THAT(lines[1], Contains("texel_cache.per_pipe: not followed"));
+    CHECK_THAT(lines[1], Contains("texel_cache.replacement: not followed"));
+    CHECK_THAT(lines[2], Contains("texel_cache.per_pipe: not followed"));
+}
+
+// A part of a file, in a folder.
+std::string part_of(const std::string& path, double part, const TemporaryFolder& folder) {
+    std::ifstream file(path, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    bytes.resize(static_cast<std::size_t>(part * static_cast<double>(bytes.size())));
+    const std::string name =
+        folder / ("part_of_" + std::filesystem::path(path).filename().string());
+    std::ofstream(name, std::ios::binary) << bytes;
+    return name;
+}
+
+TEST_CASE("of an input that ends within a frame those before it are counted, no more", "[cache]") {
+    const TemporaryFolder folder;
+    const std::string work = folder / "corridor.ffw";
+    REQUIRE(run({"replay",
+                 own_trace("corridor"),
+                 "--no-images",
+                 "--save-work",
+                 work,
+                 "-o",
+                 folder.path()}) == 0);
+    struct Case {
+        std::string input, trace;
+        double part;
+    };
+    for (const Case& of : {Case{own_trace("light_maps"), own_trace("light_maps"), 0.85},
+                           Case{work, own_trace("corridor"), 0.6}}) {
+        CacheStudyOptions options{.input = part_of(of.input, of.part, folder), .most_sets = 1};
+        options.clients = {work::LookupClient::Texel, work::LookupClient::Depth};
+        CacheStudyResult cut, expected;
+        CHECK_THROWS_AS(study_caches(options, cut), InputError);
+        REQUIRE(!cut.frames.empty());
+        options.input = of.trace;
+        options.frames = {cut.frames.front(), cut.frames.back()};
+        study_caches(options, expected);
+        REQUIRE(cut.frames == expected.frames);
+        REQUIRE(cut.curves.size() == expected.curves.size());
+        for (std::size_t i = 0; i < cut.curves.size(); ++i) {
+            CHECK(cut.curves[i].reads == expected.curves[i].reads);
+            CHECK(cut.curves[i].sums.counts(1, 16) == expected.curves[i].sums.counts(1, 16));
+            CHECK(cut.curves[i].frame_lines == expected.curves[i].frame_lines);
+        }
+    }
 }
 
 // The warnings of a call.

@@ -174,6 +174,30 @@ TEST_CASE("A capture that cannot be begun has that reason alone") {
     CHECK_THAT(told, Contains("none/c.ffc: cannot be written") && !Contains("there is no frame"));
 }
 
+TEST_CASE("No folder holds an input under a name that is written there") {
+    const TemporaryFolder folder;
+    const TemporaryFile trace(trace::in_snappy(clears(2)));
+    const std::string work = folder / "stats.json", drawn = folder / "frame_0000.png";
+    REQUIRE(run({"replay", trace.path(), "--save-work", work}) == 0);
+    std::filesystem::copy_file(trace.path(), drawn);
+    const std::string held = content(work);
+    const auto status = [&](std::vector<std::string> command) {
+        command.insert(command.end(), {"-o", folder / "none/.."});
+        int ended = 0;
+        const std::string told = printed(stderr, [&] { ended = run(command); });
+        if (ended != 0) CHECK_THAT(told, Contains("holds the input"));
+        return ended;
+    };
+    CHECK(status({"time", work}) == 2);
+    CHECK(status({"cache", work}) == 2);
+    CHECK(status({"replay", drawn}) == 2);
+    CHECK((content(work) == held));
+    CHECK((content(drawn) == content(trace.path())));
+    const std::string other = folder / "work.ffw";
+    std::filesystem::rename(work, other);
+    CHECK(status({"time", other}) == 0);
+}
+
 TEST_CASE("No output takes the place of the input") {
     const TemporaryFolder folder;
     const TemporaryFile trace(trace::in_snappy(clears(2)));

@@ -350,18 +350,31 @@ void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
                                  options.warn(line);
                              },
                          .colors = !options.configuration.timing.needs_values().empty()};
-    try {
-        return play_and_count(options, play, result);
-    } catch (const MissedColors& missed) {
-        result = {};
-        play.at_least = missed.next;
-    }
-    play.colors = true;
-    play.warn = [&](const std::string& line) {
-        if (warned == 0) return options.warn(line);
-        --warned;
+    const auto count = [&] {
+        try {
+            return play_and_count(options, play, result);
+        } catch (const MissedColors& missed) {
+            result = {};
+            play.at_least = missed.next;
+        }
+        play.colors = true;
+        play.warn = [&](const std::string& line) {
+            if (warned == 0) return options.warn(line);
+            --warned;
+        };
+        play_and_count(options, play, result);
     };
-    play_and_count(options, play, result);
+    try {
+        count();
+    } catch (const InputError&) {
+        if (result.frames.empty()) throw;
+        // Some look-ups of the frame that did not end were counted, too.
+        play.ends_behind = result.frames.back();
+        play.warn = [](const std::string&) {};
+        result = {};
+        count();
+        throw;
+    }
 }
 
 std::vector<CacheGeometry> told_geometries(const CacheStudyOptions& options,

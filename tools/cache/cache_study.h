@@ -65,7 +65,7 @@ struct CacheStudyResult {
     std::vector<CurveResult> curves;
 };
 
-// `result` holds what was finished when this throws InputError.
+// `result` holds the frames that were finished, and nothing of others, when this throws InputError.
 void study_caches(const CacheStudyOptions& options, CacheStudyResult& result);
 
 // The caches of a client whose curves are told: all that were followed, and fully associative ones

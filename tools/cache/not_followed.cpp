@@ -47,14 +47,18 @@ std::vector<std::string> not_followed_by_lookups(const timing::TimingConfig& tim
 std::vector<std::string> not_followed_by_curves(const timing::TimingConfig& timing,
                                                 std::span<const LookupClient> clients) {
     std::vector<std::string> lines;
-    const auto warn_of_hash = [&](LookupClient client, const work::CachePolicy& policy) {
-        if (has(clients, client) && policy.index_hash != work::IndexHash::Modulo)
+    const auto warn_of = [&](LookupClient client, const work::CachePolicy& policy) {
+        if (!has(clients, client)) return;
+        if (policy.index_hash != work::IndexHash::Modulo)
             lines.push_back(cache_of(client) + ".index_hash: not followed: in all curves a line's "
                                                "set is the lowest bits of its number");
+        if (policy.replacement != work::Replacement::Lru)
+            lines.push_back(cache_of(client) + ".replacement: not followed: in all curves the line "
+                                               "that was used least recently gives way");
     };
-    warn_of_hash(LookupClient::Texel, timing.texel_cache);
-    warn_of_hash(LookupClient::Depth, timing.depth_cache);
-    warn_of_hash(LookupClient::Color, timing.color_cache);
+    warn_of(LookupClient::Texel, timing.texel_cache);
+    warn_of(LookupClient::Depth, timing.depth_cache);
+    warn_of(LookupClient::Color, timing.color_cache);
     for (std::string& line : not_followed_by_lookups(timing, clients))
         lines.push_back(std::move(line));
     return lines;

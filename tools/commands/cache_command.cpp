@@ -5,6 +5,7 @@
 #include "tools/cache/curve_plots.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/warn.h"
+#include "tools/files/files_to_write.h"
 #include "tools/replay/interruption.h"
 #include "tools/report/statistics_file.h"
 
@@ -41,6 +42,7 @@ void write_results(const CacheArguments& arguments,
 
 int run_cache(const CacheArguments& arguments) {
     CacheStudyOptions options = resolve(arguments);
+    check_folder(options.input, arguments.output);
     options.warn = warn;
     const Interruption interruption;
     if (!arguments.output.empty()) make_folder(arguments.output);

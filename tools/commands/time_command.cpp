@@ -44,6 +44,7 @@ void add_time_command(CLI::App& application, Run& run) {
             if (arguments->time.measure_gains && arguments->time.output.empty())
                 throw InputError("time: --measure-gains writes gains.csv: expected -o DIR");
             check_files({arguments->time.input}, {{"--totals", arguments->time.totals}});
+            check_folder(arguments->time.input, arguments->time.output);
             Configuration& configuration = arguments->time.configuration;
             if (!arguments->config.empty()) read_config_file(arguments->config, configuration);
             for (const std::string& setting : arguments->settings)

@@ -2,6 +2,8 @@
 
 #include "model/base/input_error.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -22,7 +24,23 @@ std::optional<fs::path> place_of(const std::string& path) {
     return place;
 }
 
+// Of all that goes to folders.
+constexpr std::array Extensions{".csv", ".json", ".png", ".svg"};
+
 } // namespace
+
+void check_folder(const std::string& read, const std::string& folder) {
+    const auto file = place_of(read), where = place_of(folder);
+    if (!file || !where || file->parent_path() != (*where / "").parent_path()) return;
+    const auto is_its = [&](const char* extension) { return file->extension() == extension; };
+    if (std::ranges::none_of(Extensions, is_its)) return;
+    throw InputError(fmt::format(
+        "-o {}: holds the input {}, which may be written over: expected another folder, or a name "
+        "that does not end in {}",
+        folder,
+        read,
+        file->extension().string()));
+}
 
 void check_files(std::initializer_list<std::string> read,
                  std::initializer_list<FileToWrite> written) {

@@ -62,7 +62,7 @@ private:
         Progress progress(std::nullopt);
         next_ = source_->first_frame();
         gpu_.number_from(static_cast<std::uint32_t>(next_), source_->prepare());
-        while (next_ <= options_.frames.last && !is_interrupted()) {
+        while (next_ <= std::min(options_.frames.last, options_.ends_behind) && !is_interrupted()) {
             if (!recording_ && next_ >= options_.frames.first) {
                 const bool values = !options_.machine.needs_values().empty();
                 gpu_.set_work_sink(&thread_, values ? WorkDetail::Values : WorkDetail::Masks);
@@ -146,7 +146,7 @@ void play_file(const WorkPlayOptions& options, work::CommandSink& sink, const On
     file.play(of_machine, [&](const work::FrameFigures& figures) {
         on_frame(figures);
         progress.show(figures.number);
-        if (Interruption::signal() != 0) file.stop();
+        if (Interruption::signal() != 0 || figures.number >= options.ends_behind) file.stop();
     });
 }
 

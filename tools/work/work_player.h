@@ -21,7 +21,8 @@ std::string forces_nothing(const std::string& path);
 
 struct WorkPlayOptions {
     std::string input{};
-    FrameRange frames{}; // A work file is played whole.
+    FrameRange frames{};                           // A work file is played whole.
+    std::uint64_t ends_behind = FrameRange{}.last; // this frame, of any input
     GpuParameters gpu{};
     // Whose work it is: work with values where it needs them, which a file may lack.
     timing::TimingConfig machine{};
