@@ -32,7 +32,7 @@ MemoryController::MemoryController(sc_core::sc_module_name name,
     : Unit(name, clock)
     , config_(config)
     , mapping_(config)
-    , statistics_(config_)
+    , statistics_(config_, true)
     , lanes_(config.channels) {
     const Cycle there = 1 + config.latency / 2;
     for (std::uint32_t number = 0; number < config.channels; ++number) {
@@ -40,6 +40,7 @@ MemoryController::MemoryController(sc_core::sc_module_name name,
             clock, config.queue + (arrivals > 0 ? arrivals : there), there);
         lanes_[number].dram = std::make_unique<DramChannel>(
             config_, number, statistics_, clock.pace() == Pace::EveryCycle);
+        lanes_[number].dram->tell_when_asked();
     }
     socket_.register_nb_transport_fw(this, &MemoryController::on_forward);
 }

@@ -74,8 +74,9 @@ std::vector<const Histogram*> ClientStatistics::histograms() const {
     return histograms;
 }
 
-DramStatistics::DramStatistics(const MemoryConfig& config)
-    : accesses_(config.channels * Clients) {
+DramStatistics::DramStatistics(const MemoryConfig& config, bool when_asked)
+    : when_asked_(when_asked)
+    , accesses_(config.channels * Clients) {
     for (std::size_t i = 0; i < LostCauses; ++i)
         lost_[i] = &add("memory_lost_" + std::string(LostToNames[i]) + "_cycles",
                         "memory cycles",
@@ -93,15 +94,16 @@ DramStatistics::Rows DramStatistics::rows(const std::string& prefix) {
             &add(prefix + "row_conflicts", "requests", "that had to close another row")};
 }
 
+void DramStatistics::count_rows(std::size_t place, std::size_t result, std::uint64_t times) {
+    *total_[result] += times;
+    *of_client_[place % Clients][result] += times;
+    *of_channel_[place / Clients][result] += times;
+}
+
 void DramStatistics::count_accesses() {
-    for (std::size_t i = 0; i < accesses_.size(); ++i) {
-        for (std::size_t result = 0; result < accesses_[i].size(); ++result) {
-            const std::uint64_t times = std::exchange(accesses_[i][result], 0);
-            *total_[result] += times;
-            *of_client_[i % Clients][result] += times;
-            *of_channel_[i / Clients][result] += times;
-        }
-    }
+    for (std::size_t place = 0; place < accesses_.size(); ++place)
+        for (std::size_t result = 0; result < accesses_[place].size(); ++result)
+            count_rows(place, result, std::exchange(accesses_[place][result], 0));
 }
 
 } // namespace ffgpu::timing

@@ -75,10 +75,17 @@ private:
 
 class DramStatistics : public NamedStatistics, public DramObserver {
 public:
-    explicit DramStatistics(const MemoryConfig& config);
+    // `when_asked`: requests are counted by count_accesses(), which its owner calls then; else at
+    // once.
+    explicit DramStatistics(const MemoryConfig& config, bool when_asked = false);
 
     void on_access(std::uint32_t channel, const DramRequest& request, RowResult result) override {
-        ++accesses_[channel * Clients + request.client][static_cast<std::size_t>(result)];
+        const std::size_t place = channel * Clients + request.client;
+        const auto did = static_cast<std::size_t>(result);
+        if (when_asked_)
+            ++accesses_[place][did];
+        else
+            count_rows(place, did, 1);
     }
     // The counters know of all of them then.
     void count_accesses();
@@ -94,6 +101,10 @@ public:
 private:
     using Rows = std::array<Counter*, static_cast<std::size_t>(RowResult::Count)>;
     Rows rows(const std::string& prefix);
+    // Of the channel's client with this place in accesses_.
+    void count_rows(std::size_t place, std::size_t result, std::uint64_t times);
+
+    const bool when_asked_;
 
     Counter& bus_cycles_ = count(
         "memory_bus_cycles", "memory cycles", "of all channels: data and lost ones add up to it");

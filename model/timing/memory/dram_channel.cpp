@@ -177,6 +177,7 @@ inline void DramChannel::serve(std::size_t index, MemoryCycle now) {
     if (counts_) {
         if (turns && !is_first) observer_.on_turnaround();
         to_tell_ = std::min(now, charged_);
+        if (!tells_when_asked_) tell();
         charge_until(data, request.bytes, turns ? LostTo::Turnaround : LostTo::NoRequest);
         causes_.restart(now, LostTo::Column);
         observer_.on_access(number_, request, result);

@@ -51,8 +51,9 @@ public:
     std::size_t waiting() const { return waiting_.size(); }
     // Charges the bus's cycles before `end` that nothing was charged with yet.
     void settle(MemoryCycle end);
-    // The observer knows of all cycles up to the last column, if not of more. Until somebody asks
-    // it need not.
+    // With each column the observer is told of all cycles up to it; or, from now on, when its owner
+    // calls tell(), if not sooner.
+    void tell_when_asked() { tells_when_asked_ = true; }
     void tell() { tell(to_tell_); }
 
 private:
@@ -120,7 +121,7 @@ private:
     const std::uint32_t number_;
     DramObserver& observer_;
     DramCommandObserver* commands_ = nullptr;
-    bool counts_ = true;
+    bool counts_ = true, tells_when_asked_ = false;
     DramDevice device_;
     DramScheduler scheduler_;
     RowPolicy policy_;
