@@ -138,6 +138,69 @@ class Figures(unittest.TestCase):
         self.assertIn("another run", data["notes"]["series"][0])
 
 
+class PicturesOfOthers(unittest.TestCase):
+    def setUp(self):
+        place = runs.folder()
+        self.folder = place.__enter__()
+        self.addCleanup(place.__exit__, None, None, None)
+
+    def shown(self, run):
+        """The maps of each frame, and what is said of pictures."""
+        data = runs.data_of(runs.report(run))["runs"][0]
+        return [sorted(one) for one in data["pictures"]["frames"]], " ".join(data["notes"].get("pictures", []))
+
+    def test_maps_of_an_older_machine_are_left_out(self):
+        run = runs.replay(self.folder / "run", "--heatmap", "cycles", "--view", "depth")
+        self.assertEqual(self.shown(run)[0], [["frame", "heat_cycles", "view_depth"]] * 3)
+        runs.replay(run, "--no-images", "--set", "texel_cache.ways=1")
+        shown, said = self.shown(run)
+        self.assertEqual(shown, [[]] * 3)
+        self.assertIn("Pictures of another run than stats.json are left out: 9 (frame, heat_cycles, view_depth).", said)
+        runs.replay(run, "--set", "texel_cache.ways=1")
+        shown, said = self.shown(run)
+        self.assertEqual(shown, [["frame"]] * 3)
+        self.assertIn("Pictures of another run than stats.json are left out: 6 (heat_cycles, view_depth).", said)
+
+    def test_frames_of_another_trace_are_left_out(self):
+        run = self.folder / "run"
+        runs.ffgpu("replay", runs.ROOT / "traces" / "chrome.trace", "-o", run, "--frames", "2-3")
+        runs.replay(run, "--no-images", "--heatmap", "cycles", frames="2-2")
+        shown, said = self.shown(run)
+        self.assertEqual(shown, [["heat_cycles"]])
+        self.assertIn("Pictures of another run than stats.json are left out: 1 (frame).", said)
+
+    def test_statistics_of_a_work_file_go_with_pictures_of_the_same_work_and_machine(self):
+        run, work = self.folder / "run", self.folder / "kept.ffw"
+        runs.replay(run, "--heatmap", "cycles", "--save-work", work, frames="2-2")
+        listed = (run / "pictures.csv").read_bytes()
+        runs.ffgpu("time", work, "-o", run)
+        self.assertEqual(self.shown(run)[0], [["frame", "heat_cycles"]])
+        runs.ffgpu("time", work, "-o", run, "--set", "texel_cache.ways=1")
+        shown, said = self.shown(run)
+        self.assertEqual(shown, [[]])
+        self.assertIn("of another run", said)
+        self.assertEqual((run / "pictures.csv").read_bytes(), listed)
+        runs.ffgpu("replay", runs.CORRIDOR, "-o", run, "--frames", "2-2")  # Frames depend on no machine.
+        runs.ffgpu("time", work, "-o", run)
+        self.assertEqual(self.shown(run)[0], [["frame"]])
+
+    def test_the_list_is_the_same_for_any_number_of_threads(self):
+        one, many = (runs.replay(self.folder / threads, "--heatmap", "cycles", "--threads", threads)
+                     for threads in ("1", "3"))
+        lines = (one / "pictures.csv").read_text()
+        self.assertEqual(lines, (many / "pictures.csv").read_text())
+        for line, frame in zip(lines.splitlines()[1:], runs.stats_of(one)["frames"], strict=True):
+            counted = frame["functional"]
+            self.assertEqual(line, f"{frame['frame']},{counted['fragments_covered']},{counted['fragments_written']},"
+                                   f"{frame['timing']['total_cycles']},frame heat_cycles")
+
+    def test_without_a_list_all_pictures_count(self):
+        run = runs.replay(self.folder / "run", "--heatmap", "cycles", frames="2-2")
+        runs.replay(run, "--no-images", frames="2-2")
+        (run / "pictures.csv").unlink()
+        self.assertEqual(self.shown(run)[0], [["frame", "heat_cycles"]])
+
+
 class Difference(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -216,7 +279,12 @@ class BadInput(unittest.TestCase):
                     ("series.csv", lambda text: text.replace("\n", "\n1,", 1), "values, expected"),
                     ("series.csv", lambda text: text.replace("cycles", "x"), "has no column"),
                     ("draw_pixels.csv", lambda text: text.replace("\n2,draw,", "\n2x,draw,"), "expected a number"),
-                    ("frame_0003.png", lambda text: text[:9], "no PNG")):
+                    ("pictures.csv", lambda text: text[:-5], "cut off"),
+                    ("frame_0003.png", lambda text: text[:5], "frame_0003.png: is no PNG"),
+                    ("frame_0003.png", lambda text: text[:9], "frame_0003.png: is a damaged PNG"),
+                    ("frame_0003.png", lambda text: text[:3000], "frame_0003.png: is a damaged PNG"),
+                    ("frame_0003.png", lambda text: text[:-1], "frame_0003.png: is a damaged PNG"),
+                    ("heat_cycles_0003.png", lambda text: text[:-20], "heat_cycles_0003.png: is a damaged PNG")):
                 kept = (run / name).read_bytes()
                 (run / name).write_bytes(damage(kept.decode("latin-1")).encode("latin-1"))
                 self.refused(run, wanted)
@@ -224,6 +292,24 @@ class BadInput(unittest.TestCase):
             self.assertEqual((run / "report.html").read_bytes(), page)
             said = runs.ffgpu("report", run, "-o", "/dev/full", status=2)
             self.assertRegex(said, r"^ffgpu: /dev/full: .*\n$")
+
+
+class DamagedPictures(unittest.TestCase):
+    def test_each_bit_of_a_picture_counts(self):
+        with runs.folder() as folder:
+            run = runs.replay(folder / "run", frames="2-2")
+            picture = run / "frame_0002.png"
+            whole = picture.read_bytes()
+            source = random.Random(3)
+            ends = [*range(8, 33), *range(len(whole) - 16, len(whole))]  # the head, the last checksums
+            for place in [*ends, *(source.randrange(len(whole)) for _ in range(20))]:
+                flipped = bytearray(whole)
+                flipped[place] ^= 1 << source.randrange(8)
+                picture.write_bytes(flipped)
+                self.assertRegex(runs.ffgpu("report", run, status=2),
+                                 r"^ffgpu: [^\n]*frame_0002\.png: is a damaged PNG[^\n]*\n$", place)
+            picture.write_bytes(whole)
+            runs.report(run)
 
 
 def png(width, height, pixels):
@@ -245,6 +331,7 @@ class Size(unittest.TestCase):
             frame = dict(stats["frames"][0], width=width, height=height)
             stats["frames"] = [dict(frame, frame=i) for i in range(count)]
             (run / "stats.json").write_text(json.dumps(stats))
+            (run / "pictures.csv").unlink()  # It tells of the one frame that was drawn.
             noise = random.Random(1).randbytes(3 * width * height)
             picture = png(width, height, noise)
             for i in range(count):

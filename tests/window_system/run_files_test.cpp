@@ -33,7 +33,7 @@ TEST_CASE("children that end while a picture is written leave it whole") {
     const Outcome run = ffgpu_run("-o " + folder + " -- " FFGPU_FRAMES " noise");
     INFO(run.text);
     CHECK(run.status == 0);
-    CHECK(files_in(out.path) == 41); // with stats.json
+    CHECK(files_in(out.path) == 42); // with stats.json and pictures.csv
     const Outcome compare = shell(FFGPU_BINARY " compare " + folder + " " + folder);
     INFO(compare.text);
     CHECK(compare.status == 0); // Each can be read.
@@ -83,7 +83,7 @@ TEST_CASE("what an exit handler draws behind the recorder's is told of") {
     const Outcome run = ffgpu_run("-o " + out.path.string() + " -- " FFGPU_FRAMES " early");
     INFO(run.text);
     CHECK(run.status == 0);
-    CHECK(files_in(out.path) == 2); // with stats.json
+    CHECK(files_in(out.path) == 3); // with stats.json and pictures.csv
     CHECK(count_of(run.text, "when the program had all but ended, and is not recorded") == 1);
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("quick_exit completes the files") {
     const Outcome run = ffgpu_run("-o " + out.path.string() + " -- " FFGPU_FRAMES " quick");
     INFO(run.text);
     CHECK(run.status == 5);
-    CHECK(files_in(out.path) == 4);
+    CHECK(files_in(out.path) == 5);
     CHECK(count_of(statistics_in(out), "\"frame_count\": 3,") == 1);
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("a TMPDIR that is empty or not there is none") {
                                   out.path.string() + " -- " FFGPU_FRAMES " last");
         INFO(run.text);
         CHECK(run.status == 0);
-        CHECK(files_in(out.path) == 3);
+        CHECK(files_in(out.path) == 4);
     }
 }
 
@@ -181,12 +181,12 @@ TEST_CASE("a file that finds no room ends the run with its name and status 2") {
     INFO(pictures.text);
     CHECK(pictures.status == 2);
     CHECK(count_of(pictures.text, "frame_0000.png: cannot be written: File too large") == 1);
-    CHECK(files_in(out.path) <= 1); // at most stats.json
+    CHECK(files_in(out.path) <= 2); // at most stats.json and pictures.csv
     const Outcome capture = limited("--capture " + (out.path / "c.ffc").string());
     INFO(capture.text);
     CHECK(capture.status == 2);
     CHECK(count_of(capture.text, "c.ffc: cannot be written: File too large") == 1);
-    CHECK(files_in(out.path) <= 1);
+    CHECK(files_in(out.path) <= 2);
 }
 
 // Its own files, which tell the program's processes of each other.
@@ -213,7 +213,7 @@ TEST_CASE("a folder whose name is no UTF-8 gets a run's files") {
     const Outcome run = ffgpu_run("-o '" + odd.string() + "' -- " FFGPU_FRAMES " last");
     INFO(run.text);
     CHECK(run.status == 0);
-    CHECK(files_in(odd) == 3);
+    CHECK(files_in(odd) == 4);
 }
 
 TEST_CASE("no file takes the place of a standard stream that is closed") {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <fstream>
+#include <string_view>
 
 #include <png.h>
 
@@ -24,6 +25,25 @@ struct Control : png_image {
     Control& operator=(const Control&) = delete;
 };
 
+[[noreturn]] void fail(const Control& control, const std::string& path) {
+    throw InputError(path + ": is a damaged PNG: " + std::string(control.message));
+}
+
+// Of a file that was begun.
+Image pixels_of(Control& control, const std::string& path) {
+    if (std::size_t{control.width} * control.height > MaxImagePixels)
+        throw InputError(path + ": its size is not that of a picture");
+    control.format = PNG_FORMAT_RGBA;
+    control.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
+    Image image(control.width, control.height);
+    std::vector<png_byte> pixels(Rgba * image.pixels());
+    if (!png_image_finish_read(&control, nullptr, pixels.data(), 0, nullptr)) fail(control, path);
+    for (std::size_t i = 0; i < image.pixels(); ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            image.rgb[3 * i + c] = pixels[Rgba * i + c];
+    return image;
+}
+
 } // namespace
 
 bool is_png(const std::string& path) {
@@ -37,36 +57,22 @@ bool is_png(const std::string& path) {
 
 Image read_png(const std::string& path) {
     Control control;
-    const auto fail = [&] {
-        throw InputError(path + ": is a damaged PNG: " + std::string(control.message));
-    };
-    if (!png_image_begin_read_from_file(&control, path.c_str())) fail();
-    if (std::size_t{control.width} * control.height > MaxImagePixels)
-        throw InputError(path + ": its size is not that of a picture");
-    control.format = PNG_FORMAT_RGBA;
-    control.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
-    Image image(control.width, control.height);
-    std::vector<png_byte> pixels(Rgba * image.pixels());
-    if (!png_image_finish_read(&control, nullptr, pixels.data(), 0, nullptr)) fail();
-    for (std::size_t i = 0; i < image.pixels(); ++i)
-        for (std::size_t c = 0; c < 3; ++c)
-            image.rgb[3 * i + c] = pixels[Rgba * i + c];
-    return image;
+    if (!png_image_begin_read_from_file(&control, path.c_str())) fail(control, path);
+    return pixels_of(control, path);
 }
 
-PngSize png_size(const std::string& path) {
-    constexpr std::size_t Signature = 8, Size = 16; // of the header's fields
-    std::ifstream file(path, std::ios::binary);
-    std::array<unsigned char, Size + 8> head{};
-    file.read(reinterpret_cast<char*>(head.data()), head.size());
-    if (!file || png_sig_cmp(head.data(), 0, Signature) != 0)
-        throw InputError(path + ": is no PNG");
-    const auto number = [&](std::size_t at) {
-        return static_cast<std::uint32_t>(head[at]) << 24 |
-               static_cast<std::uint32_t>(head[at + 1]) << 16 |
-               static_cast<std::uint32_t>(head[at + 2]) << 8 | head[at + 3];
-    };
-    return {number(Size), number(Size + 4)};
+Image read_whole_png(const std::string& content, const std::string& path) {
+    using namespace std::string_view_literals;
+    // The last chunk with its checksum, which libpng does not read: it ends behind the pixels.
+    constexpr std::string_view End = "\0\0\0\0IEND\xae\x42\x60\x82"sv;
+    if (!content.starts_with("\x89PNG\r\n\x1a\n")) throw InputError(path + ": is no PNG");
+    Control control;
+    if (!png_image_begin_read_from_memory(&control, content.data(), content.size()))
+        fail(control, path);
+    Image image = pixels_of(control, path);
+    if (control.warning_or_error != 0) fail(control, path); // As of a checksum beside the pixels.
+    if (!content.ends_with(End)) throw InputError(path + ": is a damaged PNG: it is cut off");
+    return image;
 }
 
 std::string png_bytes(const Image& image) {

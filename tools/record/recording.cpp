@@ -32,7 +32,7 @@ Recording::Recording(const RecordingOptions& options)
     , gpu_(gpu_config(options))
     , capture_(gpu_)
     , report_(options.configuration, options.timing)
-    , statistics_(report_, options.output)
+    , statistics_(report_, pictures_, options.output)
     , pipeline_(pipeline_options(), report_) {
     if (pipeline_.sink()) sinks_.add(*pipeline_.sink());
     if (!options_.heat.maps.empty()) sinks_.add(heat_);
@@ -118,7 +118,7 @@ WorkPipeline::Options Recording::pipeline_options() {
             .draw_table = options_.draw_table ? folder_.file("draws.csv") : "",
             .draw_notes = &notes_,
             .draw_pixels = options_.draw_pixels ? folder_.file("draw_pixels.csv") : "",
-            .on_frame = [this] { statistics_.frame_ended(); }};
+            .on_frame = [this](std::uint64_t cycles) { frame_timed(cycles); }};
 }
 
 Device& Recording::device() {
@@ -167,12 +167,13 @@ bool Recording::after_frame(const Frame& frame) {
     if (!measuring_) return false;
     capture_.frame_shown(static_cast<std::uint32_t>(frame.number), frame.picture);
     gpu_.finish();
-    pipeline_.frame({.number = frame.number,
-                     .width = frame.picture.width,
-                     .height = frame.picture.height,
-                     .api_calls = frame.api_calls,
-                     .functional = counted_.take(gpu_.statistics())},
-                    frame.picture);
+    const work::FrameFigures figures{.number = frame.number,
+                                     .width = frame.picture.width,
+                                     .height = frame.picture.height,
+                                     .api_calls = frame.api_calls,
+                                     .functional = counted_.take(gpu_.statistics())};
+    pictures_.add(figures, pictures_of(frame.picture));
+    pipeline_.frame(figures, frame.picture);
     has_frame_ = true;
     images_.check_failure();
     if (!options_.heat.maps.empty()) pipeline_.drain();
@@ -187,6 +188,23 @@ void Recording::read_picture(DeviceAddress at, std::span<std::byte> bytes) {
     gpu_.hide_from_work(true);
     gpu_.read_memory(at, bytes);
     gpu_.hide_from_work(false);
+}
+
+void Recording::frame_timed(std::uint64_t cycles) {
+    pictures_.timed(cycles);
+    statistics_.frame_ended();
+}
+
+// By their names' beginnings: those that write_pictures() writes.
+std::vector<std::string> Recording::pictures_of(const Surface& shown) const {
+    std::vector<std::string> names;
+    if (options_.output.empty() || shown.format == Format::None) return names;
+    if (options_.images) names.emplace_back("frame");
+    for (const HeatMap map : options_.heat.maps)
+        names.push_back(fmt::format("heat_{}", info(map).name));
+    for (const View view : options_.views)
+        names.push_back(fmt::format("view_{}", info(view).name));
+    return names;
 }
 
 void Recording::write_pictures(const Frame& frame) {

@@ -19,6 +19,7 @@
 #include "tools/record/work_pipeline.h"
 #include "tools/report/counter_changes.h"
 #include "tools/report/current_statistics.h"
+#include "tools/report/picture_list.h"
 #include "tools/report/statistics_report.h"
 #include "tools/views/view_device.h"
 
@@ -27,6 +28,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace ffgpu::tools {
 
@@ -83,6 +85,8 @@ private:
     bool records_values() const;
     WorkPipeline::Options pipeline_options();
     void start(std::uint64_t first_frame);
+    std::vector<std::string> pictures_of(const Surface& shown) const;
+    void frame_timed(std::uint64_t cycles);
     void write_pictures(const Frame& frame);
     void watch_draws(Device& device);
     void draw_comes(const WatchedDraw& draw);
@@ -98,6 +102,7 @@ private:
     capture::CaptureWriter capture_;
     HeatRecorder heat_;
     StatisticsReport report_;
+    PictureList pictures_;
     CurrentStatistics statistics_;
     DrawNotes notes_;
     WorkPipeline pipeline_;

@@ -48,7 +48,7 @@ void WorkPipeline::add(const work::FrameFigures& figures, const Surface& shown) 
         [this, number = figures.number, rows = std::move(rows)](const timing::FrameTiming* timed) {
             if (costs_ && timed) costs_->frame_waited(timed->waited);
             if (table_) table_->write(number, rows, timed);
-            on_frame_();
+            on_frame_(timed ? timed->cycles : 0);
         });
 }
 

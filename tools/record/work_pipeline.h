@@ -31,8 +31,8 @@ public:
         std::string draw_table{};                     // the path of draws.csv; empty: none
         DrawNotes* draw_notes = nullptr;              // for it
         std::string draw_pixels{};                    // the path of draw_pixels.csv; empty: none
-        std::function<void()> on_frame = [] {}; // Its figures are in the report; not the caller's
-                                                // thread.
+        // A frame's figures are in the report, and it took so many cycles; not the caller's thread.
+        std::function<void(std::uint64_t cycles)> on_frame = [](std::uint64_t) {};
     };
 
     // Throws InputError where the file cannot be made.
@@ -64,7 +64,7 @@ private:
     bool has_frame_ = false; // the thread's, until it is drained
     std::unique_ptr<DrawPixels> draw_pixels_;
     HeatRecorder* costs_ = nullptr;
-    std::function<void()> on_frame_;
+    std::function<void(std::uint64_t cycles)> on_frame_;
     FrameMeter meter_; // Its machine tells those above.
     CommandFanOut readers_;
     work::CommandAssembler assembler_;

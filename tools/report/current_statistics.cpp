@@ -15,12 +15,15 @@ constexpr int Share = 50; // One part of the time in so many goes into writing.
 
 } // namespace
 
-CurrentStatistics::CurrentStatistics(const StatisticsReport& report, std::string folder)
+CurrentStatistics::CurrentStatistics(const StatisticsReport& report,
+                                     const PictureList& pictures,
+                                     std::string folder)
     : report_(report)
+    , pictures_(pictures)
     , folder_(std::move(folder)) {}
 
 void CurrentStatistics::begin() const {
-    if (!folder_.empty()) remove_statistics_file(folder_);
+    if (!folder_.empty()) remove_statistics_files(folder_);
 }
 
 void CurrentStatistics::frame_ended() {
@@ -32,7 +35,10 @@ void CurrentStatistics::frame_ended() {
 }
 
 void CurrentStatistics::write() {
-    if (!folder_.empty()) write_statistics_file(report_, folder_);
+    if (folder_.empty()) return;
+    // First: where there are statistics without it nobody knows whose the pictures are.
+    pictures_.write(folder_);
+    write_statistics_file(report_, folder_);
 }
 
 } // namespace ffgpu::tools

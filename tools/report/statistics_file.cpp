@@ -2,6 +2,7 @@
 
 #include "model/base/input_error.h"
 #include "model/base/whole_file.h"
+#include "tools/report/picture_list.h"
 
 #include <filesystem>
 
@@ -38,9 +39,10 @@ void write_totals_file(const StatisticsReport& report, const std::string& path, 
     file.commit();
 }
 
-void remove_statistics_file(const std::string& folder) {
+void remove_statistics_files(const std::string& folder) {
     std::error_code ignored;
     std::filesystem::remove(path_in(folder), ignored);
+    std::filesystem::remove(std::filesystem::path(folder) / PictureListName, ignored);
 }
 
 } // namespace ffgpu::tools

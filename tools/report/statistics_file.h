@@ -15,6 +15,6 @@ void write_statistics_file(const StatisticsReport& report, const std::string& fo
 // is written.
 void write_totals_file(const StatisticsReport& report, const std::string& path, bool is_stuck);
 // Of an older run, if there is one.
-void remove_statistics_file(const std::string& folder);
+void remove_statistics_files(const std::string& folder);
 
 } // namespace ffgpu::tools

@@ -4,6 +4,7 @@
 #include "tools/image/png_file.h"
 #include "tools/page/data_url.h"
 #include "tools/page/json_text.h"
+#include "tools/report_page/listed_pictures.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -60,10 +61,10 @@ std::vector<Picture> pictures_in(const std::string& folder, const RunFigures& fi
     return pictures;
 }
 
-bool fits(const PngSize& size, const RunFrame& frame, const std::string& map) {
+bool fits(const Image& image, const RunFrame& frame, const std::string& map) {
     const bool has_legend = map.starts_with("heat_");
-    return size.width == frame.width &&
-           (has_legend ? size.height >= frame.height : size.height == frame.height);
+    return image.width == frame.width &&
+           (has_legend ? image.height >= frame.height : image.height == frame.height);
 }
 
 Image rows_of(const Image& image, unsigned first, unsigned count) {
@@ -92,10 +93,10 @@ Image shrunk(const Image& image, unsigned factor) {
     return result;
 }
 
-nlohmann::ordered_json entry_of(const Picture& picture, const RunFrame& frame, unsigned factor) {
-    if (factor == 1) return {{"body", data_url("image/png", content_of(picture.path))}};
-    const Image image = read_png(picture.path);
-    const auto height = static_cast<unsigned>(frame.height);
+// `image` is what `content`, a file, holds.
+nlohmann::ordered_json
+entry_of(const std::string& content, const Image& image, unsigned height, unsigned factor) {
+    if (factor == 1) return {{"body", data_url("image/png", content)}};
     const auto url = [](const Image& part) { return data_url("image/png", png_bytes(part)); };
     nlohmann::ordered_json entry{{"body", url(shrunk(rows_of(image, 0, height), factor))}};
     if (image.height > height) entry["legend"] = url(rows_of(image, height, image.height - height));
@@ -118,19 +119,34 @@ unsigned factor_for(const std::vector<Picture>& pictures, std::size_t most_bytes
 
 PagePictures
 pictures_of(const std::string& folder, const RunFigures& figures, std::size_t most_bytes) {
-    const std::vector<Picture> pictures = pictures_in(folder, figures);
     PagePictures result;
+    const auto leave_to_others = [&](const Picture& picture) {
+        ++result.of_others;
+        result.maps_of_others.insert(picture.map);
+    };
+    std::vector<Picture> pictures = pictures_in(folder, figures);
+    const ListedPictures listed(folder, figures);
+    std::erase_if(pictures, [&](const Picture& picture) {
+        const bool is_listed = listed.holds(picture.frame, picture.map);
+        if (!is_listed) leave_to_others(picture);
+        return !is_listed;
+    });
     result.shrunk = factor_for(pictures, most_bytes);
     result.frames = std::vector<nlohmann::ordered_json>(figures.frames.size(),
                                                         nlohmann::ordered_json::object());
     std::set<std::string> maps;
     for (const Picture& picture : pictures) {
         const RunFrame& frame = figures.frames[picture.frame];
-        if (!fits(png_size(picture.path), frame, picture.map)) {
-            ++result.of_others;
+        // Also where it goes into the page as it is: a browser shows a damaged one as far as it is
+        // whole, and says nothing.
+        const std::string content = content_of(picture.path);
+        const Image image = read_whole_png(content, picture.path);
+        if (!fits(image, frame, picture.map)) {
+            leave_to_others(picture);
             continue;
         }
-        nlohmann::ordered_json entry = entry_of(picture, frame, result.shrunk);
+        nlohmann::ordered_json entry =
+            entry_of(content, image, static_cast<unsigned>(frame.height), result.shrunk);
         const std::size_t bytes = json_text(entry).size() + picture.map.size();
         if (bytes > most_bytes) {
             ++result.left_out;

@@ -171,9 +171,9 @@ void add_pictures(Json& data, Notes& notes, const PagePictures& pictures) {
             fmt::format("{} pictures are left out to keep the page small.", pictures.left_out));
     if (pictures.of_others > 0)
         notes.add("pictures",
-                  fmt::format("{} pictures of another size than their frame are left out: they "
-                              "are of another run.",
-                              pictures.of_others));
+                  fmt::format("Pictures of another run than stats.json are left out: {} ({}).",
+                              pictures.of_others,
+                              fmt::join(pictures.maps_of_others, ", ")));
 }
 
 void add_curves(Json& data, Notes& notes, const std::string& folder) {
