@@ -51,8 +51,9 @@ TEST_CASE("Another process, other addresses, other garbage in memory: the same f
     for (const std::string& name : own_traces()) {
         const std::string trace = own_trace(name);
         const auto first = replay_in_process("", trace, 1);
-        REQUIRE(first.size() == 2 * 5 + 1);
+        REQUIRE(first.size() == 2 * 5 + 2); // five pictures a frame
         CHECK(first.contains("stats.json"));
+        CHECK(first.contains("pictures.csv"));
         // The kernel places each process elsewhere; a longer environment moves the stack, and the
         // C library fills what malloc returns and free takes back with other bytes.
         const std::string padding = "FFGPU_TEST_PADDING=" + std::string(4321, 'x');
