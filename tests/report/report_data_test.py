@@ -132,10 +132,23 @@ class Figures(unittest.TestCase):
 
     def test_files_of_another_run_are_left_out(self):
         mixed = runs.full_run(self.folder / "mixed")
+        runs.ffgpu("cache", runs.CORRIDOR, "-o", mixed, "--frames", "2-4")
         runs.replay(mixed, "--set", "texel_cache.ways=1")
         data = runs.data_of(runs.report(mixed))["runs"][0]
         self.assertNotIn("series", data)
         self.assertIn("another run", data["notes"]["series"][0])
+        self.assertIn("pixels", data)  # The machine decides on neither these nor on curves' reads.
+        self.assertNotIn("curves", data["notes"])
+
+    def test_pixels_of_another_trace_are_left_out_and_curves_told_of(self):
+        mixed = runs.full_run(self.folder / "mixed_traces")
+        runs.ffgpu("cache", runs.CORRIDOR, "-o", mixed, "--frames", "2-4")
+        runs.ffgpu("replay", runs.ROOT / "traces" / "light_maps.trace", "-o", mixed, "--frames", "2-4", "--timing")
+        data = runs.data_of(runs.report(mixed))["runs"][0]
+        self.assertNotIn("pixels", data)
+        self.assertIn("draw_pixels.csv is of another run", data["notes"]["pixels"][0])
+        self.assertIn("curves", data)  # Those of a whole trace go with a few of its frames.
+        self.assertIn("curves.csv is of other work", data["notes"]["curves"][0])
 
 
 class PicturesOfOthers(unittest.TestCase):

@@ -32,9 +32,9 @@ TEST_CASE("draw_pixels.csv tells what a draw wrote, and what a test took from it
     const TemporaryFile file(scene.file());
     REQUIRE(run({"replay", file.path(), "-o", folder / "out", "--draw-pixels"}) == 0);
     CHECK(content(folder / "out/draw_pixels.csv") ==
-          "frame,kind,draw,left,top,width,height,pixels\n"
-          "0,draw,0,0,22,10,10,w100\n"
-          "0,draw,1,5,17,10,10,w50k5w5k5w5k5w5k5w5k5w5\n");
+          "frame,kind,draw,fragments_covered,fragments_written,left,top,width,height,pixels\n"
+          "0,draw,0,100,100,0,22,10,10,w100\n"
+          "0,draw,1,100,75,5,17,10,10,w50k5w5k5w5k5w5k5w5k5w5\n");
 }
 
 TEST_CASE("--draw-pixels needs a folder, and one that can be written") {

@@ -198,6 +198,125 @@ TEST_CASE("No folder holds an input under a name that is written there") {
     CHECK(status({"time", other}) == 0);
 }
 
+TEST_CASE("No folder holds a link to an input under a name that is written there") {
+    const TemporaryFolder folder;
+    const TemporaryFile trace(trace::in_snappy(clears(2)));
+    const std::string work = folder / "work.ffw";
+    REQUIRE(run({"replay", trace.path(), "--save-work", work}) == 0);
+    const std::string held = content(work);
+    std::filesystem::create_directory(folder / "out");
+    std::filesystem::create_symlink(work, folder / "out/stats.json");
+    const std::string told = printed(stderr, [&] {
+        CHECK(run({"time", work, "-o", folder / "out"}) == 2);
+    });
+    CHECK_THAT(told, Contains("holds the input"));
+    CHECK((content(work) == held));
+}
+
+TEST_CASE("A configuration that is read is not written over") {
+    const TemporaryFolder folder;
+    const TemporaryFile trace(trace::in_snappy(clears(2)));
+    const std::string config = folder / "machine.toml", work = folder / "work.ffw";
+    REQUIRE(run({"replay", trace.path(), "--save-work", work}) == 0);
+    constexpr const char* Text = "[texel_cache]\nways = 2\n";
+    std::ofstream(config) << Text;
+    const std::vector<std::vector<std::string>> commands{
+        {"export", work, "--format", "din", "-o", config},
+        {"time", work, "--totals", config},
+        {"replay", trace.path(), "--capture", config},
+        {"replay", trace.path(), "--rtl", "fragment_pipe", "--rtl-cycles", config},
+        {"explain", trace.path(), "--frame", "0", "--pixel", "1,1", "-o", config}};
+    for (std::vector<std::string> command : commands) {
+        CAPTURE(command);
+        command.insert(command.end(), {"--config", config});
+        const std::string told = printed(stderr, [&] { CHECK(run(command) == 2); });
+        CHECK_THAT(told, Contains("is the input, which would be written over"));
+        CHECK(content(config) == Text);
+    }
+}
+
+TEST_CASE("A range of frames is one, and whose end is not there is told of") {
+    const TemporaryFolder folder;
+    const TemporaryFile trace(trace::in_snappy(clears(3)));
+    const std::vector<std::vector<std::string>> commands{
+        {"replay", trace.path(), "-o", folder / "out"},
+        {"cache", trace.path()},
+        {"export", trace.path(), "--format", "din", "-o", folder / "out.din"},
+        {"report", folder / "out"}};
+    for (const std::vector<std::string>& command : commands) {
+        CAPTURE(command);
+        const auto with = [&](const char* frames, int status) {
+            std::vector<std::string> words = command;
+            words.insert(words.end(), {"--frames", frames});
+            std::string printed_out;
+            std::string told = printed(stderr, [&] {
+                printed_out = printed(stdout, [&] { CHECK(run(words) == status); });
+            });
+            return told + printed_out;
+        };
+        CHECK_THAT(with("", 2), Contains("expected A-B"));
+        CHECK_THAT(with("3", 2), Contains("none of"));
+        CHECK_THAT(with("1-5", 0), Contains("ends before frame 3, 5 was asked for"));
+        CHECK_THAT(with("1-2", 0), !Contains("ends before"));
+    }
+    CHECK(run({"replay", trace.path(), "-o", folder / "out", "--draws", ""}) == 2);
+}
+
+TEST_CASE("A capture's frames before its first are none") {
+    const TemporaryFolder folder;
+    const TemporaryFile trace(trace::in_snappy(clears(4)));
+    const std::string capture = folder / "c.ffc";
+    REQUIRE(run({"replay", trace.path(), "--frames", "2-3", "--capture", capture}) == 0);
+    const std::string told = printed(stderr, [&] {
+        CHECK(run({"cache", capture, "--frames", "0-1"}) == 2);
+    });
+    CHECK_THAT(told, Contains("begins with frame 2"));
+}
+
+TEST_CASE("Options that a format of an export has not are told of") {
+    const TemporaryFile trace(trace::in_snappy(clears(2)));
+    const auto told = [&](const char* format) {
+        return warnings_of({"export",
+                            trace.path(),
+                            "--format",
+                            format,
+                            "-o",
+                            "/dev/null",
+                            "--client",
+                            "color",
+                            "--access-bytes",
+                            "32"});
+    };
+    const auto client = Contains("--client: has no effect with --format");
+    const auto bytes = Contains("--access-bytes: has no effect with --format");
+    CHECK_THAT(told("din"), !client && bytes);
+    CHECK_THAT(told("dramsim3"), client && !bytes);
+    CHECK_THAT(told("csv"), client && bytes);
+}
+
+TEST_CASE("Charts and maps of older curves are told of") {
+    const TemporaryFolder folder;
+    const TemporaryFile trace(trace::in_snappy(clears(3, true)));
+    const auto cache = [&](const char* lines) {
+        return warnings_of({"cache",
+                            trace.path(),
+                            "--client",
+                            "color",
+                            "--line",
+                            lines,
+                            "--miss-map",
+                            "4x1x64",
+                            "-o",
+                            folder / "out"});
+    };
+    CHECK_THAT(cache("32,64"), !Contains("older"));
+    CHECK_THAT(cache("32,64"), !Contains("older"));
+    CHECK_THAT(cache("64"), Contains("holds a picture of an older run, too, misses_color"));
+    std::ofstream(folder / "out/frame_0000.png") << "of another verb";
+    std::ofstream(folder / "out/miss_map_0007.png") << "of a longer trace";
+    CHECK_THAT(cache("32,64"), Contains("holds a picture of an older run, too, miss_map_0007.png"));
+}
+
 TEST_CASE("No output takes the place of the input") {
     const TemporaryFolder folder;
     const TemporaryFile trace(trace::in_snappy(clears(2)));

@@ -121,7 +121,9 @@ void add_cache_options(CLI::App& verb, CacheArguments& arguments) {
         ->type_name("SETSxWAYSxBYTES");
     verb.add_option("--miss-map", arguments.miss_map, "Pictures of where this texel cache misses")
         ->type_name("SETSxWAYSxBYTES");
-    verb.add_option("--frames", arguments.frames, "Only these frames of a trace")->type_name("A-B");
+    verb.add_option("--frames", arguments.frames, "Only these frames of a trace")
+        ->type_name("A-B")
+        ->each(check_frame_range);
     verb.add_option("--config", arguments.config, "Parameters; ffgpu config prints them")
         ->type_name("F.toml|preset:NAME");
     verb.add_option("--set", arguments.settings, "Change a parameter: raster.granularity=fragment")

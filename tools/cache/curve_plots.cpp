@@ -36,7 +36,7 @@ std::string file_name(const CurveResult& curve) {
     std::string name;
     for (const char c : variant_name(curve))
         if (c != ',') name += c == ' ' ? '_' : c;
-    return fmt::format("misses_{}_{}.svg", name, curve.line_bytes);
+    return fmt::format("{}_{}_{}.svg", CurvePlotPrefix, name, curve.line_bytes);
 }
 
 } // namespace

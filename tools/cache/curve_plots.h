@@ -6,12 +6,15 @@
 #include "tools/cache/cache_study.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ffgpu::tools {
 
+constexpr std::string_view CurvePlotPrefix = "misses";
+
 struct NamedPlot {
-    std::string file; // its name
+    std::string file; // its name: CurvePlotPrefix, then what it shows
     std::string svg;
 };
 

@@ -6,38 +6,42 @@
 #include "tools/commands/commands.h"
 #include "tools/commands/warn.h"
 #include "tools/files/files_to_write.h"
+#include "tools/record/output_folder.h"
 #include "tools/replay/interruption.h"
-#include "tools/report/statistics_file.h"
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <memory>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 namespace ffgpu::tools {
 namespace {
 
-void write_file(const std::string& folder, const std::string& name, const std::string& text) {
-    WholeFile file((std::filesystem::path(folder) / name).string());
+constexpr std::string_view MissMapPrefix = "miss_map";
+constexpr std::array<std::string_view, 2> PicturePrefixes{MissMapPrefix, CurvePlotPrefix};
+
+void write_file(const std::string& path, const std::string& text) {
+    WholeFile file(path);
     file.write(text);
     file.commit();
 }
 
 void write_results(const CacheArguments& arguments,
                    const CacheStudyOptions& options,
-                   const CacheStudyResult& result) {
+                   const CacheStudyResult& result,
+                   OutputFolder& folder) {
     if (std::fputs(cache_tables(options, result).c_str(), stdout) < 0 || std::fflush(stdout) != 0)
         throw InputError(std::string("standard output: cannot be written: ") +
                          std::strerror(errno));
     if (arguments.output.empty()) return;
-    write_file(arguments.output, "curves.csv", curves_csv(options, result));
-    write_file(arguments.output, "working_sets.csv", working_sets_csv(result));
+    write_file(folder.file("curves.csv"), curves_csv(options, result));
+    write_file(folder.file("working_sets.csv"), working_sets_csv(result));
     for (const NamedPlot& plot : curve_plots(options, result))
-        write_file(arguments.output, plot.file, plot.svg);
+        write_file(folder.file(plot.file), plot.svg);
+    if (const std::string older = folder.older_pictures(); !older.empty()) warn(older);
 }
 
 int run_cache(const CacheArguments& arguments) {
@@ -45,20 +49,20 @@ int run_cache(const CacheArguments& arguments) {
     check_folder(options.input, arguments.output);
     options.warn = warn;
     const Interruption interruption;
-    if (!arguments.output.empty()) make_folder(arguments.output);
+    OutputFolder folder(arguments.output, PicturePrefixes);
     options.on_miss_map = [&](std::uint64_t frame, const Image& map) {
-        const std::string name = fmt::format("miss_map_{:04}.png", frame);
-        write_png((std::filesystem::path(arguments.output) / name).string(), map);
+        write_png(folder.picture(MissMapPrefix, frame), map);
     };
     CacheStudyResult result;
     try {
         study_caches(options, result);
     } catch (const InputError&) {
-        if (!result.frames.empty()) write_results(arguments, options, result); // What is done.
+        if (!result.frames.empty())
+            write_results(arguments, options, result, folder); // What is done.
         throw;
     }
     if (!result.frames.empty() || Interruption::signal() == 0)
-        write_results(arguments, options, result);
+        write_results(arguments, options, result, folder);
     return Interruption::status(0);
 }
 

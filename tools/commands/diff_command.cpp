@@ -98,9 +98,14 @@ void add_diff_command(CLI::App& application, Run& run) {
     verb->add_option("--program-b", options.b.program, "Another build's ffgpu, which draws B")
         ->type_name("PROGRAM");
     verb->add_option("--frames", arguments->frames, "3-7, 3 or 3-: compare these frames alone")
-        ->type_name("RANGE");
+        ->type_name("RANGE")
+        ->each(check_frame_range);
     verb->add_option("--command", options.question.command, "Compare this command alone")
-        ->type_name("N");
+        ->type_name("N")
+        ->each([](const std::string& text) {
+            if (text.starts_with('-'))
+                throw InputError("--command " + text + ": expected the number of a command");
+        });
     verb->add_option("--most", options.most_entries, "Entries of that command to tell (default 1)")
         ->type_name("N");
     CLI::Option* const fst =

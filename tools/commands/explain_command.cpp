@@ -127,7 +127,7 @@ int run_explain(Arguments& arguments) {
     if (!has_region) numbers("--pixel", arguments.pixel, 2);
     ExplainOptions& options = arguments.explain;
     options.frame = frame_number(arguments.frame);
-    check_files({arguments.explain.input},
+    check_files({arguments.explain.input, arguments.config},
                 {{"-o", arguments.output}, {"--footprint", arguments.footprint}});
     if (!arguments.footprint.empty()) const WholeFile can_be_written(arguments.footprint);
     if (!arguments.config.empty()) read_config_file(arguments.config, options.configuration);

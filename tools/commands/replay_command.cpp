@@ -74,7 +74,7 @@ int replay_by_rtl(const Arguments& arguments, ReplayOptions& options) {
 int run_replay(Arguments& arguments) {
     ReplayOptions& options = arguments.replay;
     resolve(arguments.recording, options);
-    check_files({options.input},
+    check_files({options.input, arguments.recording.config},
                 {{"--capture", arguments.recording.capture},
                  {"--save-work", arguments.recording.save_work},
                  {"--rtl-cycles", arguments.rtl_cycles}});

@@ -55,7 +55,9 @@ void add_report_command(CLI::App& application, Run& run) {
         ->type_name("DIR");
     verb->add_option("-o,--output", options.output, "The page; report.html in the folder")
         ->type_name("PAGE.html");
-    verb->add_option("--frames", arguments->frames, "Only these")->type_name("A-B");
+    verb->add_option("--frames", arguments->frames, "Only these")
+        ->type_name("A-B")
+        ->each(check_frame_range);
     verb->add_option("--point", arguments->point, "Of a sweep's folder: this point, run once more")
         ->type_name("POINT");
     verb->add_option("--trace", arguments->trace, "With --point: of which trace")

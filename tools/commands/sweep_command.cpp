@@ -1,5 +1,6 @@
 #include "tools/commands/sweep_command.h"
 
+#include "tools/frames/frame_range.h"
 #include "tools/sweep/sweep.h"
 
 #include <cstdio>
@@ -23,7 +24,9 @@ void add_sweep_command(CLI::App& application, Run& run, const char* version) {
     verb->add_option("-o,--output", options->output, "Folder for the table and all that it is of")
         ->type_name("DIR")
         ->required();
-    verb->add_option("--frames", options->frames, "Of each trace, only these")->type_name("A-B");
+    verb->add_option("--frames", options->frames, "Of each trace, only these")
+        ->type_name("A-B")
+        ->each(check_frame_range);
     verb->add_option("--cores", options->cores, "Jobs at a time on this machine; all, if not told")
         ->type_name("N");
     verb->add_option("--profile", options->profile, "slurm, or a profile of Snakemake's")

@@ -43,7 +43,8 @@ void add_time_command(CLI::App& application, Run& run) {
                 throw InputError("time: nothing to do: expected -o DIR or --totals FILE");
             if (arguments->time.measure_gains && arguments->time.output.empty())
                 throw InputError("time: --measure-gains writes gains.csv: expected -o DIR");
-            check_files({arguments->time.input}, {{"--totals", arguments->time.totals}});
+            check_files({arguments->time.input, arguments->config},
+                        {{"--totals", arguments->time.totals}});
             check_folder(arguments->time.input, arguments->time.output);
             Configuration& configuration = arguments->time.configuration;
             if (!arguments->config.empty()) read_config_file(arguments->config, configuration);

@@ -319,6 +319,15 @@ ExportFormat parse_export_format(const std::string& name) {
     return static_cast<ExportFormat>(found - ExportFormatNames.begin());
 }
 
+bool has_client(ExportFormat format) {
+    return format == ExportFormat::Din || format == ExportFormat::Xdin;
+}
+
+bool has_access_bytes(ExportFormat format) {
+    return format == ExportFormat::Ramulator2 || format == ExportFormat::Ramulator2Vectors ||
+           format == ExportFormat::Dramsim3;
+}
+
 std::string export_trace(const ExportOptions& options) {
     switch (options.format) {
     case ExportFormat::Din:

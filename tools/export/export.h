@@ -40,14 +40,18 @@ inline constexpr std::array<std::string_view, 11> ExportFormatNames{"din",
                                                                     "vcd",
                                                                     "fst"};
 
+// Whether the option of that name decides anything in this format.
+bool has_client(ExportFormat format);
+bool has_access_bytes(ExportFormat format);
+
 struct ExportOptions {
     std::string input{};
     std::string output = "-"; // a file; "-": standard output
     ExportFormat format = ExportFormat::Din;
     FrameRange frames{};
     Configuration configuration{};
-    work::LookupClient client = work::LookupClient::Texel; // din, xdin
-    std::uint32_t access_bytes = 64; // of a record, in formats of memory traces without sizes
+    work::LookupClient client = work::LookupClient::Texel; // has_client()
+    std::uint32_t access_bytes = 64;                       // of a record; has_access_bytes()
     bool compresses = false;
     std::function<void(const std::string& line)> warn = [](const std::string&) {};
 };

@@ -31,15 +31,20 @@ constexpr std::array Extensions{".csv", ".json", ".png", ".svg"};
 
 void check_folder(const std::string& read, const std::string& folder) {
     const auto file = place_of(read), where = place_of(folder);
-    if (!file || !where || file->parent_path() != (*where / "").parent_path()) return;
-    const auto is_its = [&](const char* extension) { return file->extension() == extension; };
-    if (std::ranges::none_of(Extensions, is_its)) return;
-    throw InputError(fmt::format(
-        "-o {}: holds the input {}, which may be written over: expected another folder, or a name "
-        "that does not end in {}",
-        folder,
-        read,
-        file->extension().string()));
+    if (!file || !where) return;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator((*where / "").parent_path(), error)) {
+        const fs::path extension = entry.path().extension();
+        if (std::ranges::find(Extensions, extension) == Extensions.end()) continue;
+        const bool is_link = entry.is_symlink(error);
+        if ((is_link ? fs::weakly_canonical(entry.path(), error) : entry.path()) != *file) continue;
+        throw InputError(fmt::format(
+            "-o {}: holds the input {}, which may be written over: expected another folder, or a "
+            "name that does not end in {}",
+            folder,
+            read,
+            extension.string()));
+    }
 }
 
 void check_files(std::initializer_list<std::string> read,

@@ -17,8 +17,8 @@ struct FileToWrite {
 void check_files(std::initializer_list<std::string> read,
                  std::initializer_list<FileToWrite> written);
 
-// The same of what a command writes to its folder, under names of its own: throws where `read` lies
-// there with a name of that kind. An empty folder: none is written.
+// The same of what a command writes to its folder, under names of its own: throws where `read`, or
+// a link to it, lies there with a name of that kind. An empty folder: none is written.
 void check_folder(const std::string& read, const std::string& folder);
 
 } // namespace ffgpu::tools

@@ -19,6 +19,11 @@ struct FrameRange {
 // Throws InputError.
 FrameRange parse_frame_range(const std::string& text, const std::string& option = "--frames");
 
+// The same for CLI11's each(), which is asked of a text that is empty, too: it is no range.
+inline void check_frame_range(const std::string& text) {
+    parse_frame_range(text);
+}
+
 // One line about frames that were asked for, of a source that ended behind `count` of them; empty:
 // all are there.
 std::string

@@ -3,6 +3,7 @@
 #include "model/timing/command_ledger.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include <fmt/format.h>
@@ -66,7 +67,8 @@ std::string pixel_runs(const std::vector<DrawnPixel>& pixels) {
 
 DrawPixels::DrawPixels(const std::string& path)
     : file_(path) {
-    file_.write("frame,kind,draw,left,top,width,height,pixels\n");
+    file_.write("frame,kind,draw,fragments_covered,fragments_written,left,top,width,height,"
+                "pixels\n");
 }
 
 void DrawPixels::command(std::shared_ptr<const work::WholeCommand> command) {
@@ -76,12 +78,19 @@ void DrawPixels::command(std::shared_ptr<const work::WholeCommand> command) {
     for_each_covered(command->quads,
                      [&](std::uint32_t x, std::uint32_t y, bool) { box.add(x, y); });
     if (box.empty()) return;
+    std::uint64_t covered = 0, written = 0;
+    for (const WorkQuad& quad : command->quads) {
+        covered += static_cast<unsigned>(std::popcount(quad.covered));
+        written += static_cast<unsigned>(std::popcount(quad.after_depth));
+    }
     const Surface& surface = draw.state->targets.color[0];
     const auto kind = static_cast<std::size_t>(timing::command_kind(draw.kind));
     rows_.push_back({surface,
-                     fmt::format("{},{},{},{},{},{},{}",
+                     fmt::format("{},{},{},{},{},{},{},{},{}",
                                  timing::CommandKindNames[kind],
                                  draw.number,
+                                 covered,
+                                 written,
                                  box.x0,
                                  surface.height - box.y1,
                                  box.width(),

@@ -15,36 +15,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 3> Prefixes{"frame_", "heat_", "view_"};
+constexpr std::array Extensions{".png", ".npy", ".svg"};
 
 // frame_0000.png, heat_cycles_0000.npy ...
-bool is_ours(const fs::path& name) {
+bool is_picture_of(std::span<const std::string_view> prefixes, const fs::path& name) {
     const std::string stem = name.stem().string();
     const bool has_prefix = std::ranges::any_of(
-        Prefixes, [&](std::string_view prefix) { return stem.starts_with(prefix); });
-    const bool is_picture = name.extension() == ".png" || name.extension() == ".npy";
+        prefixes, [&](std::string_view prefix) { return stem.starts_with(prefix); });
+    const bool is_picture = std::ranges::find(Extensions, name.extension()) != Extensions.end();
     return has_prefix && is_picture && std::isdigit(static_cast<unsigned char>(stem.back())) != 0;
 }
 
 } // namespace
 
-OutputFolder::OutputFolder(std::string path)
+OutputFolder::OutputFolder(std::string path, std::span<const std::string_view> prefixes)
     : path_(std::move(path)) {
     if (path_.empty()) return;
     make_folder(path_);
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(path_, error))
-        if (is_ours(entry.path().filename())) older_.insert(entry.path().filename().string());
+        if (is_picture_of(prefixes, entry.path().filename()))
+            older_.insert(entry.path().filename().string());
 }
 
 std::string
 OutputFolder::picture(std::string_view prefix, std::uint64_t frame, std::string_view extension) {
-    const std::string name = fmt::format("{}_{:04}.{}", prefix, frame, extension);
-    older_.erase(name);
-    return (fs::path(path_) / name).string();
+    return file(fmt::format("{}_{:04}.{}", prefix, frame, extension));
 }
 
-std::string OutputFolder::file(const std::string& name) const {
+std::string OutputFolder::file(const std::string& name) {
+    older_.erase(name);
     return (fs::path(path_) / name).string();
 }
 

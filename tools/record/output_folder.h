@@ -1,10 +1,11 @@
-// OutputFolder: where the pictures of a recording go, made where it is missing. It knows pictures
-// that lie there from an older run: they are told of, because nothing else shows which are which.
+// OutputFolder: where the pictures of a run go, made where it is missing. It knows pictures that
+// lie there from an older run: they are told of, because nothing else shows which are which.
 
 #pragma once
 
 #include <cstdint>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,15 +13,16 @@ namespace ffgpu::tools {
 
 class OutputFolder {
 public:
-    // Empty: there is none. Throws InputError where it cannot be made.
-    explicit OutputFolder(std::string path);
+    // An empty path: there is none. `prefixes`: of the names of all pictures that such a run may
+    // write. Throws InputError where it cannot be made.
+    OutputFolder(std::string path, std::span<const std::string_view> prefixes);
 
     // The path of PREFIX_0000.EXTENSION, which from now on is this run's.
     std::string
     picture(std::string_view prefix, std::uint64_t frame, std::string_view extension = "png");
 
-    // The path of another file.
-    std::string file(const std::string& name) const;
+    // The path of a file, which from now on is this run's.
+    std::string file(const std::string& name);
 
     // One line about the pictures that are none of this run's; empty: there are none.
     std::string older_pictures() const;

@@ -5,6 +5,7 @@
 #include "tools/report/frame_image.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <thread>
 #include <utility>
@@ -24,11 +25,13 @@ FunctionalGpu::Config gpu_config(const RecordingOptions& options) {
             .stages = options.reference ? &ReferenceStages : &FastStages};
 }
 
+constexpr std::array<std::string_view, 3> PicturePrefixes{"frame_", "heat_", "view_"};
+
 } // namespace
 
 Recording::Recording(const RecordingOptions& options)
     : options_(options)
-    , folder_(options.output)
+    , folder_(options.output, PicturePrefixes)
     , gpu_(gpu_config(options))
     , capture_(gpu_)
     , report_(options.configuration, options.timing)

@@ -65,7 +65,8 @@ void add_heat_map_options(CLI::App& verb, RecordingArguments& arguments) {
 void add_draw_options(CLI::App& verb, RecordingArguments& arguments) {
     verb.add_option("--view", arguments.views, view_names())->type_name("VIEW[,VIEW]");
     verb.add_option("--draws", arguments.draws, "Draw only these, as stats.json numbers them")
-        ->type_name("A-B");
+        ->type_name("A-B")
+        ->each([](const std::string& text) { parse_frame_range(text, "--draws"); });
     verb.add_option("--steps", arguments.steps, "A picture behind each N-th draw of a frame")
         ->type_name("N")
         ->check(CLI::Range(1u, MaxSteps));
@@ -140,7 +141,8 @@ void add_recording_options(CLI::App& verb, RecordingArguments& arguments) {
     verb.add_option("-o,--output", arguments.output, "Folder for frame_0000.png ..., stats.json")
         ->type_name("DIR");
     verb.add_option("--frames", arguments.frames, "Write and measure only these frames")
-        ->type_name("A-B");
+        ->type_name("A-B")
+        ->each(check_frame_range);
     verb.add_option("--config", arguments.config, "Parameters; ffgpu config prints them")
         ->type_name("F.toml|preset:NAME");
     add_settings_option(verb, arguments.settings);
@@ -177,7 +179,8 @@ void add_swap_option(CLI::App& verb, gl::SwapMode& swap) {
 }
 
 void resolve(const RecordingArguments& arguments, RecordingOptions& options) {
-    check_files({}, {{"--capture", arguments.capture}, {"--save-work", arguments.save_work}});
+    check_files({arguments.config},
+                {{"--capture", arguments.capture}, {"--save-work", arguments.save_work}});
     if (!arguments.config.empty()) read_config_file(arguments.config, options.configuration);
     for (const std::string& setting : arguments.settings)
         apply_setting(setting, options.configuration);

@@ -50,6 +50,17 @@ private:
 
 } // namespace
 
+bool are_curves_of(const CsvTable& file, const RunFigures& figures) {
+    const FigureColumn* const texels = find_figure(figures.timing, "texture_texel_reads");
+    if (!texels) return true;
+    const std::size_t client = file.wanted_column("client"), level = file.wanted_column("level"),
+                      reads = file.wanted_column("reads");
+    for (std::size_t line = 0; line < file.rows(); ++line)
+        if (file.text(line, client) == "texel" && file.text(line, level) == "1")
+            return file.number(line, reads) == total(*texels);
+    return true;
+}
+
 nlohmann::ordered_json miss_curves(const CsvTable& file) {
     const Names names(file);
     const std::size_t sets = file.wanted_column("sets"), ways = file.wanted_column("ways"),

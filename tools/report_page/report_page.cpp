@@ -138,6 +138,10 @@ std::string write_report(const ReportOptions& options) {
     WholeFile file(path);
     file.write(page);
     file.commit();
+    const std::uint64_t frames = runs.front().frames.back().number + 1;
+    if (const std::string line = missing_frames(options.frames, options.folder, frames);
+        !line.empty())
+        text += line + '\n';
     return text + fmt::format("{}: {} frames, {:.1f} MB\n",
                               path,
                               runs.front().frames.size(),

@@ -142,6 +142,10 @@ std::size_t add_pixels(Json& data,
         return 0;
     }
     DrawPixelsOfRun pixels = pixels_of(*file, figures, most_bytes);
+    if (!pixels.is_of_run) {
+        notes.add("pixels", "draw_pixels.csv is of another run than stats.json: left out.");
+        return 0;
+    }
     if (pixels.left_out > 0)
         notes.add("pixels",
                   fmt::format("The pixels of {} draws, the cheapest, are left out to keep the "
@@ -176,12 +180,16 @@ void add_pictures(Json& data, Notes& notes, const PagePictures& pictures) {
                               fmt::join(pictures.maps_of_others, ", ")));
 }
 
-void add_curves(Json& data, Notes& notes, const std::string& folder) {
+void add_curves(Json& data, Notes& notes, const std::string& folder, const RunFigures& figures) {
     const auto file = file_in(folder, "curves.csv");
     if (!file)
         return notes.add("curves",
                          "Miss-rate curves of all caches come from ffgpu cache TRACE -o DIR, into "
                          "the same folder.");
+    if (!are_curves_of(*file, figures))
+        notes.add("curves",
+                  "curves.csv is of other work than stats.json: of other frames, or of another "
+                  "trace.");
     data["curves"] = Json::array();
     std::string left_out;
     for (Json& curve : miss_curves(*file))
@@ -261,7 +269,7 @@ Json run_data(const std::string& folder, const RunFigures& all, std::size_t most
         notes.add("timing",
                   "There is no timing: a run with --timing tells cycles, caches and memory.");
     }
-    add_curves(data, notes, folder);
+    add_curves(data, notes, folder, figures);
     const std::size_t figure_bytes = json_text(data).size();
     std::size_t left = most_bytes - std::min(most_bytes, figure_bytes);
     // A quarter for the pixels of draws: the pictures can be shrunk.

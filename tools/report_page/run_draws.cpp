@@ -98,14 +98,24 @@ DrawPixelsOfRun pixels_of(const CsvTable& file, const RunFigures& figures, std::
         std::size_t line;
         Place place;
     };
+    const auto covered = file.column("fragments_covered");
+    const auto written = file.column("fragments_written");
+    const auto is_same = [&](std::size_t line, const RunCommand& command) {
+        return !covered || !written ||
+               (file.number(line, *covered) == command.covered &&
+                file.number(line, *written) == command.written);
+    };
+    DrawPixelsOfRun result;
+    result.is_of_run = true;
     std::vector<Found> draws;
     for_each_draw(file, figures, [&](std::size_t line, const Place& place) {
-        draws.push_back({figures.commands[place.frame][place.entry].cycles, line, place});
+        const RunCommand& command = figures.commands[place.frame][place.entry];
+        if (!is_same(line, command)) result.is_of_run = false;
+        draws.push_back({command.cycles, line, place});
     });
     std::stable_sort(draws.begin(), draws.end(), [](const Found& a, const Found& b) {
         return a.cycles > b.cycles;
     });
-    DrawPixelsOfRun result;
     for (const auto& commands : figures.commands)
         result.boxes.push_back(std::vector<std::nullptr_t>(commands.size()));
     const std::array columns{file.wanted_column("left"),

@@ -20,9 +20,11 @@ struct DrawFacts {
 DrawFacts facts_of(const CsvTable& file, const RunFigures& figures);
 
 // By frame and entry of `commands`: [left, top, width, height, pixels] or null. The costliest draws
-// have them, as far as `most_bytes` go.
+// have them, as far as `most_bytes` go. `is_of_run`: they cover what those of the run do; of a
+// version whose files do not tell that, all do.
 // NOLINTNEXTLINE(bugprone-exception-escape): moving the JSON library's values throws nothing.
 struct DrawPixelsOfRun {
+    bool is_of_run = false;
     std::size_t left_out = 0; // draws for which there was no room
     nlohmann::ordered_json boxes;
 };

@@ -69,16 +69,23 @@ private:
                 recording_ = true;
             }
             const std::optional<Frame> frame = source_->next();
-            if (!frame) break;
+            if (!frame) return check_range();
             next_ = frame->number + 1;
             if (recording_) hand_over(*frame);
             progress.show(frame->number);
         }
         if (!recording_ && !is_interrupted())
-            throw InputError(fmt::format("--frames: {} ends before frame {}: none of those asked "
+            throw InputError(fmt::format("--frames: {} begins with frame {}: none of those asked "
                                          "for is there",
                                          options_.input,
                                          next_));
+    }
+
+    // The input ended: were other frames asked for?
+    void check_range() const {
+        const std::string line = missing_frames(options_.frames, options_.input, next_);
+        if (next_ <= options_.frames.first && options_.frames.first > 0) throw InputError(line);
+        if (!line.empty()) options_.warn(line);
     }
     bool is_interrupted() const {
         return Interruption::signal() != 0 && next_ >= options_.at_least;
