@@ -57,8 +57,8 @@ bool SetupTiming::begin_next() {
 bool SetupTiming::send_next() {
     if (units_.empty() || now() < units_.front().done_at) return false;
     const SetupToken& record = units_.front().record;
-    const bool ends_here =
-        config_.raster.walk == Walk::Tiles && record.begin == record.end && !record.last;
+    // What covers nothing ends here, but for the draw's end that it may carry.
+    const bool ends_here = record.begin == record.end && !record.last;
     if (!ends_here && !ports_.setups_out.can_push()) return false;
     if (!ends_here) ports_.setups_out.push(record);
     units_.pop_front();

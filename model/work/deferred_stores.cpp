@@ -57,7 +57,7 @@ void DeferredStores::need_range(std::uint64_t at, std::uint64_t bytes) {
 void DeferredStores::end_frame() {
     for (OfSurface& of : surfaces_) {
         std::erase_if(of.bins, [&](const auto& entry) {
-            if (entry.second.frame == frame_) return false;
+            if (frame_ - entry.second.frame < FramesAhead) return false;
             make_due(of, entry.first, entry.second.bytes);
             return true;
         });

@@ -2,8 +2,9 @@
 // and resolved samples of scenes that ended, of which nobody has read or kept anything yet. A clear
 // makes such a store needless; a read makes it due.
 //
-// A driver that looks ahead in its command stream by one frame knows which of the two will come
-// when the scene's bins are drawn. Here the store is made where the need for it is seen.
+// A driver that looks ahead in its command stream by two frames knows which of the two will come
+// when the scene's bins are drawn: the two buffers of a window take turns, and so do the clears of
+// their samples. Here the store is made where the need for it is seen.
 
 #pragma once
 
@@ -28,13 +29,15 @@ public:
     void need(const Surface& surface, std::uint32_t bin);
     // Those of [at, at + bytes) of the device's memory are due.
     void need_range(std::uint64_t at, std::uint64_t bytes);
-    // A frame has ended: what was left by the frame before is due.
+    // A frame has ended: what was left by the frame FramesAhead before is due.
     void end_frame();
 
     // The lines that became due since the last call.
     std::vector<PlacedLine> take_due();
 
 private:
+    static constexpr std::uint32_t FramesAhead = 2;
+
     struct Bin {
         std::uint32_t bytes = 0;
         std::uint32_t frame = 0;

@@ -187,7 +187,8 @@ TEST_CASE("what look-ups do not follow is told by cache and by din", "[cache]") 
         INFO(of.client << ", " << of.setting);
         const std::vector<std::string> common{
             own_trace("corridor"), "--frames", "0", "--client", of.client, "--set", of.setting};
-        std::vector<std::string> curves{"cache", "--most-sets", "1", "-o", folder.path()};
+        const TemporaryFolder out; // Charts of another case would be told of.
+        std::vector<std::string> curves{"cache", "--most-sets", "1", "-o", out.path()};
         std::vector<std::string> lookups{"export", "--format", "xdin", "-o", folder / "lookups"};
         curves.insert(curves.end(), common.begin(), common.end());
         lookups.insert(lookups.end(), common.begin(), common.end());

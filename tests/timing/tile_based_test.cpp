@@ -158,11 +158,12 @@ TEST_CASE("Depth that the next frame tests against is stored once and loaded onc
     const Box later{20, 30, 70, 34};
     bench.draw({later});
     bench.end_frame();
+    bench.end_frame();
     const std::uint64_t loaded = 4 * bench.pixels(bins_of(later, 32), 32);
     const Figures figures = bench.run(tile_based());
     CHECK(figures.at("memory_depth_read_bytes") == loaded);
     CHECK(figures.at("tile_depth_loaded_bytes") == loaded);
-    // The bins that the second frame left alone wait until it is over.
+    // The bins that the second frame left alone wait until the third is over.
     CHECK(figures.at("memory_depth_written_bytes") == 4 * Width * Height);
     CHECK(figures.at("memory_color_read_bytes") == loaded); // Bins of which some pixels stay.
 }
@@ -304,6 +305,40 @@ TEST_CASE("Samples are resolved on chip, and only pixels are stored") {
     CHECK(figures.at("memory_color_read_bytes") == 0);
     CHECK(figures.at("memory_command_read_bytes") == 0);
     CHECK(figures.at("memory_command_written_bytes") == 0);
+}
+
+TEST_CASE(
+    "Of a window's two buffers of samples, each cleared in its next frame, pixels are stored") {
+    constexpr int Frames = 5;
+    TileBench bench(Width, Height, MaxSamples);
+    bench.state.multisample.enable = true;
+    for (int frame = 0; frame < Frames; ++frame) {
+        bench.state.targets.color[0].address =
+            TileBench::ColorAt + (frame % 2) * (TileBench::ColorAt / 2);
+        bench.clear(true, true);
+        bench.draw({{0, 0, 50, 50}});
+        bench.resolve();
+        bench.end_frame();
+    }
+    const Figures figures = bench.run(tile_based());
+    CHECK(figures.at("memory_color_written_bytes") == Frames * 4 * Width * Height);
+    CHECK(figures.at("memory_color_read_bytes") == 0);
+}
+
+TEST_CASE("Samples that nobody clears for two frames are stored once") {
+    TileBench bench(Width, Height, MaxSamples);
+    bench.state.multisample.enable = true;
+    bench.clear(true, true);
+    bench.draw({{0, 0, 50, 50}});
+    bench.resolve();
+    bench.state.targets.color[0].address = TileBench::ColorAt + TileBench::ColorAt / 2;
+    for (int frame = 0; frame < 3; ++frame) {
+        bench.end_frame();
+        bench.clear(true, false);
+    }
+    const Figures figures = bench.run(tile_based());
+    constexpr std::uint64_t Pixels = Width * Height;
+    CHECK(figures.at("memory_color_written_bytes") == 4 * Pixels + 16 * Pixels + 2 * 16 * Pixels);
 }
 
 TEST_CASE("A resolve of bins that the scene did not touch loads their samples") {
