@@ -26,11 +26,11 @@ struct UnfinishedFile::Place {
 
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 
-UnfinishedFile::Place UnfinishedFile::places[64];
+UnfinishedFile::Place UnfinishedFile::places_[64];
 
 UnfinishedFile::UnfinishedFile(const std::string& path) noexcept {
     if (path.size() >= sizeof Place::name) return;
-    for (Place& place : places) {
+    for (Place& place : places_) {
         if (!place.take_from(Free)) continue;
         std::memcpy(place.name, path.c_str(), path.size() + 1);
         place.owner = ::getpid();
@@ -48,7 +48,7 @@ UnfinishedFile::~UnfinishedFile() {
 
 void UnfinishedFile::remove_all() noexcept {
     const pid_t own = ::getpid();
-    for (Place& place : places)
+    for (Place& place : places_)
         if (place.take_from(own)) ::unlink(place.name);
 }
 

@@ -22,7 +22,7 @@ public:
 
 private:
     struct Place;
-    static Place places[];
+    static Place places_[];
 
     Place* place_ = nullptr; // null: it was not kept
 };

@@ -207,7 +207,7 @@ template <DepthTiming::Path path>
     const QuadToken token = in.front();
     const PreparedDraw& draw = token.draw();
     LineWalk& walk = path == Path::Early ? early_walk_ : late_walk_;
-    constexpr bool early = path == Path::Early;
+    const bool early = path == Path::Early;
     bool culled = false;
     if (early && !test_coarse(token, budget, culled)) {
         if (culled) in.drop();

@@ -37,7 +37,7 @@ std::vector<Item> random_items(std::mt19937_64& random, std::size_t count) {
 TEST_CASE("by two numbers, the least significant one first") {
     std::mt19937_64 random(20);
     std::vector<Item> spare;
-    for (const std::size_t count : {0, 1, 2, 3, 17, 255, 256, 1000, 5000, 70000})
+    for (const std::size_t count : {0u, 1u, 2u, 3u, 17u, 255u, 256u, 1000u, 5000u, 70000u})
         for (unsigned repeat = 0; repeat < 8; ++repeat) {
             std::vector<Item> items = random_items(random, count), expected = items;
             std::stable_sort(expected.begin(), expected.end(), [](const Item& a, const Item& b) {

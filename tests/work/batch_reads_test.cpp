@@ -102,8 +102,8 @@ TEST_CASE("vectors find the rectangles that quads read", "[scan]") {
     std::mt19937 random(3);
     std::size_t told = 0, others = 0;
     PlaneRectangles found, expected;
-    for (int i = 0; i < 300; ++i) {
-        const WorkBatch batch = any_batch(random, 1 + i % 3u);
+    for (unsigned i = 0; i < 300; ++i) {
+        const WorkBatch batch = any_batch(random, 1 + i % 3);
         const RectangleBits bits{static_cast<std::uint16_t>(random() % 2 ? 0xfffc : 0xffff),
                                  static_cast<std::uint16_t>(random() % 2 ? 0xfff8 : 0x8000)};
         for (const AccessPlane& plane : batch.textures[0].planes) {

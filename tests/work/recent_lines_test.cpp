@@ -37,7 +37,7 @@ std::size_t sharers_of(std::uint64_t line,
 } // namespace
 
 TEST_CASE("the newest lines are where a list of them says", "[curves]") {
-    for (const std::size_t levels : {0, 1, 5, 16}) {
+    for (const std::size_t levels : {0u, 1u, 5u, 16u}) {
         INFO(levels << " numbers of sets");
         std::mt19937 random(20);
         RecentLines lines(levels);
