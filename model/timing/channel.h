@@ -113,6 +113,12 @@ public:
     // The producer is woken by the next pop, as if it had found no place.
     void await_pop() const { refuse(); }
 
+    // The oldest item, which may be on its way: for who looks whether the machine has to wait.
+    const T& next() const {
+        check(count_ > 0, "next of an empty channel");
+        return items_[first_].value;
+    }
+
     std::string front_key() const override {
         return count_ == 0 ? std::string() : key_of(items_[first_].value);
     }

@@ -1,8 +1,8 @@
 // Clock: the cycle's number, and the one SystemC method that walks the units in it.
 //
 // A unit is stepped in the cycles that it is due in (unit.h). Before a cycle begins the clock asks
-// whether the command processor waits for the host: then the simulation pauses with time standing
-// still, so that the host's pace is never part of a result.
+// whether the machine waits for the host, for commands or for quads: then the simulation pauses
+// with time standing still, so that the host's pace is never part of a result.
 
 #pragma once
 

@@ -25,7 +25,7 @@ bool ColorTiming::read_pixels(Activity& reason) {
         blame(reason, Activity::StalledMemory);
         return false;
     }
-    const auto lines = token.scene->work.color_lines(token.quad());
+    const auto lines = token.part->work.color_lines(token.quad());
     if (!lines.empty() && !walk_.read(ports_.cache, lines[walk_.next])) {
         blame(reason, Activity::StalledRequests);
         return false;
@@ -38,7 +38,7 @@ bool ColorTiming::read_pixels(Activity& reason) {
 }
 
 void ColorTiming::store_pixels(const QuadToken& token) {
-    const work::PreparedScene& work = token.scene->work;
+    const work::PreparedQuads& work = token.part->work;
     const auto lines = work.color_lines(token.quad());
     for (std::size_t i = 0; token.draw().writes_color && i < lines.size(); ++i)
         ports_.cache.write_memory(lines[i], work.color_bytes(token.quad(), i).touched);
@@ -58,10 +58,10 @@ bool ColorTiming::look_up(Activity& reason) {
     }
     const QuadToken& token = ports_.quads_in.front();
     const PreparedDraw& draw = token.draw();
-    const auto lines = token.scene->work.color_lines(token.quad());
+    const auto lines = token.part->work.color_lines(token.quad());
     if (draw.writes_color && !lines.empty()) {
         const std::uint64_t line = lines[walk_.next];
-        const work::WrittenBytes& written = token.scene->work.color_bytes(token.quad(), walk_.next);
+        const work::WrittenBytes& written = token.part->work.color_bytes(token.quad(), walk_.next);
         if (!walk_.look_up(ports_.cache,
                            {.number = line,
                             .read = draw.reads_color ? written.touched : 0,
@@ -81,7 +81,7 @@ bool ColorTiming::look_up(Activity& reason) {
 
 void ColorTiming::follow_values(const QuadToken& token, std::uint64_t line) {
     const PreparedDraw& draw = token.draw();
-    const QuadValues values = token.scene->work.values_of(token.quad());
+    const QuadValues values = token.values();
     for (std::size_t i = 0; i < draw.color_places.size(); ++i)
         ports_.blocks->write(
             draw.color_places[i], token.quad(), values.colors[draw.color_targets[i]], line);
@@ -96,7 +96,7 @@ bool ColorTiming::retire(Activity& reason) {
     const QuadToken token = parked_.pop();
     if (!ports_.cache.is_enabled()) store_pixels(token);
     on_retire_(token, now());
-    token.scene->retire_quad(token.index, now());
+    token.scene().retire_quad(token, now());
     in_flight_.leave();
     return true;
 }

@@ -10,7 +10,7 @@ bool DepthTiming::end_dead(const QuadToken& token) {
     const bool has_target = token.draw().depth_place.layer_bytes != 0;
     const PreparedQuad& quad = token.quad();
     if (has_target ? quad.depth_line_count != 0 : quad.after_alpha != 0) return false;
-    token.scene->end_dead_quad(token.index, now());
+    token.scene().end_dead_quad(token, now());
     in_flight_.leave();
     ports_.late_in.pop();
     return true;
@@ -23,7 +23,7 @@ bool DepthTiming::read_pixels(Budget& budget, Activity& reason) {
         blame(reason, Activity::StalledMemory);
         return false;
     }
-    const auto lines = token.scene->work.depth_lines(token.quad());
+    const auto lines = token.part->work.depth_lines(token.quad());
     const std::size_t before = late_walk_.next;
     for (; late_walk_.next < lines.size() && budget.lookups > 0; --budget.lookups) {
         if (!late_walk_.read(ports_.cache, lines[late_walk_.next])) {
@@ -41,7 +41,7 @@ bool DepthTiming::read_pixels(Budget& budget, Activity& reason) {
 
 void DepthTiming::store_pixels(const QuadToken& token) {
     const PreparedDraw& draw = token.draw();
-    const auto lines = token.scene->work.depth_lines(token.quad());
+    const auto lines = token.part->work.depth_lines(token.quad());
     for (std::size_t i = 0; draw.writes_depth && i < lines.size(); ++i)
         ports_.cache.write_memory(lines[i], written_bytes(Path::Late, token, i).touched);
     interlock_.store(now() + config_.depth_cache.store_cycles);

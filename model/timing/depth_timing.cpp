@@ -67,7 +67,7 @@ bool DepthTiming::test_coarse(const QuadToken& token, Budget& budget, bool& cull
     HierarchicalDepth& coarse = *ports_.coarse;
     ++coarse.statistics.tested;
     const PreparedQuad& quad = token.quad();
-    switch (coarse.test(draw, quad, token.scene->work.values_of(quad).depths)) {
+    switch (coarse.test(draw, quad, token.values().depths)) {
     case HierarchicalDepth::Verdict::Fails:
         culled = true;
         ++budget.culled;
@@ -94,7 +94,7 @@ void DepthTiming::cull(const QuadToken& token) {
     statistics.culled_fragments += static_cast<unsigned>(std::popcount(quad.covered));
     statistics.saved_lines += quad.depth_line_count;
     if (quad.after_early_depth != 0) statistics.saved_textures += quad.texel_line_count;
-    token.scene->end_dead_quad(token.index, now());
+    token.scene().end_dead_quad(token, now());
     in_flight_.leave();
 }
 
@@ -112,10 +112,9 @@ void DepthTiming::announce(const QuadToken& token) {
     const PreparedQuad& quad = token.quad();
     pending_.add(PendingWrites::place(draw.depth_place.base, quad.x, quad.y));
     if (!ports_.coarse) return;
-    for (const std::uint64_t line : token.scene->work.depth_lines(quad))
+    for (const std::uint64_t line : token.part->work.depth_lines(quad))
         ports_.coarse->pending.add(line);
-    if (draw.state->depth.write_enable)
-        ports_.coarse->widen(draw, quad, token.scene->work.values_of(quad).depths);
+    if (draw.state->depth.write_enable) ports_.coarse->widen(draw, quad, token.values().depths);
 }
 
 // Its late test is done.
@@ -124,7 +123,7 @@ void DepthTiming::complete(const QuadToken& token) {
     const PreparedQuad& quad = token.quad();
     pending_.done(PendingWrites::place(draw.depth_place.base, quad.x, quad.y));
     if (!ports_.coarse) return;
-    for (const std::uint64_t line : token.scene->work.depth_lines(quad))
+    for (const std::uint64_t line : token.part->work.depth_lines(quad))
         ports_.coarse->pending.done(line);
 }
 
@@ -135,16 +134,16 @@ void DepthTiming::complete(const QuadToken& token) {
 work::WrittenBytes
 DepthTiming::written_bytes(Path path, const QuadToken& token, std::size_t line) const {
     const PreparedDraw& draw = token.draw();
-    const work::PreparedScene& scene = token.scene->work;
+    const work::PreparedQuads& quads = token.part->work;
     if (!draw.writes_depth || (path == Path::Early && draw.tests_twice)) return {};
     if (!ports_.blocks || !draw.value_kinds.tested_mask)
-        return scene.depth_bytes(token.quad(), line);
+        return quads.depth_bytes(token.quad(), line);
     const PreparedQuad& quad = token.quad();
-    const SampleBits samples = scene.values_of(quad).depth_words.samples;
+    const SampleBits samples = token.values().depth_words.samples;
     return quad_bytes(draw.depth_place,
                       ports_.cache.grain(),
                       {draw.depth_place.quad_addresses(quad.x, quad.y), lanes_of(samples), samples},
-                      scene.depth_lines(quad)[line],
+                      quads.depth_lines(quad)[line],
                       work::whole_pixel(draw.state->targets.depth.format));
 }
 
@@ -153,7 +152,7 @@ LineAccess DepthTiming::access(Path path, const QuadToken& token, std::size_t li
     work::WrittenBytes written = written_bytes(path, token, line);
     const bool accepted = path == Path::Early && coarse_ == Coarse::Accepted;
     if (accepted && has_stencil(draw)) written = depths_alone(written, ports_.cache.grain());
-    return {.number = token.scene->work.depth_lines(token.quad())[line],
+    return {.number = token.part->work.depth_lines(token.quad())[line],
             .read = accepted || !draw.reads_depth ? 0 : LineAccess::Whole,
             .written = written.touched,
             .covered = written.covered};
@@ -185,7 +184,7 @@ bool DepthTiming::look_up_lines(Path path,
         if (ports_.blocks && draw.has_values && wanted.written != 0)
             ports_.blocks->write(draw.depth_place,
                                  token.quad(),
-                                 token.scene->work.values_of(token.quad()).depth_words,
+                                 token.values().depth_words,
                                  wanted.number,
                                  draw.value_kinds.tested_mask);
     }
@@ -222,7 +221,7 @@ template <DepthTiming::Path path>
         if (!look_up_lines(path, token, budget, reason)) return walk.next > before;
     }
     if (early && draw.early_depth && ports_.coarse && draw.has_values && draw.writes_depth)
-        ports_.coarse->widen(draw, token.quad(), token.scene->work.values_of(token.quad()).depths);
+        ports_.coarse->widen(draw, token.quad(), token.values().depths);
     const bool goes_on = token.quad().after_early_depth != 0;
     if (orders_writes_ && writes_late(draw) && goes_on) early ? announce(token) : complete(token);
     if (early) coarse_ = Coarse::Untested;
@@ -250,7 +249,7 @@ bool DepthTiming::send(Activity& reason) {
     if (is_past_cache(path)) store_pixels(token);
     if (dies) {
         if (path == Path::Late) on_late_end_(token, now());
-        token.scene->end_dead_quad(token.index, now());
+        token.scene().end_dead_quad(token, now());
         in_flight_.leave();
     } else {
         out.push(token);

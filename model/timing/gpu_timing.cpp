@@ -39,9 +39,11 @@ GpuTiming::~GpuTiming() {
 void GpuTiming::command(std::shared_ptr<const work::WholeCommand> command) {
     check_values(machine_->config, *command, contents_told_);
     const std::size_t weight = 1 + command->quads.size();
-    preparation_->push(weight, [this, command = std::move(command)]() mutable {
-        order_->command(std::move(command));
-    });
+    preparation_->push(
+        weight, [this, &preparation = *preparation_, command = std::move(command)]() mutable {
+            order_->command(std::move(command));
+            tell_parts(preparation);
+        });
 }
 
 // It would end a scene and give the surface its place: a machine that does not follow values is the
@@ -49,11 +51,17 @@ void GpuTiming::command(std::shared_ptr<const work::WholeCommand> command) {
 void GpuTiming::content(const std::shared_ptr<const SurfaceContent>& content) {
     contents_told_ = true;
     if (machine_->config.needs_values().empty()) return;
-    preparation_->push(1, [this, content] { order_->content(content); });
+    preparation_->push(1, [this, &preparation = *preparation_, content] {
+        order_->content(content);
+        tell_parts(preparation);
+    });
 }
 
 void GpuTiming::host_transfer(const HostTransfer& transfer) {
-    preparation_->push(1, [this, transfer] { order_->host_transfer(transfer); });
+    preparation_->push(1, [this, &preparation = *preparation_, transfer] {
+        order_->host_transfer(transfer);
+        tell_parts(preparation);
+    });
 }
 
 void GpuTiming::end_frame(std::uint32_t frame) {
@@ -62,6 +70,13 @@ void GpuTiming::end_frame(std::uint32_t frame) {
         thread_->show(order_->shown());
     });
     frames_overlap_ ? preparation_->check_failure() : preparation_->drain();
+}
+
+// As long as no command waits, of which more can be told at once than of quads. Jobs also run while
+// the thread is taken down, when preparation_ is no more.
+void GpuTiming::tell_parts(const work::JobThread& preparation) {
+    while (!preparation.has_more() && order_->tell_part()) {
+    }
 }
 
 void GpuTiming::leave_out_figures() {
@@ -74,14 +89,16 @@ void GpuTiming::let_frames_overlap() {
 }
 
 void GpuTiming::post(std::function<void()> job) {
-    preparation_->push(1,
-                       [this, job = std::move(job)]() mutable { thread_->post(std::move(job)); });
+    preparation_->push(1, [this, job = std::move(job)]() mutable {
+        order_->tell_parts();
+        thread_->post(std::move(job));
+    });
 }
 
 void GpuTiming::catch_up() {
     try {
         preparation_->drain();
-    } catch (...) { // What was made ready before is carried out.
+    } catch (...) { // What was made ready as a whole before is carried out.
         thread_->catch_up();
         throw;
     }

@@ -109,6 +109,8 @@ public:
     std::vector<std::string> unit_names() const;
 
 private:
+    void tell_parts(const work::JobThread& preparation);
+
     std::unique_ptr<SimulationContext> context_;
     std::unique_ptr<Machine> machine_;
     std::unique_ptr<MachineThread> thread_;     // uses the machine

@@ -9,8 +9,7 @@ void HostBus::add(Command command, std::uint32_t register_writes, std::uint32_t 
     const std::uint64_t bytes = std::uint64_t{config_.command_bytes} +
                                 std::uint64_t{register_writes} * config_.register_bytes +
                                 std::uint64_t{register_words} * 4;
-    command.bytes += bytes;
-    statistics_.command_bytes += bytes;
+    command.bytes = command.command_bytes = bytes;
     commands_.push_back(std::move(command));
     wake();
 }
@@ -51,8 +50,8 @@ void HostBus::add_without_bus(CommandToken token) {
 void HostBus::enqueue(const HostTransfer& transfer) {
     if (transfer.is_write && transfer.bytes == 0) return;
     const CommandKind kind = transfer.is_write ? CommandKind::HostWrite : CommandKind::HostRead;
-    (transfer.is_write ? statistics_.written_bytes : statistics_.read_bytes) += transfer.bytes;
     const Data data{transfer.is_write,
+                    transfer.bytes,
                     Bursts(transfer.at, transfer.bytes),
                     ports_.ledger.open(kind, next_draw_, 1)};
     if (transfer.is_write) {
@@ -203,7 +202,12 @@ bool HostBus::read_back(Activity& reason) {
     return false;
 }
 
+// What was on the bus is counted when all of it was: when it was told is in no figure.
 void HostBus::end_command() {
+    const Command& command = commands_.front();
+    statistics_.command_bytes += command.command_bytes;
+    (command.data.is_write ? statistics_.written_bytes : statistics_.read_bytes) +=
+        command.data.bytes;
     commands_.pop_front();
     under_way_ = false;
 }

@@ -68,12 +68,14 @@ private:
     // Bytes of memory that are written or read.
     struct Data {
         bool is_write = true;
+        std::uint64_t bytes = 0;
         Bursts bursts;
         std::size_t entry = 0; // of the ledger
     };
     struct Command {
-        std::uint64_t bytes = 0; // on the bus, before anything comes of it
-        CommandToken token;      // none: data alone
+        std::uint64_t bytes = 0; // still to come over the bus, before anything comes of it
+        std::uint64_t command_bytes = 0;
+        CommandToken token; // none: data alone
         Data data{};
     };
 

@@ -10,9 +10,9 @@ namespace ffgpu::timing {
 
 // Quads come in the order of the pieces.
 const PieceBox& InterpolatorTiming::piece_of(const QuadToken& token) {
-    const std::vector<work::PreparedPiece>& pieces = token.scene->work.pieces;
-    if (std::exchange(scene_, token.scene) != token.scene) piece_ = 0;
-    while (token.index >= pieces[piece_].end)
+    const std::vector<work::PreparedPiece>& pieces = token.scene().work.pieces;
+    if (std::exchange(scene_, token.scene().number) != token.scene().number) piece_ = 0;
+    while (token.number() >= pieces[piece_].end)
         ++piece_;
     return pieces[piece_].box;
 }

@@ -51,13 +51,13 @@ private:
     const InterpolatorConfig config_;
     const Ports ports_;
     Passage passage_;
-    Ring<Waiting> waiting_;             // The first is the one that values are made of.
-    Cycle cycles_left_ = 0;             // of it; 0: not begun
-    Ring<std::uint32_t> sent_;          // of each quad on its way to the next unit: its values
-    std::uint32_t sent_values_ = 0;     // the sum
-    std::uint64_t arrived_ = 0;         // quads that the next unit took
-    Cycle takes_at_ = 0;                // The divisors' first stage is free.
-    const TimedScene* scene_ = nullptr; // of the quad that was taken last, and its piece
+    Ring<Waiting> waiting_;         // The first is the one that values are made of.
+    Cycle cycles_left_ = 0;         // of it; 0: not begun
+    Ring<std::uint32_t> sent_;      // of each quad on its way to the next unit: its values
+    std::uint32_t sent_values_ = 0; // the sum
+    std::uint64_t arrived_ = 0;     // quads that the next unit took
+    Cycle takes_at_ = 0;            // The divisors' first stage is free.
+    std::uint64_t scene_ = 0;       // of the quad that was taken last, and its piece
     std::size_t piece_ = 0;
 };
 

@@ -327,7 +327,7 @@ void Machine::attach_units(std::uint32_t seed) {
 
 bool Machine::must_wait() {
     if (clock.now() >= next_progress_check) check_progress();
-    if (is_stuck || host.starves()) return true;
+    if (is_stuck || host.starves() || raster.starves()) return true;
     if (series && series->is_due()) {
         settle();
         series->record(statistics());

@@ -54,8 +54,11 @@ public:
 
     // MachineSink
     void scene(work::PreparedScene&& scene) override;
+    void part(work::PreparedPart&& part) override;
+    bool takes_parts() const override { return true; }
     void transfer(work::PreparedTransfer&& transfer) override;
     void host_transfer(const HostTransfer& transfer) override;
+    void end_commands() override;
     void end_frame(std::uint32_t number) override;
     void content(work::PreparedContent&& content) override;
     void host_access(std::vector<work::TransferLine>&& lines) override;
@@ -63,7 +66,8 @@ public:
     // What the screen reads from its next refresh on.
     void show(const work::PlacedLevel& picture);
 
-    // Runs until the host's bus could have nothing left to send. Time stands still then, so that
+    // Runs until the host's bus could have nothing left to send, or the rasterizer could come to
+    // quads that were not told. Time stands still then, so that
     // nobody can see in a result how often this is done.
     void run();
 
@@ -82,6 +86,8 @@ public:
     InFlight in_flight, memory_in_flight, screen_in_flight;
     CommandLedger ledger;
     std::deque<TimedScene> scenes;
+    std::deque<TimedScene*> scenes_without_quads; // that wait for some
+    bool commands_ended = false;                  // of the frame under way
     std::uint64_t scenes_told = 0;
     std::size_t waiting_quads = 0; // and draws and transfers, since run()
 

@@ -19,6 +19,12 @@ void MachineThread::scene(work::PreparedScene&& scene) {
                [this, scene = std::move(scene)]() mutable { machine_.scene(std::move(scene)); });
 }
 
+void MachineThread::part(work::PreparedPart&& part) {
+    const std::size_t weight = part.quads.size();
+    jobs_.push(weight,
+               [this, part = std::move(part)]() mutable { machine_.part(std::move(part)); });
+}
+
 void MachineThread::transfer(work::PreparedTransfer&& transfer) {
     const std::size_t weight = 1 + transfer.lines.size();
     jobs_.push(weight, [this, transfer = std::move(transfer)]() mutable {
@@ -28,6 +34,10 @@ void MachineThread::transfer(work::PreparedTransfer&& transfer) {
 
 void MachineThread::host_transfer(const HostTransfer& transfer) {
     jobs_.push(1, [this, transfer] { machine_.host_transfer(transfer); });
+}
+
+void MachineThread::end_commands() {
+    jobs_.push(1, [this] { machine_.end_commands(); });
 }
 
 void MachineThread::end_frame(std::uint32_t frame) {

@@ -16,6 +16,9 @@ public:
     explicit MachineThread(Machine& machine);
 
     void scene(work::PreparedScene&& scene) override;
+    void part(work::PreparedPart&& part) override;
+    bool takes_parts() const override { return machine_.takes_parts(); }
+    void end_commands() override;
     void transfer(work::PreparedTransfer&& transfer) override;
     void host_transfer(const HostTransfer& transfer) override;
     // Returns when the frame has ended; with overlapping frames at once, and throws what went

@@ -1,6 +1,7 @@
 // What the machine is told: work, which waits for its host's bus until there is enough of it to
 // run.
 
+#include "model/base/check.h"
 #include "model/timing/machine.h"
 
 #include <utility>
@@ -8,7 +9,7 @@
 namespace ffgpu::timing {
 namespace {
 
-constexpr std::size_t MostWaiting = 1 << 11; // quads that are taken before they are run
+constexpr std::size_t MostWaiting = 1 << 11; // quads: then they are run
 
 } // namespace
 
@@ -18,12 +19,22 @@ void Machine::scene(work::PreparedScene&& scene) {
     scenes.back().number = scenes_told++;
     scenes.back().host_writes = std::exchange(host_writes, {});
     host.enqueue(scenes.back());
-    if (waiting_quads > MostWaiting) run();
+    if (scenes.back().waits_for_quads()) scenes_without_quads.push_back(&scenes.back());
+    if (waiting_quads >= MostWaiting) run();
+}
+
+void Machine::part(work::PreparedPart&& part) {
+    check(!scenes_without_quads.empty(), "a part is of a scene that waits for quads");
+    waiting_quads += part.quads.size();
+    TimedScene& scene = *scenes_without_quads.front();
+    scene.add(std::move(part));
+    if (!scene.waits_for_quads()) scenes_without_quads.pop_front();
+    if (waiting_quads >= MostWaiting) run();
 }
 
 void Machine::transfer(work::PreparedTransfer&& transfer) {
     host.enqueue(std::move(transfer));
-    if (++waiting_quads > MostWaiting) run();
+    if (++waiting_quads >= MostWaiting) run();
 }
 
 void Machine::content(work::PreparedContent&& content) {
@@ -41,11 +52,16 @@ void Machine::texels_rewritten(std::vector<std::uint64_t>&& lines) {
 void Machine::host_transfer(const HostTransfer& transfer) {
     host.enqueue(transfer);
     if (transfer.is_write) host_writes.push_back({transfer.at, transfer.at + transfer.bytes});
-    if (++waiting_quads > MostWaiting) run();
+    if (++waiting_quads >= MostWaiting) run();
+}
+
+void Machine::end_commands() {
+    host.enqueue_frame_end();
+    commands_ended = true;
 }
 
 void Machine::end_frame(std::uint32_t number) {
-    host.enqueue_frame_end();
+    if (!std::exchange(commands_ended, false)) host.enqueue_frame_end();
     run();
     finish_frame(number);
 }

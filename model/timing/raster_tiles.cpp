@@ -36,8 +36,10 @@ void RasterTiming::begin_tiles(const work::PreparedPiece& piece) {
              .empty = piece.empty_blocks,
              .touched = box.touched_blocks};
     walk_.cycles_left = std::max<Cycle>(walk_.cycles_left, 1);
+    const TimedPart* part = nullptr;
     for (std::uint32_t i = piece.begin; i != piece.end; ++i) {
-        const PreparedQuad& quad = scene_->work.quads[i];
+        if (!part || !part->has(i)) part = &scene_->part_of(i);
+        const PreparedQuad& quad = part->work.quads[i - part->first];
         if (!quad.new_tile) continue;
         walk_.empty += quad.empty_blocks;
         walk_.touched -= std::min<std::uint64_t>(walk_.touched, 1);
@@ -83,8 +85,7 @@ bool RasterTiming::last_quad_has_left() const {
 }
 
 Activity RasterTiming::walk_tiles() {
-    const work::PreparedScene& work = scene_->work;
-    const work::PreparedPiece& piece = work.pieces[piece_];
+    const work::PreparedPiece& piece = scene_->work.pieces[piece_];
     if (!walk_.begun) {
         if (!last_quad_has_left()) return Activity::StalledOutput;
         begin_tiles(piece);
@@ -94,7 +95,9 @@ Activity RasterTiming::walk_tiles() {
         end_tiles();
         return Activity::Busy;
     }
-    const PreparedQuad& quad = work.quads[quad_];
+    const TimedPart& part = part_with_quad();
+    const std::uint32_t index = quad_ - part.first;
+    const PreparedQuad& quad = part.work.quads[index];
     if (!in_block_) {
         const Cycle before = scan_to(piece.box, quad);
         in_block_ = true;
@@ -103,7 +106,7 @@ Activity RasterTiming::walk_tiles() {
         if (before > 0) return Activity::Busy;
     }
     if (!ports_.quads_out.can_push()) return Activity::StalledOutput;
-    ports_.quads_out.push({scene_, quad_, 0});
+    ports_.quads_out.push({&part, index, 0});
     statistics_.blocks += quad.new_tile;
     in_block_ = false;
     if (++quad_ == piece.end) {

@@ -1,5 +1,6 @@
 #include "model/timing/raster_timing.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ffgpu::timing {
@@ -21,17 +22,23 @@ bool RasterTiming::take() {
 }
 
 void RasterTiming::take(const BinToken& token) {
-    scene_ = token.pass.scene;
+    take_scene(*token.pass.scene);
     bin_ = token.bin;
     take_pieces(token.plan().pieces_begin, token.plan().pieces_end);
 }
 
 void RasterTiming::take(const SetupToken& token) {
-    scene_ = token.draw.scene;
+    take_scene(*token.draw.scene);
     take_pieces(token.begin, token.end);
     ends_draw_ = token.last;
     draw_ = token.draw.draw;
     if (piece_ == end_piece_) end_record();
+}
+
+void RasterTiming::take_scene(TimedScene& scene) {
+    scene_ = &scene;
+    may_starve_ = scene.waits_for_quads();
+    if (std::exchange(scene_number_, scene.number) != scene.number) part_ = nullptr;
 }
 
 void RasterTiming::take_pieces(std::uint32_t begin, std::uint32_t end) {
@@ -45,6 +52,7 @@ void RasterTiming::take_pieces(std::uint32_t begin, std::uint32_t end) {
 
 // The draw itself is through: its quads are counted now. Or the bin is.
 void RasterTiming::end_record() {
+    may_starve_ = true; // of the next one's scene
     if (config_.architecture == Architecture::TileBased) return scene_->end_walk(bin_, now());
     if (!std::exchange(ends_draw_, false)) return;
     in_flight_.leave();
@@ -76,20 +84,20 @@ void RasterTiming::end_piece(const work::PreparedPiece& piece) {
 }
 
 Activity RasterTiming::walk_piece() {
-    const work::PreparedScene& work = scene_->work;
-    const work::PreparedPiece& piece = work.pieces[piece_];
+    const work::PreparedPiece& piece = scene_->work.pieces[piece_];
     std::uint32_t made = 0;
     for (; made < config_.quads_per_cycle && quad_ != piece.end; ++made) {
-        const PreparedQuad& quad = work.quads[quad_];
+        const TimedPart& part = part_with_quad();
+        const std::uint32_t index = quad_ - part.first;
+        const PreparedQuad& quad = part.work.quads[index];
         // Another thread wrote them: they come from another processor's cache.
-        if (quad_ + QuadsAhead < work.quads.size())
-            __builtin_prefetch(&work.quads[quad_ + QuadsAhead]);
+        if (part.has(quad_ + QuadsAhead)) __builtin_prefetch(&quad + QuadsAhead);
         // The way to another block begins in the cycle after the quads of this one.
         if (made > 0 && quad.new_tile && cycles_to(quad) > 0) break;
         if (!step_to_block(quad)) return Activity::Busy;
         if (!ports_.quads_out.can_push())
             return made > 0 ? Activity::Busy : Activity::StalledOutput;
-        ports_.quads_out.push({scene_, quad_, 0});
+        ports_.quads_out.push({&part, index, 0});
         in_block_ = false;
         ++quad_;
     }
@@ -98,7 +106,35 @@ Activity RasterTiming::walk_piece() {
     return Activity::Busy;
 }
 
+const TimedPart& RasterTiming::part_with_quad() {
+    if (!part_ || !part_->has(quad_)) part_ = &scene_->part_of(quad_);
+    return *part_;
+}
+
+// Of the piece's quads from `quad` to `end`, in a cycle. A walk over whole tiles looks at all.
+bool RasterTiming::starves(const TimedScene& scene, std::uint32_t quad, std::uint32_t end) const {
+    const bool looks_at_all = config_.walk == Walk::Tiles;
+    return scene.told_quads() <
+           (looks_at_all ? end : std::min(quad + config_.quads_per_cycle, end));
+}
+
+bool RasterTiming::starves() const {
+    if (config_.architecture == Architecture::TileBased) return false; // The scene was gathered.
+    if (piece_ != end_piece_) return starves(*scene_, quad_, scene_->work.pieces[piece_].end);
+    if (ports_.setups_in.items() == 0) return false;
+    const SetupToken& next = ports_.setups_in.next();
+    if (next.begin == next.end) return false;
+    const work::PreparedPiece& piece = next.draw.scene->work.pieces[next.begin];
+    return starves(*next.draw.scene, piece.begin, piece.end);
+}
+
 Activity RasterTiming::step() {
+    const Activity activity = walk();
+    if (may_starve_ && starves()) ask_whether_to_wait();
+    return activity;
+}
+
+Activity RasterTiming::walk() {
     if (now() < walked_at_) {
         if (piece_ == end_piece_ && now() + 1 == walked_at_) end_record();
         return Activity::Busy;

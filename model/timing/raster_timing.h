@@ -41,17 +41,25 @@ public:
         , ports_(ports)
         , in_flight_(in_flight) {}
 
+    // In the next cycle it could come to quads that the host has not told: the clock must not go
+    // on without them.
+    bool starves() const;
+
     std::string state() const override;
     const RasterStatistics& statistics() const { return statistics_; }
 
 private:
     Activity step() override;
+    Activity walk();
     Cycle next_work(Activity last) const override;
     bool take();
     void take(const SetupToken& token);
     void take(const BinToken& token);
+    void take_scene(TimedScene& scene);
     void take_pieces(std::uint32_t begin, std::uint32_t end);
     void end_record();
+    const TimedPart& part_with_quad();
+    bool starves(const TimedScene& scene, std::uint32_t quad, std::uint32_t end) const;
     Activity walk_piece();
     Cycle cycles_to(const PreparedQuad& quad) const;
     bool step_to_block(const PreparedQuad& quad);
@@ -78,11 +86,16 @@ private:
     InFlight& in_flight_;
     RasterStatistics statistics_;
     TimedScene* scene_ = nullptr;
+    std::uint64_t scene_number_ = ~std::uint64_t{0};
+    const TimedPart* part_ = nullptr; // of the scene: the quad is in this, or in another
+    // False: the scene under way was told as a whole, and nothing behind it is looked at before
+    // the record's end.
+    bool may_starve_ = true;
     std::uint32_t draw_ = 0; // immediate: of the record under way
     bool ends_draw_ = false;
     std::uint32_t bin_ = 0; // tile-based: under way
     std::uint32_t piece_ = 0, end_piece_ = 0;
-    std::uint32_t quad_ = 0; // of the piece
+    std::uint32_t quad_ = 0; // of the piece, among the scene's
     bool in_block_ = false;  // Its block was stepped to.
     Cycle walked_at_ = 0;    // the first cycle after the steps under way
     TileWalk walk_;

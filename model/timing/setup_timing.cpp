@@ -61,6 +61,7 @@ bool SetupTiming::send_next() {
     const bool ends_here = record.begin == record.end && !record.last;
     if (!ends_here && !ports_.setups_out.can_push()) return false;
     if (!ends_here) ports_.setups_out.push(record);
+    if (record.draw.scene->waits_for_quads()) ask_whether_to_wait();
     units_.pop_front();
     passage_.leave();
     return true;

@@ -4,7 +4,7 @@ namespace ffgpu::timing {
 
 void TexelRequests::take(const QuadToken& token) {
     const PreparedQuad& quad = token.quad();
-    for (const work::TexturePart& texture : token.scene->work.textures_of(quad))
+    for (const work::TexturePart& texture : token.part->work.textures_of(quad))
         if (texture.filter_steps > 0)
             requests_.push_back(std::uint32_t{texture.filter_steps} * live_lanes(quad));
 }

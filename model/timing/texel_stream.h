@@ -98,7 +98,7 @@ bool TexelStream::compare(TexelRequests& requests, Activity& reason, const LookU
         const bool begins = begins_sample();
         if (begins && !requests.has_sample()) return false;
         const bool full = queue_.size() >= config_.texel_queue || misses_ >= outstanding_;
-        const auto lines = current_.scene->work.lines_of(current_.quad());
+        const auto lines = current_.part->work.lines_of(current_.quad());
         bool missed = false;
         // Lines come about as evenly as texels do.
         const std::size_t wanted = (std::size_t{texel_} + 1) * lines.size();

@@ -16,7 +16,7 @@ bool TexturePipe::begin(TextureStatistics& statistics, Activity& reason) {
     comparing_ = true;
     ticket_ = 0;
     const PreparedQuad& quad = current_.quad();
-    share_.begin(current_.scene->work, quad);
+    share_.begin(current_.part->work, quad);
     count(statistics, quad);
     return true;
 }
@@ -79,7 +79,7 @@ bool TexturePipe::compare(TextureStatistics& statistics, Cycle now, Activity& re
     lacks_port_ = false;
     if (miss_cycles_left_ > 0 && --miss_cycles_left_ > 0) return true;
     if (!comparing_ && !begin(statistics, reason)) return false;
-    const auto lines = current_.scene->work.lines_of(current_.quad());
+    const auto lines = current_.part->work.lines_of(current_.quad());
     share_.begin_cycle();
     for (bool worked = false; !share_.is_done() && share_.has_turn(); worked = true) {
         const std::uint64_t line = lines[share_.line()];
@@ -123,7 +123,7 @@ bool TexturePipe::filter(PipeExit& out, std::size_t pipe, Cycle now, Activity& r
             return false;
         }
         const QuadToken& quad = parked_.front().quad;
-        filter_cycles_left_ = share_.filter_cycles(quad.scene->work, quad.quad());
+        filter_cycles_left_ = share_.filter_cycles(quad.part->work, quad.quad());
         filtering_ = true;
     }
     if (filter_cycles_left_ > 1) {

@@ -4,13 +4,13 @@
 
 namespace ffgpu::timing {
 
-void TextureShare::begin(const work::PreparedScene& scene, const PreparedQuad& quad) {
+void TextureShare::begin(const work::PreparedQuads& quads, const PreparedQuad& quad) {
     next_ = 0;
     lines_ = quad.texel_line_count;
     if (units_ == 1) return;
     of_unit_.assign(units_, {});
     std::size_t line = 0, part = 0;
-    for (const work::TexturePart& texture : scene.textures_of(quad)) {
+    for (const work::TexturePart& texture : quads.textures_of(quad)) {
         for (std::size_t i = 0; i < texture.lines; ++i, ++line)
             of_unit_[(by_texture_ ? part : line) % units_].push_back(line);
         ++part;
@@ -25,12 +25,12 @@ void TextureShare::begin(const work::PreparedScene& scene, const PreparedQuad& q
     }
 }
 
-std::uint32_t TextureShare::filter_cycles(const work::PreparedScene& scene,
+std::uint32_t TextureShare::filter_cycles(const work::PreparedQuads& quads,
                                           const PreparedQuad& quad) const {
     // Mostly there is nothing to divide by, and a division takes as long as all the rest.
     std::size_t most = units_ == 1 ? quad.filter_steps : (quad.filter_steps + units_ - 1) / units_;
     if (by_texture_ && units_ > 1) {
-        const auto textures = scene.textures_of(quad);
+        const auto textures = quads.textures_of(quad);
         most = 0;
         for (std::size_t unit = 0; unit < units_; ++unit) {
             std::size_t steps = 0;

@@ -34,7 +34,7 @@ public:
     }
 
     // The next quad whose lines are looked up.
-    void begin(const work::PreparedScene& scene, const PreparedQuad& quad);
+    void begin(const work::PreparedQuads& quads, const PreparedQuad& quad);
     bool is_done() const { return next_ == lines_; }
 
     void begin_cycle() { used_.fill(0); }
@@ -47,7 +47,7 @@ public:
         ++next_;
     }
 
-    std::uint32_t filter_cycles(const work::PreparedScene& scene, const PreparedQuad& quad) const;
+    std::uint32_t filter_cycles(const work::PreparedQuads& quads, const PreparedQuad& quad) const;
 
 private:
     static constexpr std::size_t MostUnits = 8;

@@ -41,13 +41,13 @@ bool TextureTiming::is_empty() const {
 inline bool TextureTiming::can_distribute() const {
     if (!ports_.quads_in.can_pop()) return false;
     const QuadToken& quad = ports_.quads_in.front();
-    if (ports_.rewrites.come_before(quad.scene->number) && !is_empty()) return false;
+    if (ports_.rewrites.come_before(quad.scene().number) && !is_empty()) return false;
     return pipes_[fragment_pipe(config_, quad)].can_take(quad);
 }
 
 // Nothing is under way in any of the caches.
 void TextureTiming::forget_rewritten(const QuadToken& quad) {
-    while (ports_.rewrites.come_before(quad.scene->number)) {
+    while (ports_.rewrites.come_before(quad.scene().number)) {
         for (const std::uint64_t line : ports_.rewrites.take()) {
             for (CachePort* const port : ports_.caches)
                 port->cache.overwrite(line, LineAccess::Whole);
@@ -70,7 +70,7 @@ void TextureTiming::forget_former_draw(const QuadToken& quad) {
     const std::size_t pipes = config_.raster.quads_per_cycle;
     for (std::size_t i = 0; i < pipes && can_distribute(); ++i) {
         const QuadToken& quad = ports_.quads_in.front();
-        if (ports_.rewrites.come_before(quad.scene->number)) forget_rewritten(quad);
+        if (ports_.rewrites.come_before(quad.scene().number)) forget_rewritten(quad);
         if (config_.texel_cache.forgets) forget_former_draw(quad);
         const std::uint32_t pipe = fragment_pipe(config_, quad);
         pipes_[pipe].take(quad);

@@ -8,6 +8,8 @@
 #include "model/work/prepared_work.h"
 
 #include <algorithm>
+#include <deque>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,16 +24,55 @@ struct HostWrite {
     std::uint64_t begin = 0, end = 0;
 };
 
-// A scene on its way through the machine.
+struct TimedScene;
+struct QuadToken;
+
+// Quads of a scene that were told together.
+struct TimedPart {
+    TimedPart(work::PreparedQuads&& quads, TimedScene& of, std::uint32_t first_quad)
+        : work(std::move(quads))
+        , scene(&of)
+        , first(first_quad)
+        , end(first_quad + static_cast<std::uint32_t>(work.quads.size())) {}
+
+    work::PreparedQuads work;
+    TimedScene* scene;
+    std::uint32_t first, end; // of the scene's quads
+
+    bool has(std::uint32_t quad) const { return quad - first < end - first; }
+};
+
+// A scene on its way through the machine. Its quads may come in parts, behind it.
 struct TimedScene {
     TimedScene(work::PreparedScene&& prepared, CommandLedger& ledger)
         : work(std::move(prepared))
         , ledger_(ledger)
-        , first_entry_(open_draws()) {
+        , first_entry_(open_draws())
+        , quads_(static_cast<std::uint32_t>(work.quads.size() + work.quads_to_come)) {
         index_bins();
+        if (!work.quads.empty()) add(std::move(work));
+    }
+    TimedScene(const TimedScene&) = delete;
+    TimedScene& operator=(const TimedScene&) = delete;
+
+    void add(work::PreparedPart&& part) {
+        work::set_ends(part.ends, work);
+        add(static_cast<work::PreparedQuads&&>(part));
+    }
+    // So many quads of it were told; others come.
+    std::uint32_t told_quads() const { return told_quads_; }
+    bool waits_for_quads() const { return told_quads_ != quads_; }
+    // That with this quad, which was told.
+    const TimedPart& part_of(std::uint32_t quad) const {
+        if (parts_.size() == 1) return parts_.front();
+        const auto behind = std::upper_bound(
+            parts_.begin(), parts_.end(), quad, [](std::uint32_t wanted, const TimedPart& part) {
+                return wanted < part.first;
+            });
+        return *std::prev(behind);
     }
 
-    work::PreparedScene work;
+    work::PreparedScene work;           // Its quads and their lines are in the parts.
     std::uint64_t number = 0;           // in the machine's order
     std::vector<HostWrite> host_writes; // before its draws; the vertex fetch takes them
 
@@ -41,14 +82,8 @@ struct TimedScene {
         ledger_.end_part(first_entry_ + draw, now);
     }
     // By the unit that ends a quad: the last of the pipe, or one in which no fragment was left.
-    void retire_quad(std::uint32_t quad, std::uint64_t now) {
-        end_quad(quad, now);
-        ledger_.retire(first_entry_ + work.quads[quad].draw, now);
-    }
-    void end_dead_quad(std::uint32_t quad, std::uint64_t now) {
-        end_quad(quad, now);
-        ledger_.end_part(first_entry_ + work.quads[quad].draw, now);
-    }
+    void retire_quad(const QuadToken& quad, std::uint64_t now);
+    void end_dead_quad(const QuadToken& quad, std::uint64_t now);
     // Tile-based: the bin was walked to its end, and all its quads ended, in cycles before this
     // one.
     bool bin_is_drawn(std::uint32_t bin, std::uint64_t now) const {
@@ -66,11 +101,14 @@ struct TimedScene {
 
     // No token points in here any more.
     bool is_done() const {
-        return ended_draws_ == work.draws.size() && ended_quads_ == work.quads.size() &&
+        return ended_draws_ == work.draws.size() && ended_quads_ == quads_ &&
                ended_passes_ == work.tiles.passes.size();
     }
 
 private:
+    void add(work::PreparedQuads&& quads) {
+        told_quads_ = parts_.emplace_back(std::move(quads), *this, told_quads_).end;
+    }
     // A draw is through set-up once and ends with each of its quads.
     std::size_t open_draws() {
         std::size_t first = 0;
@@ -115,6 +153,9 @@ private:
 
     CommandLedger& ledger_;
     std::size_t first_entry_;
+    std::uint32_t quads_; // told, or to come
+    std::uint32_t told_quads_ = 0;
+    std::deque<TimedPart> parts_;
     std::uint64_t ended_draws_ = 0, ended_quads_ = 0, ended_passes_ = 0;
     std::vector<Bin> bins_;
     std::vector<std::uint32_t> bin_of_quad_;
@@ -165,13 +206,26 @@ struct SetupToken {
 };
 
 struct QuadToken {
-    TimedScene* scene = nullptr;
-    std::uint32_t index = 0;
+    const TimedPart* part = nullptr;
+    std::uint32_t index = 0;  // in the part
     std::uint32_t misses = 0; // texel lines that were not in the cache
 
-    const PreparedQuad& quad() const { return scene->work.quads[index]; }
-    const PreparedDraw& draw() const { return scene->work.draws[quad().draw]; }
+    const PreparedQuad& quad() const { return part->work.quads[index]; }
+    const PreparedDraw& draw() const { return scene().work.draws[quad().draw]; }
+    TimedScene& scene() const { return *part->scene; }
+    std::uint32_t number() const { return part->first + index; } // of the scene's quads
+    // Of a draw with values.
+    QuadValues values() const { return part->work.values_of(draw(), quad()); }
     std::string key() const;
 };
+
+inline void TimedScene::retire_quad(const QuadToken& quad, std::uint64_t now) {
+    end_quad(quad.number(), now);
+    ledger_.retire(first_entry_ + quad.quad().draw, now);
+}
+inline void TimedScene::end_dead_quad(const QuadToken& quad, std::uint64_t now) {
+    end_quad(quad.number(), now);
+    ledger_.end_part(first_entry_ + quad.quad().draw, now);
+}
 
 } // namespace ffgpu::timing

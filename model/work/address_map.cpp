@@ -89,14 +89,19 @@ PlacedLevel AddressMap::place_level(const TextureImage& image, std::uint32_t lev
     return placed;
 }
 
+TextureLines& AddressMap::Texture::own_lines() {
+    if (lines.use_count() > 1) lines = std::make_shared<TextureLines>(*lines);
+    return *lines;
+}
+
 const AddressMap::Texture& AddressMap::placed(const TextureImage& image) {
     Texture& texture = textures_[image.address];
-    if (texture.levels.empty() || !(texture.image == image)) {
+    if (!texture.lines || !(texture.image == image)) {
         texture.image = image;
         texture.bytes = {image.address, image.address + texture_bytes(image.shape)};
-        texture.clear();
+        texture.lines = std::make_shared<TextureLines>();
         for (std::uint32_t level = 0; level < image.shape.levels; ++level)
-            texture.add(place_level(image, level), texture_shape_.line_bytes);
+            texture.lines->add(place_level(image, level), texture_shape_.line_bytes);
     }
     return texture;
 }
@@ -133,19 +138,19 @@ std::vector<std::uint64_t> AddressMap::memory_written(std::span<const ByteRange>
         all = {std::min(all.begin, range.begin), std::max(all.end, range.end)};
     for (auto& [address, texture] : textures_) {
         if (address >= all.end) break;
-        if (texture.levels.empty() || !texture.bytes.overlaps(all)) continue;
-        for (std::uint32_t number = 0; number < texture.levels.size(); ++number) {
+        if (!texture.bytes.overlaps(all)) continue;
+        for (std::uint32_t number = 0; number < texture.lines->levels.size(); ++number) {
             const LevelLayout device = level_layout(texture.image.shape, number);
             const std::uint64_t begin = address + device.offset;
             const ByteRange level{begin, begin + device.bytes};
             for (const ByteRange& range : ranges) {
                 if (!range.overlaps(level)) continue;
                 if (rewritten == RewrittenLevel::NewPlace) {
-                    texture.set(
+                    texture.own_lines().set(
                         number, place_level(texture.image, number), texture_shape_.line_bytes);
                     break;
                 }
-                add_level_lines(texture.levels[number],
+                add_level_lines(texture.lines->levels[number],
                                 device,
                                 std::max(range.begin, level.begin) - level.begin,
                                 std::min(range.end, level.end) - level.begin,
@@ -175,7 +180,7 @@ std::vector<std::uint64_t> AddressMap::copied(const CopyRectangleCommand& copy,
 bool AddressMap::holds_texels(const ByteRange& range) const {
     for (const auto& [address, texture] : textures_) {
         if (address >= range.end) break;
-        if (!texture.levels.empty() && texture.bytes.overlaps(range)) return true;
+        if (texture.bytes.overlaps(range)) return true;
     }
     return false;
 }

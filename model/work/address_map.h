@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -33,12 +34,15 @@ public:
 
     // The levels of a texture; the reference holds until the next call.
     const std::vector<PlacedLevel>& texture(const TextureImage& image) {
-        return placed(image).levels;
+        return placed(image).lines->levels;
     }
-    // The same with the lines of the texel cache.
-    const TextureLines& texture_lines(const TextureImage& image) { return placed(image); }
+    // The same with the lines of the texel cache; who shares them keeps them as they are now.
+    std::shared_ptr<const TextureLines> texture_lines(const TextureImage& image) {
+        return placed(image).lines;
+    }
 
-    // A colour or depth target, in the layout of its cache; a pixel's samples lie together.
+    // A colour or depth target, in the layout of its cache; a pixel's samples lie together. It
+    // never moves: the reference holds as long as the map.
     const PlacedLevel& surface(const Surface& surface, const CacheShape& cache);
 
     // These bytes of device memory were written. `rewritten`: of the levels that were read before.
@@ -68,9 +72,13 @@ public:
     bool holds_texels(const ByteRange& range) const;
 
 private:
-    struct Texture : TextureLines {
+    struct Texture {
         TextureImage image;
         ByteRange bytes;
+        std::shared_ptr<TextureLines> lines;
+
+        // To change them: a copy, where somebody shares them.
+        TextureLines& own_lines();
     };
 
     std::uint64_t place(std::uint64_t bytes);

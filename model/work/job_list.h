@@ -24,6 +24,7 @@ public:
     void add(std::size_t weight, std::function<void()> run);
 
     bool is_ready() const { return !busy_ && !jobs_.empty(); }
+    bool has_more() const { return !jobs_.empty(); }
     bool is_done() const { return !busy_ && jobs_.empty(); }
 
     // Does the first job, without the lock; is_ready().

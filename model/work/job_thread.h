@@ -22,10 +22,16 @@ public:
     void drain() override;
     void check_failure() override;
 
+    // Some wait, beside the one under way.
+    bool has_more() const {
+        const std::lock_guard lock(mutex_);
+        return jobs_.has_more();
+    }
+
 private:
     void work();
 
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::condition_variable changed_;
     JobList jobs_;
     bool stopping_ = false;

@@ -84,12 +84,6 @@ struct TextureLines {
     RectangleBits bits; // of rectangles, in all levels that have larger ones than texels
     std::uint32_t in_rectangles = 0; // levels whose texels lie in those, by tables: a bit each
 
-    void clear() {
-        levels.clear();
-        lines.clear();
-        bits = {};
-        in_rectangles = 0;
-    }
     void add(const PlacedLevel& level, std::uint32_t line_bytes) {
         levels.push_back(level);
         lines.emplace_back(level, line_bytes);

@@ -8,6 +8,12 @@
 namespace ffgpu::work {
 namespace {
 
+// Of a draw: they are told with it. More come in parts, some hundred microseconds' work each.
+constexpr std::size_t FewQuads = 256;
+constexpr std::size_t QuadsOfPart = 2048;
+// Of draws that were told: their commands are kept.
+constexpr std::size_t MostUntold = 1 << 18;
+
 bool overlap(std::uint64_t a, std::uint64_t a_bytes, std::uint64_t b, std::uint64_t b_bytes) {
     return a < b + b_bytes && b < a + a_bytes;
 }
@@ -78,12 +84,9 @@ void MachineOrder::command(std::shared_ptr<const WholeCommand> command) {
     if (is_tile_based() && draw.kind != WorkKind::Copy) return gather(*command);
     switch (draw.kind) {
     case WorkKind::Draw:
-    case WorkKind::Image: {
+    case WorkKind::Image:
         texels_drawn(*command);
-        PreparedScene scene;
-        append(*command, config_, addresses_, scene);
-        return out_.scene(std::move(scene));
-    }
+        return this->draw(std::move(command));
     case WorkKind::Clear:
         texels_drawn(*command);
         return clear(draw);
@@ -95,6 +98,38 @@ void MachineOrder::command(std::shared_ptr<const WholeCommand> command) {
         end_scene();
         return copy(draw);
     }
+}
+
+// What of it comes before its quads is told now: a machine whose host has nothing to send stands
+// still, whatever it has to draw.
+void MachineOrder::draw(std::shared_ptr<const WholeCommand> command) {
+    PreparedScene scene;
+    const WholeCommand& drawn = *command;
+    Untold untold{std::move(command), {drawn, config_, addresses_, scene}};
+    const std::size_t quads = untold.draw.quads_left();
+    if (!out_.takes_parts() || quads <= FewQuads) {
+        std::vector<PieceEnd> ends;
+        untold.draw.add_quads(quads, scene, ends);
+        set_ends(ends, scene);
+        return out_.scene(std::move(scene));
+    }
+    scene.quads_to_come = quads;
+    out_.scene(std::move(scene));
+    untold_quads_ += quads;
+    untold_.push_back(std::move(untold));
+    while (untold_quads_ > MostUntold)
+        tell_part();
+}
+
+bool MachineOrder::tell_part() {
+    if (untold_.empty()) return false;
+    PreparedPart part;
+    DrawPreparation& draw = untold_.front().draw;
+    draw.add_quads(QuadsOfPart, part, part.ends);
+    untold_quads_ -= part.quads.size();
+    out_.part(std::move(part));
+    if (draw.quads_left() == 0) untold_.pop_front();
+    return true;
 }
 
 void MachineOrder::gather(const WholeCommand& command) {
@@ -183,6 +218,8 @@ void MachineOrder::end_frame(std::uint32_t frame) {
     end_scene();
     deferred_.end_frame();
     store_due();
+    if (!untold_.empty()) out_.end_commands();
+    tell_parts();
     out_.end_frame(frame);
 }
 

@@ -9,9 +9,12 @@
 //   - a draw reads a texture or an image that the scene draws into.
 // All of these are what the application did: nothing of how the host drew can end a scene. Clears
 // are part of a scene.
+//
+// Of an immediate machine's draws of many quads these can be told in parts, behind what comes next.
 
 #pragma once
 
+#include "model/work/draw_preparation.h"
 #include "model/work/drawn_texels.h"
 #include "model/work/prepared_work.h"
 #include "model/work/surface_fill.h"
@@ -19,6 +22,7 @@
 #include "model/work/tile_scene.h"
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <vector>
@@ -55,8 +59,14 @@ class MachineSink {
 public:
     virtual ~MachineSink() = default;
     virtual void scene(PreparedScene&& scene) = 0;
+    // The next quads of the first scene that waits for some: of an immediate machine, where it
+    // takes them in parts. Other scenes, and all else but the frame's end, may come before them.
+    virtual void part(PreparedPart&& /*part*/) {}
+    virtual bool takes_parts() const { return false; }
     virtual void transfer(PreparedTransfer&& transfer) = 0;
     virtual void host_transfer(const HostTransfer& transfer) = 0;
+    // Before it, where parts are left: nothing else of the frame comes any more.
+    virtual void end_commands() {}
     virtual void end_frame(std::uint32_t frame) = 0;
     // Texels changed where they lie: those of these lines of the texel cache, in rising order.
     virtual void texels_rewritten(std::vector<std::uint64_t>&& /*lines*/) {}
@@ -79,6 +89,15 @@ public:
     void host_transfer(const HostTransfer& transfer) override;
     void end_frame(std::uint32_t frame) override;
 
+    // Tells the sink a part of the quads that it waits for; false: it waits for none. For who has
+    // nothing to command.
+    bool tell_part();
+    // All of them.
+    void tell_parts() {
+        while (tell_part()) {
+        }
+    }
+
     // The colour surface that was drawn, cleared or copied into last: what a screen would show.
     // None yet: no bytes.
     PlacedLevel shown();
@@ -91,7 +110,14 @@ public:
     AddressMap& addresses() { return addresses_; }
 
 private:
+    // A draw whose quads are not all told.
+    struct Untold {
+        std::shared_ptr<const WholeCommand> command;
+        DrawPreparation draw;
+    };
+
     void note_shown(const WorkDraw& draw);
+    void draw(std::shared_ptr<const WholeCommand> command);
     bool is_tile_based() const { return config_.raster.architecture == Architecture::TileBased; }
     void gather(const WholeCommand& command);
     void clear(const WorkDraw& draw);
@@ -122,6 +148,8 @@ private:
     TileScene tiles_;                        // what a tile-based machine has gathered
     DeferredStores deferred_;
     std::uint32_t last_number_ = 0; // of a command
+    std::deque<Untold> untold_;
+    std::size_t untold_quads_ = 0;
 };
 
 } // namespace ffgpu::work

@@ -5,10 +5,10 @@
 #pragma once
 
 #include "model/packets/quad_values.h"
-#include "model/work/address_map.h"
 #include "model/work/config.h"
 #include "model/work/draw_shape.h"
 #include "model/work/line_mask.h"
+#include "model/work/placed_level.h"
 #include "model/work/tile_plan.h"
 #include "model/work/whole_command.h"
 
@@ -50,7 +50,7 @@ struct PreparedQuad {
 
 // A point, line or triangle that comes to set-up: its quads, in their order.
 struct PreparedPiece {
-    std::uint32_t begin = 0, end = 0; // in PreparedScene::quads
+    std::uint32_t begin = 0, end = 0; // of the scene's quads
     PieceBox box;
     std::uint32_t empty_blocks = 0; // walked after the last one that holds quads
 };
@@ -102,19 +102,14 @@ struct PreparedDraw {
     bool uses_depth() const { return reads_depth || writes_depth; }
 };
 
-// What streams through a machine's pipe in one go: one draw of an immediate machine; of a
-// tile-based one all draws that are sorted by screen bins together.
-struct PreparedScene {
-    std::vector<PreparedDraw> draws;
-    std::vector<PreparedPrimitive> primitives;
-    std::vector<PreparedPiece> pieces; // in the order in which they are walked
+// Quads in the order in which the rasterizer makes them, and the lines that they touch.
+struct PreparedQuads {
     std::vector<PreparedQuad> quads;
     std::vector<std::uint64_t> texel_lines; // line numbers
     std::vector<TexturePart> texture_parts;
     std::vector<std::uint64_t> target_lines;
     std::vector<WrittenBytes> target_bytes; // of each of them: what the quad writes of it
     std::vector<std::uint32_t> values;      // words, where the work has values
-    TilePlan tiles;                         // of a tile-based machine
 
     std::span<const std::uint64_t> lines_of(const PreparedQuad& quad) const {
         return std::span(texel_lines).subspan(quad.texel_lines_begin, quad.texel_line_count);
@@ -127,8 +122,6 @@ struct PreparedScene {
     std::span<const std::uint64_t> depth_lines(const PreparedQuad& quad) const {
         return std::span(target_lines).subspan(quad.target_lines_begin, quad.depth_line_count);
     }
-    // Of a quad whose draw has values.
-    QuadValues values_of(const PreparedQuad& quad) const;
     std::span<const std::uint64_t> color_lines(const PreparedQuad& quad) const {
         return std::span(target_lines)
             .subspan(quad.target_lines_begin + quad.depth_line_count, quad.color_line_count);
@@ -140,14 +133,35 @@ struct PreparedScene {
     const WrittenBytes& color_bytes(const PreparedQuad& quad, std::size_t i) const {
         return target_bytes[quad.target_lines_begin + quad.depth_line_count + i];
     }
+    // Of a quad of this draw, which has values.
+    QuadValues values_of(const PreparedDraw& draw, const PreparedQuad& quad) const;
 };
 
-// Appends a draw or an image: primitive after primitive, piece after piece, quads in the traversal
-// order.
-void append(const WholeCommand& command,
-            const WorkConfig& config,
-            AddressMap& addresses,
-            PreparedScene& scene);
+// What streams through a machine's pipe in one go: one draw of an immediate machine; of a
+// tile-based one all draws that are sorted by screen bins together.
+struct PreparedScene : PreparedQuads {
+    std::vector<PreparedDraw> draws;
+    std::vector<PreparedPrimitive> primitives;
+    std::vector<PreparedPiece> pieces; // in the order in which they are walked
+    TilePlan tiles;                    // of a tile-based machine
+    std::size_t quads_to_come = 0;     // in parts, behind those in here
+};
+
+// The last quad of a piece was told.
+struct PieceEnd {
+    std::uint32_t piece = 0;        // in PreparedScene::pieces
+    std::uint32_t empty_blocks = 0; // PreparedPiece's
+};
+
+inline void set_ends(const std::vector<PieceEnd>& ends, PreparedScene& scene) {
+    for (const PieceEnd& end : ends)
+        scene.pieces[end.piece].empty_blocks = end.empty_blocks;
+}
+
+// The next quads of a scene that was told without them.
+struct PreparedPart : PreparedQuads {
+    std::vector<PieceEnd> ends;
+};
 
 // A screen bin of a pass; bins of earlier passes come first.
 using BinKey = std::uint64_t;

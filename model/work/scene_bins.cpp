@@ -1,10 +1,8 @@
 // The walk of a piece's blocks, and a scene's quads in the order of their bins.
 
-#include "model/base/check.h"
-#include "model/work/block_walk.h"
+#include "model/work/piece_walk.h"
 #include "model/work/prepared_work.h"
 #include "model/work/tile_lines.h"
-#include "model/work/traversal.h"
 
 #include <algorithm>
 #include <span>
@@ -56,23 +54,11 @@ std::vector<Placed> placed_in_bins(const std::vector<BinKey>& keys,
 
 } // namespace
 
-void walk_piece(const RasterOrder& of, PreparedPiece& piece, PreparedScene& scene) {
-    const RasterOrder raster = of; // not read again behind each store
-    const BlockWalk walk(raster, piece.box);
-    const auto quads = std::span(scene.quads).subspan(piece.begin, piece.end - piece.begin);
-    std::uint32_t walked = 0, block = 0;
-    for (PreparedQuad& quad : quads) {
-        const std::uint32_t own = traversal_block(raster, quad.x, quad.y);
-        quad.new_tile = &quad == quads.data() || own != block;
-        quad.empty_blocks = 0;
-        block = own;
-        if (!quad.new_tile || piece.box.empty()) continue;
-        const std::uint32_t before = walk.before(quad.x, quad.y);
-        check(before >= walked, "quads come in the order of the walk");
-        quad.empty_blocks = before - walked;
-        walked = before + 1;
-    }
-    piece.empty_blocks = walk.blocks() - walked;
+void walk_piece(const RasterOrder& raster, PreparedPiece& piece, PreparedScene& scene) {
+    PieceWalk walk(raster, piece.box);
+    for (PreparedQuad& quad : std::span(scene.quads).subspan(piece.begin, piece.end - piece.begin))
+        walk.come_to(quad);
+    piece.empty_blocks = walk.empty_behind();
 }
 
 std::vector<BinKey> sort_quads(const RasterOrder& raster,

@@ -5,14 +5,14 @@
 
 namespace ffgpu::work {
 
-TargetLookups::TargetLookups(const WorkConfig& config, PreparedScene& out)
-    : out_(out)
-    , enabled_(config.target_lines)
+TargetLookups::TargetLookups(const WorkConfig& config)
+    : enabled_(config.target_lines)
     , depth_grain_(config.depth_cache.line_bytes)
     , color_grain_(config.color_cache.line_bytes) {}
 
-void TargetLookups::add(std::uint8_t tested, PreparedQuad& quad) {
-    quad.target_lines_begin = static_cast<std::uint32_t>(out_.target_lines.size());
+void TargetLookups::add(std::uint8_t tested, PreparedQuad& quad, PreparedQuads& out) {
+    out_ = &out;
+    quad.target_lines_begin = static_cast<std::uint32_t>(out_->target_lines.size());
     if (!enabled_) return;
     if (depth_ && tested != 0) add_depth(tested, quad);
     if (quad.after_depth != 0) add_colors(quad);
@@ -23,7 +23,7 @@ void TargetLookups::add_depth(std::uint8_t tested, PreparedQuad& quad) {
     const WrittenQuad passed{
         depth_->quad_addresses(quad.x, quad.y), quad.after_depth, quad.samples_written};
     add_lines(*depth_, depth_grain_.line_bytes(), passed.addresses, tested);
-    const std::span lines = std::span(out_.target_lines).subspan(quad.target_lines_begin);
+    const std::span lines = std::span(out_->target_lines).subspan(quad.target_lines_begin);
     quad.depth_line_count = static_cast<std::uint8_t>(lines.size());
     const DepthAccess& access = depth_access_;
     const PixelBytes bytes{access.depth.touched | access.passed.touched,
@@ -32,7 +32,7 @@ void TargetLookups::add_depth(std::uint8_t tested, PreparedQuad& quad) {
         WrittenBytes written = quad_bytes(*depth_, depth_grain_, passed, line, bytes);
         if ((access.depth_failed.touched | access.stencil_failed.touched) != 0)
             written |= failed_bytes(line, passed, tested, quad.after_stencil);
-        out_.target_bytes.push_back(written);
+        out_->target_bytes.push_back(written);
     }
 }
 
@@ -51,19 +51,19 @@ WrittenBytes TargetLookups::failed_bytes(std::uint64_t line,
 }
 
 void TargetLookups::add_colors(PreparedQuad& quad) {
-    const std::size_t begin = out_.target_lines.size();
+    const std::size_t begin = out_->target_lines.size();
     for (Color& color : colors_) {
         color.quad = {
             color.place->quad_addresses(quad.x, quad.y), quad.after_depth, quad.samples_written};
         add_lines(*color.place, color_grain_.line_bytes(), color.quad.addresses, quad.after_depth);
     }
-    const std::span lines = std::span(out_.target_lines).subspan(begin);
+    const std::span lines = std::span(out_->target_lines).subspan(begin);
     quad.color_line_count = static_cast<std::uint8_t>(lines.size());
     for (const std::uint64_t line : lines) {
         WrittenBytes written;
         for (const Color& color : colors_)
             written |= quad_bytes(*color.place, color_grain_, color.quad, line, color.written);
-        out_.target_bytes.push_back(written);
+        out_->target_bytes.push_back(written);
     }
 }
 
@@ -72,11 +72,11 @@ void TargetLookups::add_spread_lines(const PlacedLevel& place,
                                      std::uint32_t line_bytes,
                                      const std::array<std::uint64_t, 4>& addresses,
                                      std::uint8_t lanes) {
-    const auto begin = static_cast<std::ptrdiff_t>(out_.target_lines.size());
+    const auto begin = static_cast<std::ptrdiff_t>(out_->target_lines.size());
     const auto add = [&](std::uint64_t line) {
-        const auto first = out_.target_lines.begin() + begin;
-        if (std::find(first, out_.target_lines.end(), line) == out_.target_lines.end())
-            out_.target_lines.push_back(line);
+        const auto first = out_->target_lines.begin() + begin;
+        if (std::find(first, out_->target_lines.end(), line) == out_->target_lines.end())
+            out_->target_lines.push_back(line);
     };
     for (unsigned lane = 0; lane < 4; ++lane) {
         if ((lanes >> lane & 1) == 0) continue;

@@ -15,7 +15,7 @@ namespace ffgpu::work {
 
 class TargetLookups {
 public:
-    TargetLookups(const WorkConfig& config, PreparedScene& out);
+    explicit TargetLookups(const WorkConfig& config);
 
     // They must outlive this.
     void place_depth(const PlacedLevel& place, const DepthAccess& access) {
@@ -27,8 +27,8 @@ public:
     }
 
     // Depth is read for the fragments that come to its test, `tested`, colour for those that pass
-    // it.
-    void add(std::uint8_t tested, PreparedQuad& quad);
+    // it. Its lines are appended to `out`.
+    void add(std::uint8_t tested, PreparedQuad& quad, PreparedQuads& out);
 
 private:
     struct Color {
@@ -46,7 +46,7 @@ private:
                    std::uint8_t lanes) {
         const std::uint64_t last = addresses[3] + place.layout.element_bytes - 1;
         if (quotient(addresses[0], line_bytes) == quotient(last, line_bytes))
-            out_.target_lines.push_back(quotient(last, line_bytes));
+            out_->target_lines.push_back(quotient(last, line_bytes));
         else
             add_spread_lines(place, line_bytes, addresses, lanes);
     }
@@ -59,7 +59,7 @@ private:
                               std::uint8_t tested,
                               std::uint8_t after_stencil) const;
 
-    PreparedScene& out_;
+    PreparedQuads* out_ = nullptr; // where the lines of the quad go that is added
     const bool enabled_;
     const LineGrain depth_grain_, color_grain_;
     const PlacedLevel* depth_ = nullptr;

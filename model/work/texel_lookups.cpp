@@ -5,21 +5,21 @@
 
 namespace ffgpu::work {
 
-TexelLookups::TexelLookups(const WholeCommand& command,
-                           const WorkConfig& config,
-                           PreparedScene& out)
+TexelLookups::TexelLookups(const WholeCommand& command, const WorkConfig& config)
     : command_(command)
-    , out_(out)
     , lines_(config.texel_cache.line_bytes,
              config.raster.granularity == Granularity::Quad && config.merges_texel_reads) {}
 
-void TexelLookups::add(std::uint32_t number, std::uint8_t lanes, PreparedQuad& quad) {
-    quad.texel_lines_begin = static_cast<std::uint32_t>(out_.texel_lines.size());
-    quad.texture_parts_begin = static_cast<std::uint32_t>(out_.texture_parts.size());
+void TexelLookups::add(std::uint32_t number,
+                       std::uint8_t lanes,
+                       PreparedQuad& quad,
+                       PreparedQuads& out) {
+    quad.texel_lines_begin = static_cast<std::uint32_t>(out.texel_lines.size());
+    quad.texture_parts_begin = static_cast<std::uint32_t>(out.texture_parts.size());
     quad.texture_count = static_cast<std::uint8_t>(command_.units.size());
     lines_.begin_quad();
     for (std::size_t i = 0; i < command_.units.size(); ++i) {
-        const TextureLines* const texture = textures_[command_.units[i]];
+        const TextureLines* const texture = textures_[command_.units[i]].get();
         const std::size_t first_line = lines_.lines().size();
         std::array<unsigned, 4> samples{}; // a lane
         command_.accesses_of(number, i).for_each(lanes, [&](const auto& access) {
@@ -27,13 +27,13 @@ void TexelLookups::add(std::uint32_t number, std::uint8_t lanes, PreparedQuad& q
             if (texture) lines_.add(*texture, access);
         });
         const unsigned steps = *std::max_element(samples.begin(), samples.end());
-        out_.texture_parts.push_back(
+        out.texture_parts.push_back(
             {.lines = static_cast<std::uint16_t>(lines_.lines().size() - first_line),
              .filter_steps = static_cast<std::uint16_t>(steps)});
         quad.filter_steps = static_cast<std::uint16_t>(quad.filter_steps + steps);
     }
     for (const std::uint64_t line : lines_.lines()) // so few that no copy pays
-        out_.texel_lines.push_back(line);
+        out.texel_lines.push_back(line);
     quad.texel_line_count = static_cast<std::uint16_t>(lines_.lines().size());
     quad.texel_reads = static_cast<std::uint16_t>(lines_.reads());
     quad.border_texels = static_cast<std::uint16_t>(lines_.border_reads());

@@ -9,23 +9,24 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 
 namespace ffgpu::work {
 
 class TexelLookups {
 public:
-    TexelLookups(const WholeCommand& command, const WorkConfig& config, PreparedScene& out);
+    TexelLookups(const WholeCommand& command, const WorkConfig& config);
 
-    // It must outlive this.
-    void place(unsigned unit, const TextureLines& texture) { textures_[unit] = &texture; }
+    void place(unsigned unit, const std::shared_ptr<const TextureLines>& texture) {
+        textures_[unit] = texture;
+    }
 
-    // Of the fragments `lanes` of the command's quad `number`.
-    void add(std::uint32_t number, std::uint8_t lanes, PreparedQuad& quad);
+    // Of the fragments `lanes` of the command's quad `number`. Its lines are appended to `out`.
+    void add(std::uint32_t number, std::uint8_t lanes, PreparedQuad& quad, PreparedQuads& out);
 
 private:
     const WholeCommand& command_;
-    PreparedScene& out_;
-    std::array<const TextureLines*, TextureUnits> textures_{};
+    std::array<std::shared_ptr<const TextureLines>, TextureUnits> textures_;
     QuadLines lines_;
 };
 

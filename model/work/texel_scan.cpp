@@ -23,8 +23,8 @@ constexpr std::size_t ManyRuns = 64;
 struct TexelScan::Places {
     TexelScan& to;
 
-    void texture(unsigned unit, const TextureLines& texture) const {
-        to.textures_[unit] = &texture;
+    void texture(unsigned unit, const std::shared_ptr<const TextureLines>& texture) const {
+        to.textures_[unit] = texture.get(); // The map holds them.
     }
     void depth(const PlacedLevel&) const {}
     void color(std::uint8_t, const PlacedLevel&) const {}

@@ -1,5 +1,6 @@
 #include "model/work/tile_scene.h"
 
+#include "model/work/draw_preparation.h"
 #include "model/work/target_access.h"
 #include "model/work/tile_planner.h"
 
@@ -25,7 +26,10 @@ void TileScene::begin(const Targets& targets) {
 void TileScene::draw(const WholeCommand& command) {
     const Registers* const state = command.draw.state.get();
     begin(state ? state->targets : Targets{});
-    append(command, config_, addresses_, scene_);
+    DrawPreparation preparation(command, config_, addresses_, scene_);
+    std::vector<PieceEnd> ends;
+    preparation.add_quads(preparation.quads_left(), scene_, ends);
+    set_ends(ends, scene_);
     const PreparedDraw& draw = scene_.draws.back();
     TileCommand& added = commands_.emplace_back();
     added.reads_color = draw.reads_color || draw.masks_color;

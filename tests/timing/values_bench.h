@@ -119,7 +119,7 @@ private:
 inline void ValuesBench::Follower::scene(work::PreparedScene&& scene) {
     for (const PreparedQuad& quad : scene.quads) {
         const PreparedDraw& draw = scene.draws[quad.draw];
-        const QuadValues values = scene.values_of(quad);
+        const QuadValues values = scene.values_of(draw, quad);
         const auto follow = [&](work::SurfaceContents& to,
                                 const work::PlacedLevel& place,
                                 const SampleWords& words,

@@ -97,6 +97,124 @@ TEST_CASE("An immediate machine takes each draw for itself") {
     CHECK(machine.log.text == "1 1 end ");
 }
 
+// Takes quads in parts, if it is to, and keeps them all.
+class Keeper : public MachineSink {
+public:
+    explicit Keeper(bool takes)
+        : takes_(takes) {}
+
+    bool takes_parts() const override { return takes_; }
+    void scene(PreparedScene&& scene) override {
+        text += "draw ";
+        keep(scene);
+        scenes.push_back(std::move(scene));
+    }
+    void part(PreparedPart&& part) override {
+        text += "part ";
+        PreparedScene& scene = *std::find_if(
+            scenes.begin(), scenes.end(), [](const auto& each) { return each.quads_to_come > 0; });
+        scene.quads_to_come -= part.quads.size();
+        set_ends(part.ends, scene);
+        keep(part);
+    }
+    void transfer(PreparedTransfer&&) override {}
+    void host_transfer(const HostTransfer&) override { text += "write "; }
+    void end_commands() override { text += "commands_end "; }
+    void end_frame(std::uint32_t) override { text += "end "; }
+
+    // Where each quad is, where it is in the walk, and what it reads and writes.
+    using Quad = std::vector<std::uint64_t>;
+    std::vector<Quad> quads;
+    std::vector<PreparedScene> scenes;
+    std::string text;
+
+private:
+    void keep(const PreparedQuads& made) {
+        for (const PreparedQuad& quad : made.quads) {
+            Quad& kept = quads.emplace_back(Quad{quad.x, quad.y, quad.new_tile, quad.empty_blocks});
+            for (const auto lines :
+                 {made.lines_of(quad), made.depth_lines(quad), made.color_lines(quad)})
+                kept.insert(kept.end(), lines.begin(), lines.end());
+        }
+    }
+
+    const bool takes_;
+};
+
+// A square of side 2 quads a side, as one piece, with a texel for each.
+std::shared_ptr<const WholeCommand> square(const Registers& registers, std::uint16_t side) {
+    auto command = std::make_shared<WholeCommand>();
+    command->draw.state = std::make_shared<const Registers>(registers);
+    command->units = {0};
+    command->draw.geometry.vertices = {0, 1, 2};
+    command->draw.geometry.primitives = {{.key = 0, .last_vertex = 2, .pieces = 1}};
+    const auto pixels = static_cast<std::uint16_t>(2 * side);
+    command->draw.geometry.pieces = {{0, 0, pixels, static_cast<std::uint16_t>(pixels + 8)}};
+    for (std::uint16_t y = 0; y < pixels; y += 2) {
+        for (std::uint16_t x = 0; x < pixels; x += 2) {
+            command->quads.push_back({.primitive = 0,
+                                      .x = x,
+                                      .y = y,
+                                      .covered = 1,
+                                      .after_early_depth = 1,
+                                      .after_coverage = 1,
+                                      .after_alpha = 1,
+                                      .after_stencil = 1,
+                                      .after_depth = 1});
+            TexelAccess access{};
+            access.x0 = access.x1 = static_cast<std::uint16_t>(x % 16);
+            access.y0 = access.y1 = static_cast<std::uint16_t>(y % 16);
+            command->add_access(0, access);
+        }
+    }
+    return command;
+}
+
+// Three draws whose texture is written anew between them.
+Keeper draw_squares(bool takes_parts, std::uint16_t side) {
+    Keeper keeper(takes_parts);
+    Registers registers;
+    registers.targets.color[0] = {TargetAt, Format::Rgba8, 256, 256, 256 * 4};
+    registers.scissor.width = registers.scissor.height = 256;
+    registers.images[0].shape = {TextureKind::TwoD, Format::Rgba8, 16, 16, 1, 1, 0};
+    registers.images[0].address = TextureAt;
+    WorkConfig config;
+    config.texel_cache.rewritten = RewrittenLevel::NewPlace;
+    MachineOrder order(config, keeper);
+    for (int i = 0; i < 3; ++i) {
+        order.command(square(registers, side));
+        order.host_transfer({.is_write = true, .at = TextureAt, .bytes = 4});
+    }
+    order.end_frame(0);
+    return keeper;
+}
+
+TEST_CASE("Draws of many quads are told before these, which come in parts") {
+    const Keeper whole = draw_squares(false, 64), parts = draw_squares(true, 64);
+    CHECK(whole.text == "draw write draw write draw write end ");
+    CHECK(parts.text == "draw write draw write draw write commands_end "
+                        "part part part part part part end ");
+    CHECK(whole.quads.size() == 3 * 64 * 64);
+    CHECK(parts.quads == whole.quads);
+    REQUIRE(parts.scenes.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(parts.scenes[i].quads.empty());
+        CHECK(parts.scenes[i].draws[0].quad_count == 64 * 64);
+        REQUIRE(parts.scenes[i].pieces.size() == 1);
+        CHECK(parts.scenes[i].pieces[0].end == 64 * 64);
+        CHECK(parts.scenes[i].pieces[0].empty_blocks == whole.scenes[i].pieces[0].empty_blocks);
+        CHECK(parts.scenes[i].pieces[0].empty_blocks == 128 / 8); // the eight rows below
+    }
+    // Each draw's texels lie where they were when it was told.
+    CHECK(parts.quads[0] != parts.quads[64 * 64]);
+}
+
+TEST_CASE("Draws of few quads are told with them") {
+    CHECK(draw_squares(true, 16).text == "draw write draw write draw write end ");
+    CHECK(draw_squares(true, 17).text == "draw write draw write draw write commands_end "
+                                         "part part part end ");
+}
+
 TEST_CASE("A tile-based machine's scene goes on over uploads and reads of other memory") {
     Machine machine(Architecture::TileBased);
     machine.draw();

@@ -51,7 +51,7 @@ private:
     void write(const PreparedScene& scene, const PreparedQuad& quad) {
         const PreparedDraw& draw = scene.draws[quad.draw];
         REQUIRE(draw.has_values);
-        const QuadValues values = scene.values_of(quad);
+        const QuadValues values = scene.values_of(scene.draws[quad.draw], quad);
         each_line(draw.depth_place, depth_lines_, [&](std::uint64_t line) {
             depths.write(draw.depth_place, quad, values.depth_words, line);
         });

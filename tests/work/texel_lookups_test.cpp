@@ -78,14 +78,14 @@ TEST_CASE("a quad looks up the lines of its texels, each once, in the order of t
             read(level, access, config.texel_cache.line_bytes, expected);
         }
 
-        PreparedScene scene;
+        PreparedQuads made;
         PreparedQuad quad;
-        TexelLookups lookups(command, config, scene);
-        TextureLines texture;
-        texture.add(level, config.texel_cache.line_bytes);
+        TexelLookups lookups(command, config);
+        const auto texture = std::make_shared<TextureLines>();
+        texture->add(level, config.texel_cache.line_bytes);
         lookups.place(0, texture);
-        lookups.add(0, 0xf, quad);
-        REQUIRE(scene.texel_lines == expected.lines);
+        lookups.add(0, 0xf, quad, made);
+        REQUIRE(made.texel_lines == expected.lines);
         REQUIRE(quad.texel_line_count == expected.lines.size());
         REQUIRE(quad.texel_reads == expected.texels);
         several += expected.lines.size() > 1;
