@@ -1,5 +1,6 @@
 // Every command of a frame is listed with its own cycles, and the listed cycles are the frame's.
 
+#include "tests/support/drawn_quad.h"
 #include "tests/timing/machine_figures.h"
 
 #include <numeric>
@@ -36,16 +37,10 @@ public:
         WorkBatch& batch = bin.tiles[0].batches.emplace_back();
         batch.draw = bin.draws.back().number;
         const std::uint8_t passed = dead ? 0 : 15;
-        for (unsigned i = 0; i < quads; ++i)
-            batch.quads.push_back({.primitive = 0,
-                                   .x = static_cast<std::uint16_t>(2 * i % Size),
-                                   .y = static_cast<std::uint16_t>(2 * i / Size * 2),
-                                   .covered = 15,
-                                   .after_early_depth = 15,
-                                   .after_coverage = 15,
-                                   .after_alpha = passed,
-                                   .after_stencil = passed,
-                                   .after_depth = passed});
+        for (unsigned i = 0; i < quads; ++i) {
+            WorkQuad& quad = batch.quads.emplace_back(drawn_quad(2 * i % Size, 2 * i / Size * 2));
+            quad.after_alpha = quad.after_stencil = quad.after_depth = passed;
+        }
     }
     void clear() { add(WorkKind::Clear).clear.color = true; }
     void copy() {

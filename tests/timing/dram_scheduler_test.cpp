@@ -49,6 +49,8 @@ MemoryConfig random_config(std::mt19937& random) {
     config.read_to_write_cycles = one_of({0, 1, 30});
     config.row_to_column_cycles = one_of({0, 4, 12});
     config.write_to_read_cycles = one_of({0, 3, 8});
+    config.activate_to_activate_cycles =
+        one_of({0, 2, 5, 9}); // a column may yield to one held by it
     return config;
 }
 
@@ -165,6 +167,22 @@ TEST_CASE("requests chosen by bits are those chosen by looking at each") {
         const std::vector<Event> expected = served(config, seed, true);
         CHECK(expected.size() > 1200);
         CHECK(served(config, seed, false) == expected);
+    }
+}
+
+// A column yields to an activate that others' activates hold; requests come in that very cycle.
+TEST_CASE("what cycles were lost to stands where a column yields and requests come") {
+    std::mt19937 random(11);
+    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+        MemoryConfig config = random_config(random);
+        config.banks = seed % 2 == 0 ? 4 : 8;
+        config.queue = 16;
+        config.burst_cycles = 2 + seed % 3;
+        config.activate_to_activate_cycles = 12;
+        config.row_to_column_cycles = 4 + seed % 8;
+        config.page_policy = PagePolicy::Open;
+        CAPTURE(seed, config.banks, config.reorder_limit);
+        CHECK(served(config, seed, false) == served(config, seed, true));
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "model/timing/config.h"
 #include "model/work/whole_command.h"
+#include "tests/support/drawn_quad.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -244,15 +245,7 @@ private:
                               .height = 1 + below(Size)};
         for (std::uint32_t y = 0; y < command.draw.image.height; y += 2)
             for (std::uint32_t x = 0; x < command.draw.image.width; x += 2)
-                command.quads.push_back({.primitive = 0,
-                                         .x = static_cast<std::uint16_t>(x),
-                                         .y = static_cast<std::uint16_t>(y),
-                                         .covered = 15,
-                                         .after_early_depth = 15,
-                                         .after_coverage = 15,
-                                         .after_alpha = 15,
-                                         .after_stencil = 15,
-                                         .after_depth = 15});
+                command.quads.push_back(drawn_quad(x, y));
         return command;
     }
 

@@ -1,6 +1,7 @@
 // The rasterizer's walk against a count of its own: a block with quads takes tile_cycles and its
 // quads' cycles, an empty one of the box empty_tile_cycles, a piece a cycle at least.
 
+#include "tests/support/drawn_quad.h"
 #include "tests/timing/front_end_scenes.h"
 
 #include <map>
@@ -51,18 +52,11 @@ WorkBin draw_of(const std::vector<Piece>& pieces, unsigned times) {
     batch.draw = 0;
     for (unsigned time = 0; time < times; ++time)
         for (const Piece& piece : pieces) {
-            for (const auto& [column, row] : piece.quads)
-                batch.quads.push_back(
-                    {.primitive = 0,
-                     .piece = static_cast<std::uint32_t>(draw.geometry.pieces.size()),
-                     .x = static_cast<std::uint16_t>(2 * column),
-                     .y = static_cast<std::uint16_t>(2 * row),
-                     .covered = 15,
-                     .after_early_depth = 15,
-                     .after_coverage = 15,
-                     .after_alpha = 15,
-                     .after_stencil = 15,
-                     .after_depth = 15});
+            for (const auto& [column, row] : piece.quads) {
+                WorkQuad quad = drawn_quad(2 * column, 2 * row);
+                quad.piece = static_cast<std::uint32_t>(draw.geometry.pieces.size());
+                batch.quads.push_back(quad);
+            }
             draw.geometry.pieces.push_back(piece.box);
         }
     draw.geometry.primitives = {

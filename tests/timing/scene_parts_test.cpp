@@ -5,6 +5,7 @@
 #include "model/timing/series.h"
 #include "model/timing/simulation_context.h"
 #include "model/work/machine_order.h"
+#include "tests/support/drawn_quad.h"
 #include "tests/timing/random_work.h"
 
 #include <map>
@@ -90,10 +91,10 @@ Outcome run_frames(TimingConfig config, Told told, Draw&& draw, std::uint64_t se
     const SimulationContext context;
     Outcome outcome;
     const SimulationContext::Scope scope(context);
-    // Where parts are told by lot, at another pace of the clock and in another order.
+    // Where parts are told by lot, by the plainest of the clock's paces and in another order.
     const auto order_of_units = static_cast<std::uint32_t>(seed);
     const Evaluation evaluation =
-        told == Told::ByLot ? Evaluation(order_of_units, Pace::Lockstep) : Evaluation();
+        told == Told::ByLot ? Evaluation(order_of_units, Pace::EveryCycle) : Evaluation();
     Machine machine(context, config, evaluation, {});
     Samples samples;
     machine.series->set_sink(&samples);
@@ -153,18 +154,11 @@ work::WholeCommand square(RandomWork& work, std::uint32_t number) {
     work::WholeCommand command = work.draw(number, 3, 0);
     command.draw.geometry.vertices = {0, 1, 2};
     command.draw.geometry.primitives = {{.key = 0, .last_vertex = 2, .pieces = 1}};
-    command.draw.geometry.pieces = {{.x0 = 0, .y0 = 0, .x1 = 128, .y1 = 128}};
+    command.draw.geometry.pieces = {
+        {.x0 = 0, .y0 = 0, .x1 = 128, .y1 = 128, .touched_blocks = 16 * 16}};
     for (std::uint16_t y = 0; y < 128; y += 2)
         for (std::uint16_t x = 0; x < 128; x += 2)
-            command.quads.push_back({.primitive = 0,
-                                     .x = x,
-                                     .y = y,
-                                     .covered = 15,
-                                     .after_early_depth = 15,
-                                     .after_coverage = 15,
-                                     .after_alpha = 15,
-                                     .after_stencil = 15,
-                                     .after_depth = 15});
+            command.quads.push_back(drawn_quad(x, y));
     return command;
 }
 

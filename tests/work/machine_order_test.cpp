@@ -1,6 +1,7 @@
 // When a scene of a tile-based machine ends: by what the application did, and by nothing else.
 
 #include "model/work/machine_order.h"
+#include "tests/support/drawn_quad.h"
 
 #include <algorithm>
 #include <memory>
@@ -61,15 +62,7 @@ struct Machine {
     void draw(std::uint16_t x = 0, std::uint16_t y = 0, bool textured = false) {
         auto command = std::make_shared<WholeCommand>();
         command->draw.state = std::make_shared<const Registers>(registers);
-        command->quads.push_back({.primitive = 0,
-                                  .x = x,
-                                  .y = y,
-                                  .covered = 1,
-                                  .after_early_depth = 1,
-                                  .after_coverage = 1,
-                                  .after_alpha = 1,
-                                  .after_stencil = 1,
-                                  .after_depth = 1});
+        command->quads.push_back(drawn_quad(x, y, 1));
         if (textured) {
             command->units = {0};
             command->add_access(0, TexelAccess{});
@@ -152,15 +145,7 @@ std::shared_ptr<const WholeCommand> square(const Registers& registers, std::uint
     command->draw.geometry.pieces = {{0, 0, pixels, static_cast<std::uint16_t>(pixels + 8)}};
     for (std::uint16_t y = 0; y < pixels; y += 2) {
         for (std::uint16_t x = 0; x < pixels; x += 2) {
-            command->quads.push_back({.primitive = 0,
-                                      .x = x,
-                                      .y = y,
-                                      .covered = 1,
-                                      .after_early_depth = 1,
-                                      .after_coverage = 1,
-                                      .after_alpha = 1,
-                                      .after_stencil = 1,
-                                      .after_depth = 1});
+            command->quads.push_back(drawn_quad(x, y, 1));
             TexelAccess access{};
             access.x0 = access.x1 = static_cast<std::uint16_t>(x % 16);
             access.y0 = access.y1 = static_cast<std::uint16_t>(y % 16);

@@ -5,6 +5,7 @@
 #include "model/work/address_map.h"
 #include "model/work/first_level.h"
 #include "model/work/machine_order.h"
+#include "tests/support/drawn_quad.h"
 
 #include <algorithm>
 #include <functional>
@@ -209,15 +210,8 @@ struct Machine {
     void draw(std::uint16_t x, std::uint16_t y, std::uint16_t at = 0) {
         auto command = std::make_shared<WholeCommand>();
         command->draw.state = std::make_shared<const Registers>(registers);
-        command->quads.push_back({.primitive = 0,
-                                  .x = at,
-                                  .y = at,
-                                  .covered = 1,
-                                  .after_early_depth = 1,
-                                  .after_coverage = 1,
-                                  .after_alpha = 1,
-                                  .after_stencil = 1,
-                                  .after_depth = lanes_written});
+        command->quads.push_back(drawn_quad(at, at, 1));
+        command->quads.back().after_depth = lanes_written;
         command->units = {0};
         TexelAccess access{};
         access.x0 = x;

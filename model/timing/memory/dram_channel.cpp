@@ -54,12 +54,13 @@ inline void DramChannel::note_oldest(MemoryCycle from) {
     if (!leaves_open_) close_cause(NoCycle);
 }
 
-// Mostly it is enough to look at what has come.
+// Mostly it is enough to look at what has come. Where a column yields to another bank's row, that
+// is why nothing flows, whatever comes.
 inline void DramChannel::wait_also_for(const DramRequest& request, MemoryCycle now) {
     const auto soonest =
         rests_ ? scheduler_.soonest_of(request, waiting_, device_, now) : std::nullopt;
     if (soonest && *soonest > now) {
-        if (counts_) note_oldest(now);
+        if (counts_ && planned_.waits_for_oldest()) note_oldest(now);
         next_work_ = std::min(next_work_, *soonest);
         next_column_ = std::min(next_column_, *soonest);
     } else {

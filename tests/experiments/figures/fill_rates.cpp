@@ -4,6 +4,7 @@
 
 #include "model/timing/gpu_timing.h"
 #include "tests/experiments/figures/all.h"
+#include "tests/support/drawn_quad.h"
 #include "tools/config/config_file.h"
 
 #include <memory>
@@ -101,15 +102,7 @@ std::shared_ptr<const work::WholeCommand> full_screen(const Pass& pass) {
         command->units.push_back(static_cast<std::uint8_t>(unit));
     for (std::uint16_t y = 0; y < Height; y += 2)
         for (std::uint16_t x = 0; x < Width; x += 2) {
-            command->quads.push_back({.primitive = 0,
-                                      .x = x,
-                                      .y = y,
-                                      .covered = 15,
-                                      .after_early_depth = 15,
-                                      .after_coverage = 15,
-                                      .after_alpha = 15,
-                                      .after_stencil = 15,
-                                      .after_depth = 15});
+            command->quads.push_back(drawn_quad(x, y));
             for (unsigned unit = 0; unit < pass.frame.textures; ++unit) {
                 for (std::uint16_t lane = 0; lane < 4; ++lane)
                     command->add_access(unit, bilinear(x + lane % 2u, y + lane / 2u, lane));
