@@ -35,7 +35,7 @@ bool TileMemory::open_bin() {
     return true;
 }
 
-// A line a cycle: stores before loads, since they free a place.
+// Stores before loads, since they free a place.
 Activity TileMemory::move_line() {
     for (const State state : {State::Storing, State::Loading}) {
         for (Open& open : open_) {
@@ -109,12 +109,21 @@ Activity TileMemory::close() {
     return Activity::Busy;
 }
 
+Activity TileMemory::move_lines() {
+    Activity last = move_line();
+    const Activity activity = last;
+    for (std::uint32_t moved = 1; moved < config_.lines_per_cycle && last == Activity::Busy;
+         ++moved)
+        last = move_line();
+    return activity;
+}
+
 Activity TileMemory::step() {
     while (ports_.responses_in.can_pop())
         --open_[ports_.responses_in.pop() - open_.front().ticket].on_their_way;
     Activity reason = Activity::Idle;
     bool worked = open_bin();
-    for (const Activity activity : {close(), move_line(), load()}) {
+    for (const Activity activity : {close(), move_lines(), load()}) {
         worked |= activity == Activity::Busy;
         if (activity != Activity::Busy && activity != Activity::Idle) blame(reason, activity);
     }

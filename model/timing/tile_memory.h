@@ -63,6 +63,7 @@ private:
 
     Activity step() override;
     bool open_bin();
+    Activity move_lines();
     Activity move_line();
     Activity load();
     Activity close();

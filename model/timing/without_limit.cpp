@@ -139,6 +139,7 @@ TimingConfig without_limit(TimingConfig config, Resource resource) {
         break;
     case Resource::TileMemory:
         config.tiles.clear_pixels_per_cycle = 4096;
+        config.tiles.lines_per_cycle = Many;
         break;
     case Resource::Raster:
         without_raster(config.raster);

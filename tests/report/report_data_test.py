@@ -150,6 +150,14 @@ class Figures(unittest.TestCase):
         self.assertIn("curves", data)  # Those of a whole trace go with a few of its frames.
         self.assertIn("curves.csv is of other work", data["notes"]["curves"][0])
 
+    def test_draws_of_frames_that_the_run_does_not_have_are_left_out(self):
+        mixed = runs.full_run(self.folder / "mixed_frames")
+        runs.replay(mixed, "--no-images", frames="6-7")
+        data = runs.data_of(runs.report(mixed))["runs"][0]
+        for part, file in (("facts", "draws.csv"), ("pixels", "draw_pixels.csv")):
+            self.assertNotIn(part, data)
+            self.assertIn(f"{file} is of another run", data["notes"]["draws" if part == "facts" else part][0])
+
 
 class PicturesOfOthers(unittest.TestCase):
     def setUp(self):

@@ -49,9 +49,16 @@ inline std::vector<QuadLines> quads_in_order() {
     return quads;
 }
 
+// Where tiles are shared out a row of them begins at the pipe that its number's last four bits,
+// read from the other end as a binary fraction, have of all pipes.
 inline unsigned
 pipe_of(const QuadLines& quad, Distribution distribution, unsigned width, unsigned pipes) {
-    return (quad.y / width + (distribution == Distribution::Tiles ? quad.x / width : 0)) % pipes;
+    const unsigned row = quad.y / width;
+    if (distribution != Distribution::Tiles) return row % pipes;
+    double fraction = 0;
+    for (unsigned bit = 0; bit < 4; ++bit)
+        fraction += (row >> bit & 1) / static_cast<double>(2 << bit);
+    return (quad.x / width + static_cast<unsigned>(fraction * pipes)) % pipes;
 }
 
 inline TimingConfig

@@ -1,7 +1,10 @@
 // Fragment pipes side by side: what is bound by filling takes a pipe's share of the quads, what is
 // bound by geometry is not changed.
 
+#include "model/timing/fragment_pipes.h"
 #include "tests/timing/textured_draws.h"
+
+#include <set>
 
 #include <catch2/catch.hpp>
 
@@ -18,11 +21,15 @@ WorkBin filling(unsigned environments = 0) {
     return bin;
 }
 
-void check_share(std::uint64_t cycles, const TimingConfig& config, std::uint64_t quad_cycles) {
+// `at_end`: cycles in which some pipes have quads left and others none.
+void check_share(std::uint64_t cycles,
+                 const TimingConfig& config,
+                 std::uint64_t quad_cycles,
+                 std::uint64_t at_end = 0) {
     const std::uint64_t share = quad_cycles / config.raster.quads_per_cycle;
     INFO("pipes " << config.raster.quads_per_cycle);
     CHECK(cycles >= share);
-    CHECK(static_cast<double>(cycles - fill_and_drain(config)) <=
+    CHECK(static_cast<double>(cycles - fill_and_drain(config) - at_end) <=
           1.05 * static_cast<double>(share));
 }
 
@@ -35,6 +42,42 @@ TEST_CASE("1 to 16 pipes share the quads of a textured draw, distributed by tile
         config.fragment.distribution_width = 2;
         config.raster.traversal = Traversal::Column; // Rows of quads in turn.
         check_share(run(config, bin).at("total_cycles"), config, FillQuads);
+    }
+}
+
+TEST_CASE("Each aligned block of as many squares as pipes has one of each pipe's") {
+    for (const std::uint32_t pipes : {2u, 4u, 8u, 16u}) {
+        for (std::uint32_t width = 1; width <= pipes; width *= 2) {
+            const std::uint32_t height = pipes / width, x = 6 * width, y = 9 * height;
+            std::set<std::uint32_t> seen;
+            for (std::uint32_t row = y; row < y + height; ++row)
+                for (std::uint32_t column = x; column < x + width; ++column)
+                    seen.insert(pipe_of_square(column, row, pipes));
+            INFO(pipes << " pipes, " << width << " squares wide");
+            CHECK(seen.size() == pipes);
+        }
+    }
+}
+
+TEST_CASE("1 to 16 pipes share the quads of a half of the window, in each order of its tiles") {
+    const bool falls = GENERATE(false, true);
+    const auto order =
+        GENERATE(Traversal::Tiled, Traversal::Nested, Traversal::Morton, Traversal::Hilbert);
+    const double size = FillSize;
+    WorkBin bin = make_bin({FillSize, FillSize, 32, [&](double x, double y, SceneSample& s) {
+                                s = {.u = x, .v = y};
+                                return (falls ? size - x : x) < y;
+                            }});
+    auto state = std::make_shared<Registers>(*bin.draws[0].state);
+    state->blend.write_mask = 0;
+    bin.draws[0].state = state;
+    constexpr std::uint64_t Side = FillSize / 2, HalfQuads = Side * (Side + 1) / 2;
+    for (const std::uint32_t pipes : {1u, 2u, 4u, 8u, 16u}) {
+        TimingConfig config = wide_machine(pipes);
+        config.raster.traversal = order;
+        INFO("falls " << falls << ", order " << static_cast<int>(order));
+        const std::uint64_t cycles = run(config, bin).at("total_cycles");
+        check_share(cycles, config, HalfQuads, config.fragment.pipe_queue);
     }
 }
 

@@ -186,6 +186,32 @@ TEST_CASE("A clear on chip takes the bin's pixels, a primitive in a bin its cycl
     CHECK(cycles(64, 40) - cycles(64, 1) == (40 - 1) * Primitives);
 }
 
+TEST_CASE("A bin's lines are loaded and stored lines_per_cycle at a time") {
+    TileBench bench(32, 32);
+    Box lower = bench.all();
+    lower.y1 = 16; // The other pixels stay as they are: the bin is loaded.
+    bench.draw({lower});
+    bench.end_frame();
+    const auto figures = [&](std::uint32_t lines) {
+        TimingConfig config = tile_based(32);
+        config.memory.kind = MemoryKind::Fixed;
+        config.memory.channels = 16;
+        config.memory.interleave_bytes = 64;
+        config.tiles.lines_per_cycle = lines;
+        return bench.run(config);
+    };
+    const Figures one = figures(1);
+    std::uint64_t lines = 0;
+    for (const char* const moved : {"tile_color_loaded_bytes",
+                                    "tile_depth_loaded_bytes",
+                                    "tile_color_stored_bytes",
+                                    "tile_depth_stored_bytes"})
+        lines += one.at(moved) / 64;
+    CHECK(lines == 2 * 32 * 32 * 4 / 64); // Colour comes and goes.
+    for (const std::uint32_t wide : {2u, 4u, 8u})
+        CHECK(one.at("total_cycles") - figures(wide).at("total_cycles") == lines - lines / wide);
+}
+
 TEST_CASE("Entries of a list are written together") {
     TileBench bench(32, 32);
     bench.draw(std::vector<Box>(16, bench.all()));

@@ -46,18 +46,24 @@ std::map<DrawName, Place> places_of(const RunFigures& figures) {
     return places;
 }
 
-// Calls `visit(line, place)` for each line whose draw is on the page.
+// Calls `visit(line, place)` for each line whose draw is on the page. False: the page has draws,
+// the file has lines, and no line is of a draw: they are of two runs.
 template <class Visitor>
-void for_each_draw(const CsvTable& file, const RunFigures& figures, Visitor&& visit) {
+bool for_each_draw(const CsvTable& file, const RunFigures& figures, Visitor&& visit) {
     const auto places = places_of(figures);
     const std::size_t frame = file.wanted_column("frame"), kind = file.wanted_column("kind"),
                       draw = file.wanted_column("draw");
     Occurrences occurrences;
+    bool any = file.rows() == 0 || places.empty();
     for (std::size_t line = 0; line < file.rows(); ++line) {
         const auto name = occurrences.next(
             file.number(line, frame), std::string(file.text(line, kind)), file.number(line, draw));
-        if (const auto found = places.find(name); found != places.end()) visit(line, found->second);
+        const auto found = places.find(name);
+        if (found == places.end()) continue;
+        any = true;
+        visit(line, found->second);
     }
+    return any;
 }
 
 constexpr std::array<std::string_view, 6> ShownFacts{
@@ -78,7 +84,7 @@ DrawFacts facts_of(const CsvTable& file, const RunFigures& figures) {
         facts.places.emplace_back(commands.size());
     const std::size_t cycles = file.wanted_column("cycles");
     std::map<std::string_view, std::size_t> known;
-    for_each_draw(file, figures, [&](std::size_t line, const Place& place) {
+    const bool any = for_each_draw(file, figures, [&](std::size_t line, const Place& place) {
         const RunCommand& command = figures.commands[place.frame][place.entry];
         const bool has_cycles = !file.text(line, cycles).empty();
         if (has_cycles && file.number(line, cycles) != command.cycles) facts.is_of_run = false;
@@ -89,6 +95,7 @@ DrawFacts facts_of(const CsvTable& file, const RunFigures& figures) {
             facts.places[place.frame][place.entry].push_back(found->second);
         }
     });
+    facts.is_of_run &= any;
     return facts;
 }
 
@@ -108,11 +115,12 @@ DrawPixelsOfRun pixels_of(const CsvTable& file, const RunFigures& figures, std::
     DrawPixelsOfRun result;
     result.is_of_run = true;
     std::vector<Found> draws;
-    for_each_draw(file, figures, [&](std::size_t line, const Place& place) {
+    const bool any = for_each_draw(file, figures, [&](std::size_t line, const Place& place) {
         const RunCommand& command = figures.commands[place.frame][place.entry];
         if (!is_same(line, command)) result.is_of_run = false;
         draws.push_back({command.cycles, line, place});
     });
+    result.is_of_run &= any;
     std::stable_sort(draws.begin(), draws.end(), [](const Found& a, const Found& b) {
         return a.cycles > b.cycles;
     });

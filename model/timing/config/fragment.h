@@ -37,9 +37,10 @@ struct FragmentConfig {
     static void visit(Self& self, Visitor&& field) {
         field("distribution",
               self.distribution,
-              {.meaning = "of quads to the raster.quads_per_cycle fragment pipes: squares on a "
-                          "diagonal share a pipe; bands of scan lines; or primitives take turns, "
-                          "and quads leave in the order in which they came",
+              {.meaning =
+                   "of quads to the raster.quads_per_cycle fragment pipes: squares, of which "
+                   "neighbours go to different pipes; bands of scan lines; or primitives "
+                   "take turns, and quads leave in the order in which they came",
                .choices = DistributionNames});
         field("distribution_width",
               self.distribution_width,

@@ -19,6 +19,7 @@ struct TilesConfig : work::TileOrder {
     std::uint32_t entry_cycles = 1;
     std::uint32_t buffers = 2;
     std::uint32_t clear_pixels_per_cycle = 64;
+    std::uint32_t lines_per_cycle = 1;
     std::uint32_t request_queue = 16;
 
     template <class Self, class Visitor>
@@ -37,6 +38,12 @@ struct TilesConfig : work::TileOrder {
                .minimum = 1,
                .maximum = 4096,
                .meaning = "that a clear on chip fills"});
+        field("lines_per_cycle",
+              self.lines_per_cycle,
+              {.unit = "lines/cycle",
+               .minimum = 1,
+               .maximum = 64,
+               .meaning = "that are asked for or sent to be stored"});
         field("request_queue",
               self.request_queue,
               {.unit = "requests",
