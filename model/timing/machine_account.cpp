@@ -184,6 +184,41 @@ Stage Machine::interpolator_stage() {
                       {.to = {0}, .takes = true, .free_width = pipes}}};
 }
 
+// Requests are looked up, wait for their lines, each first-level cache's in a queue of its own, and
+// are answered.
+Stage Machine::second_level_stage() {
+    constexpr std::uint32_t Most = 64;
+    constexpr std::size_t MostQueues = 8; // Of more there would be more than are followed.
+    TexelL2& unit = *texel_caches.unit();
+    const TexelL2Config& l2 = config.texel_l2;
+    Stage stage{.resource = Resource::TexelL2,
+                .unit = &unit,
+                .width = l2.lookups_per_cycle,
+                .free_width = Most};
+    const std::size_t clients = texel_caches.first_level().size();
+    if (clients > MostQueues) return stage;
+    Step look_up{.takes = true,
+                 .width = l2.lookups_per_cycle,
+                 .free_width = Most,
+                 .lookups_per_cycle = l2.lookups_per_cycle,
+                 .asks = true};
+    const std::uint32_t answers = std::max(l2.bytes_per_cycle / config.texel_cache.line_bytes, 1u);
+    for (std::size_t queue = 0; queue < clients; ++queue) {
+        stage.passages.push_back({.passage = &unit.waiting(queue),
+                                  .places = l2.queue,
+                                  .answers = &texel_caches.second_level_port().responses,
+                                  .works_first = true});
+        stage.steps.push_back({.from = {queue},
+                               .gives = true,
+                               .width = answers,
+                               .free_width = Most,
+                               .free_cycles = 0});
+        look_up.to.push_back(queue);
+    }
+    stage.steps.push_back(std::move(look_up));
+    return stage;
+}
+
 // The way of the work: what each waits for is behind it, or the memory. What is before the pipe
 // waits for nobody behind it.
 std::vector<Stage> Machine::stages() {
@@ -243,9 +278,7 @@ std::vector<Stage> Machine::stages() {
         stages.insert(stages.begin() + 6, more.begin(), more.end()); // behind set-up
     }
     if (interpolator) stages.insert(stages.begin() + 7, interpolator_stage()); // behind raster
-    if (Unit* const unit = texel_caches.unit())
-        stages.insert(stages.begin(),
-                      stage(Resource::TexelL2, *unit, config.texel_l2.lookups_per_cycle, 4 * Most));
+    if (texel_caches.unit()) stages.insert(stages.begin(), second_level_stage());
     return stages;
 }
 

@@ -24,7 +24,9 @@ public:
     // What the memory sees.
     std::vector<CachePort*> at_memory();
     // The second level's unit; null where there is none.
-    Unit* unit() { return l2_.get(); }
+    TexelL2* unit() { return l2_.get(); }
+    // What it asks the memory by.
+    const CachePort& second_level_port() const { return *l2_port_; }
 
     void connect(Unit& texture, Unit& arbiter);
 

@@ -33,10 +33,12 @@ bool TexelL2::answer(std::size_t client, Activity& reason) {
             const std::uint32_t width = config_.bytes_per_cycle;
             queue.transfer_cycles_left = (oldest.bytes + width - 1) / width;
         }
+        queue.passage.worked += !worked; // In the cycle's other answers it carries more of them.
         room -= std::min(room, oldest.bytes);
         if (--queue.transfer_cycles_left > 0) return true;
         ports_.first_level[client]->responses.push(oldest.request);
         memory_in_flight_.leave();
+        queue.passage.leave(oldest.ticket);
         queue.waiting.pop_front();
     }
     return worked;
@@ -58,6 +60,8 @@ bool TexelL2::look_up(std::size_t client, Activity& reason) {
         return false;
     }
     queue.waiting.push_back({result.ticket, request.ticket, request.bytes});
+    ++queue.passage.entered;
+    ++queue.passage.looked_up;
     requests.pop();
     return true;
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "model/timing/cache_port.h"
+#include "model/timing/passage.h"
 #include "model/timing/unit.h"
 
 #include <deque>
@@ -26,6 +27,8 @@ public:
             InFlight& memory_in_flight);
 
     std::string state() const override;
+    // Of each first-level cache: its requests that were looked up.
+    const Passage& waiting(std::size_t client) const { return queues_[client].passage; }
 
 private:
     struct Waiting {
@@ -36,6 +39,7 @@ private:
     struct Queue {
         std::deque<Waiting> waiting;
         std::uint32_t transfer_cycles_left = 0; // of the oldest, once it is on the link
+        Passage passage;
     };
 
     Activity step() override;

@@ -80,6 +80,18 @@ TEST_CASE("a draw bound by the expansion of its texels gains what it takes less 
     check_gain(run(config, bin), "gain_texture_cycles", unlimited);
 }
 
+// What the unit takes for a miss is taken from the answer, too, whoever gives it.
+TEST_CASE("a draw bound by the cycles of its misses gains what it takes less without them") {
+    const WorkBin bin = fill(true);
+    TimingConfig config;
+    config.memory.bytes_per_cycle = 256;
+    config.texel_l2.enable = GENERATE(false, true);
+    const std::uint64_t unlimited = run(config, bin).at("total_cycles");
+    config.texture.miss_cycles = GENERATE(8u, 20u);
+    CAPTURE(config.texel_l2.enable, config.texture.miss_cycles);
+    check_gain(run(config, bin), "gain_texture_cycles", unlimited);
+}
+
 // A textured draw of one piece, of which three attributes vary.
 WorkBin interpolated_fill() {
     WorkBin bin = fill(true);
