@@ -183,6 +183,8 @@ TEST_CASE("what look-ups do not follow is told by cache and by din", "[cache]") 
              Case{"depth", "depth_cache.enable=false", "depth_cache.enable=false: not followed"},
              Case{"color", "color_cache.enable=false", "color_cache.enable=false: not followed"},
              Case{"texel", "color_cache.enable=false", ""},
+             Case{"vertex", "vertex.index_cache_lines=0", "vertex.index_cache_lines=0: not follow"},
+             Case{"texel", "vertex.index_cache_lines=0", ""},
          }) {
         INFO(of.client << ", " << of.setting);
         const std::vector<std::string> common{

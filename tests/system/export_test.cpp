@@ -247,6 +247,9 @@ TEST_CASE("what is wrong with an export is one line, and status 2", "[export]") 
                    Contains("No space left on device"));
     CHECK_THAT(fails({"export", trace, "--format", "csv", "--access-bytes", "48"}),
                Contains("--access-bytes 48"));
+    // The machine's channels change behind 256 bytes.
+    CHECK_THAT(fails({"export", trace, "--format", "ramulator2_vectors", "--access-bytes", "512"}),
+               Contains("no more than 256 bytes"));
     const TemporaryFile newer(std::string("FFGPUWRK\x09\0\0\0", 12), ".ffw");
     CHECK_THAT(fails({"export", newer.path(), "--format", "din"}), Contains(newer.path()));
 }

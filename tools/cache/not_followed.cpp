@@ -32,6 +32,9 @@ std::vector<std::string> not_followed_by_lookups(const timing::TimingConfig& tim
     if (timing.hierarchical_depth.is_on() && (texel || has(clients, LookupClient::Depth)))
         lines.emplace_back("hierarchical_depth.keeps: not followed: quads that the coarse depths "
                            "decide are looked up like others");
+    if (has(clients, LookupClient::Vertex) && timing.vertex.index_cache_lines == 0)
+        lines.emplace_back("vertex.index_cache_lines=0: not followed: look-ups are of vertices "
+                           "alone, as if indices had a cache of their own");
     const auto warn_if_off = [&](LookupClient client, const timing::CacheConfig& cache) {
         if (has(clients, client) && !cache.enable)
             lines.push_back(cache_of(client) + ".enable=false: not followed: look-ups are of a "

@@ -1,6 +1,11 @@
 #include "tools/export/memory_format.h"
 
+#include "model/base/input_error.h"
 #include "model/timing/memory/address_mapping.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
 
 namespace ffgpu::tools {
 namespace {
@@ -41,7 +46,17 @@ private:
 class Ramulator2Vectors final : public MemoryFormat {
 public:
     explicit Ramulator2Vectors(const MemoryFormatOptions& options)
-        : options_(options) {}
+        : options_(options) {
+        const timing::MemoryConfig& memory = options.memory;
+        const std::uint32_t together = memory.channels > 1
+                                           ? std::min(memory.interleave_bytes, memory.row_bytes)
+                                           : memory.row_bytes;
+        if (options.access_bytes > together)
+            throw InputError(fmt::format("--access-bytes {}: no more than {} bytes in a row lie in "
+                                         "one channel's row, which a vector names",
+                                         options.access_bytes,
+                                         together));
+    }
 
     void
     write(const TracedRequest& traced, const std::optional<TexelPlace>&, TextWriter& out) override {

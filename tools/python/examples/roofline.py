@@ -21,6 +21,8 @@ given = arguments("A roofline of draws", ("run", "the folder of ffgpu replay --t
 table = draws(given.run)
 table["bytes"] = traffic(given.memory).sum(axis=1).reindex(table.index)
 table = table[(table.fragments > 0) & (table["bytes"] > 0)]
+if table.empty:
+    raise SystemExit("roofline: no draw of the run writes fragments and reads texels from memory")
 intensity, speed = table.fragments / table["bytes"], table.fragments / table.cycles
 roof = roofs(given.run)
 
