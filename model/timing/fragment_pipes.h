@@ -20,8 +20,8 @@ namespace ffgpu::timing {
 
 // Of the squares (column, row) of a window that `pipes` pipes share, 1 to 16: rows begin with
 // another pipe each, by the sequence of van der Corput (1935), so that where the pipes are a power
-// of two each aligned block of as many squares, whatever its shape, has one of each pipe's. So an
-// order of tiles keeps all pipes at work, and no edge lies along one pipe's squares.
+// of two each aligned block of as many squares, whatever its shape, has one of each pipe's: what
+// is drawn at one time, in whatever order of tiles, is shared by all.
 inline std::uint32_t pipe_of_square(std::uint32_t column, std::uint32_t row, std::uint32_t pipes) {
     constexpr std::uint64_t Reversed = 0xf7b3'd591'e6a2'c480; // four bits each, of 0 to 15
     const auto reversed = static_cast<std::uint32_t>(Reversed >> (row % 16 * 4) & 15);

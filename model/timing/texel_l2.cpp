@@ -33,7 +33,7 @@ bool TexelL2::answer(std::size_t client, Activity& reason) {
             const std::uint32_t width = config_.bytes_per_cycle;
             queue.transfer_cycles_left = (oldest.bytes + width - 1) / width;
         }
-        queue.passage.worked += !worked; // In the cycle's other answers it carries more of them.
+        queue.passage.worked += !worked; // A cycle of the link, however many it answers.
         room -= std::min(room, oldest.bytes);
         if (--queue.transfer_cycles_left > 0) return true;
         ports_.first_level[client]->responses.push(oldest.request);
