@@ -150,6 +150,7 @@ private:
     void add_texel_steps(Stage& stage);
     void add_fragment_steps(Stage& stage);
     Stage interpolator_stage();
+    Stage raster_stage();
     Stage second_level_stage();
     void look_for_bottlenecks(Pace pace);
     std::vector<LineCache*> caches();

@@ -171,6 +171,24 @@ void Machine::add_fragment_steps(Stage& stage) {
     add_exit(stage, fragment.exit(), fragments.pipe_queue, last);
 }
 
+// A walk that takes each block a cycle or more is a step of its own; what it walks to is made into
+// quads behind it. Without the resource's limits there are the quads alone.
+Stage Machine::raster_stage() {
+    const std::uint32_t pipes = config.raster.quads_per_cycle;
+    Stage stage{.resource = Resource::Raster, .unit = &raster, .width = pipes, .free_width = pipes};
+    if (config.raster.walk != Walk::Box || config.raster.tile_cycles == 0) return stage;
+    stage.passages = {{.passage = &raster.blocks(),
+                       .places = config.raster.block_queue,
+                       .back = 1,
+                       .through_work = 1,
+                       .back_work = 1,
+                       .units = 1}};
+    stage.steps = {
+        {.to = {0}, .takes = true},
+        {.from = {0}, .gives = true, .width = pipes, .free_width = pipes, .free_cycles = 0}};
+    return stage;
+}
+
 // Without its limits there is none.
 Stage Machine::interpolator_stage() {
     const std::uint32_t pipes = config.raster.quads_per_cycle;
@@ -267,7 +285,7 @@ std::vector<Stage> Machine::stages() {
                               transform,
                               stage(Resource::Clip, clip, set_ups, set_ups),
                               set_up,
-                              stage(Resource::Raster, raster, pipes, pipes),
+                              raster_stage(),
                               early,
                               textured,
                               combined,

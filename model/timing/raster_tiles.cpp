@@ -23,8 +23,8 @@ std::uint32_t place_in_block(const PreparedQuad& quad) {
 } // namespace
 
 // A cycle each: tiles, all their blocks, and the quads of those that are touched.
-void RasterTiming::begin_tiles(const work::PreparedPiece& piece) {
-    const PieceBox& box = piece.box;
+void RasterTiming::begin_tiles() {
+    const PieceBox& box = piece().box;
     const std::uint32_t width = config_.outer_tile_width;
     const std::uint32_t across = width / PieceBox::BlockWidth;
     const Cycle tiles = box.empty() ? 0
@@ -33,13 +33,13 @@ void RasterTiming::begin_tiles(const work::PreparedPiece& piece) {
     walk_ = {.begun = true,
              .cycles_left = config_.piece_cycles + tiles * (1 + Cycle{across} * across) +
                             Cycle{box.touched_blocks} * BlockQuads,
-             .empty = piece.empty_blocks,
-             .touched = box.touched_blocks};
+             .empty = piece().empty_blocks,
+             .touched = box.touched_blocks,
+             .quad = piece().begin};
     walk_.cycles_left = std::max<Cycle>(walk_.cycles_left, 1);
-    const TimedPart* part = nullptr;
-    for (std::uint32_t i = piece.begin; i != piece.end; ++i) {
-        if (!part || !part->has(i)) part = &scene_->part_of(i);
-        const PreparedQuad& quad = part->work.quads[i - part->first];
+    for (std::uint32_t i = piece().begin; i != piece().end; ++i) {
+        const TimedPart& part = walked_.part_with(*record_.scene, i);
+        const PreparedQuad& quad = part.work.quads[i - part.first];
         if (!quad.new_tile) continue;
         walk_.empty += quad.empty_blocks;
         walk_.touched -= std::min<std::uint64_t>(walk_.touched, 1);
@@ -84,23 +84,37 @@ bool RasterTiming::last_quad_has_left() const {
     return ports_.quads_out.can_push(std::min<std::size_t>(2, ports_.quads_out.places()));
 }
 
+Activity RasterTiming::step_tiles() {
+    if (now() < walked_at_) {
+        if (piece_ == end_piece_ && now() + 1 == walked_at_) end_record(record_);
+        return Activity::Busy;
+    }
+    if (piece_ == end_piece_) {
+        if (!take()) return Activity::Idle;
+        if (piece_ == end_piece_) { // A token without pieces: of a tile-based machine it was over.
+            if (config_.architecture == Architecture::Immediate) end_record(record_);
+            return Activity::Busy;
+        }
+    }
+    return walk_tiles();
+}
+
 Activity RasterTiming::walk_tiles() {
-    const work::PreparedPiece& piece = scene_->work.pieces[piece_];
     if (!walk_.begun) {
         if (!last_quad_has_left()) return Activity::StalledOutput;
-        begin_tiles(piece);
+        begin_tiles();
     }
-    if (quad_ == piece.end) { // It holds none.
+    if (walk_.quad == piece().end) { // It holds none.
         walked_at_ = now() + walk_.cycles_left;
         end_tiles();
         return Activity::Busy;
     }
-    const TimedPart& part = part_with_quad();
-    const std::uint32_t index = quad_ - part.first;
+    const TimedPart& part = walked_.part_with(*record_.scene, walk_.quad);
+    const std::uint32_t index = walk_.quad - part.first;
     const PreparedQuad& quad = part.work.quads[index];
-    if (!in_block_) {
-        const Cycle before = scan_to(piece.box, quad);
-        in_block_ = true;
+    if (!walk_.is_found) {
+        const Cycle before = scan_to(piece().box, quad);
+        walk_.is_found = true;
         walk_.cycles_left -= std::min(walk_.cycles_left, before + 1);
         walked_at_ = now() + before;
         if (before > 0) return Activity::Busy;
@@ -108,8 +122,8 @@ Activity RasterTiming::walk_tiles() {
     if (!ports_.quads_out.can_push()) return Activity::StalledOutput;
     ports_.quads_out.push({&part, index, 0});
     statistics_.blocks += quad.new_tile;
-    in_block_ = false;
-    if (++quad_ == piece.end) {
+    walk_.is_found = false;
+    if (++walk_.quad == piece().end) {
         walked_at_ = now() + 1 + walk_.cycles_left;
         end_tiles();
     }
@@ -118,10 +132,18 @@ Activity RasterTiming::walk_tiles() {
 
 void RasterTiming::end_tiles() {
     walk_.begun = false;
-    if (++piece_ != end_piece_)
-        quad_ = scene_->work.pieces[piece_].begin;
-    else if (walked_at_ <= now() + 1)
-        end_record();
+    if (++piece_ == end_piece_ && walked_at_ <= now() + 1) end_record(record_);
+}
+
+bool RasterTiming::starves_in_tiles() const {
+    if (piece_ == end_piece_) return next_token_starves();
+    const std::uint32_t quad = walk_.begun ? walk_.quad : piece().begin;
+    return starves_at(*record_.scene, quad, piece().end);
+}
+
+Cycle RasterTiming::next_in_tiles(Activity last) const {
+    if (now() + 1 >= walked_at_) return Unit::next_work(last);
+    return piece_ == end_piece_ ? walked_at_ - 1 : walked_at_;
 }
 
 } // namespace ffgpu::timing

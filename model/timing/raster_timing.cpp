@@ -1,14 +1,14 @@
 #include "model/timing/raster_timing.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace ffgpu::timing {
-namespace {
 
-constexpr std::uint32_t QuadsAhead = 8; // that are on their way from memory
-
-} // namespace
+const TimedPart& RasterTiming::Quads::find(const TimedScene& scene, std::uint32_t quad) {
+    scene_ = scene.number;
+    part_ = &scene.part_of(quad);
+    return *part_;
+}
 
 bool RasterTiming::take() {
     if (config_.architecture == Architecture::TileBased) {
@@ -22,133 +22,71 @@ bool RasterTiming::take() {
 }
 
 void RasterTiming::take(const BinToken& token) {
-    take_scene(*token.pass.scene);
-    bin_ = token.bin;
+    record_ = {token.pass.scene, token.bin};
     take_pieces(token.plan().pieces_begin, token.plan().pieces_end);
 }
 
 void RasterTiming::take(const SetupToken& token) {
-    take_scene(*token.draw.scene);
+    record_ = {token.draw.scene, token.draw.draw, token.last};
     take_pieces(token.begin, token.end);
-    ends_draw_ = token.last;
-    draw_ = token.draw.draw;
-    if (piece_ == end_piece_) end_record();
-}
-
-void RasterTiming::take_scene(TimedScene& scene) {
-    scene_ = &scene;
-    may_starve_ = scene.waits_for_quads();
-    if (std::exchange(scene_number_, scene.number) != scene.number) part_ = nullptr;
 }
 
 void RasterTiming::take_pieces(std::uint32_t begin, std::uint32_t end) {
     piece_ = begin;
     end_piece_ = end;
     if (begin == end) return;
-    const auto& pieces = scene_->work.pieces;
-    quad_ = pieces[begin].begin;
-    in_flight_.enter(pieces[end - 1].end - quad_);
+    const auto& pieces = record_.scene->work.pieces;
+    in_flight_.enter(pieces[end - 1].end - pieces[begin].begin);
 }
 
 // The draw itself is through: its quads are counted now. Or the bin is.
-void RasterTiming::end_record() {
-    may_starve_ = true; // of the next one's scene
-    if (config_.architecture == Architecture::TileBased) return scene_->end_walk(bin_, now());
-    if (!std::exchange(ends_draw_, false)) return;
+void RasterTiming::end_record(const Record& record) {
+    if (config_.architecture == Architecture::TileBased)
+        return record.scene->end_walk(record.number, now());
+    if (!record.ends_draw) return;
     in_flight_.leave();
-    scene_->end_draw(draw_, now());
+    record.scene->end_draw(record.number, now());
 }
 
-Cycle RasterTiming::cycles_to(const PreparedQuad& quad) const {
-    return Cycle{quad.empty_blocks} * config_.empty_tile_cycles + config_.tile_cycles;
+bool RasterTiming::starves() {
+    // A tile-based machine's scene was gathered.
+    if (config_.architecture == Architecture::TileBased) return false;
+    return config_.walk == Walk::Tiles ? starves_in_tiles() : starves_in_box();
 }
 
-// True where the quad can be made now; else the walk to its block begins.
-bool RasterTiming::step_to_block(const PreparedQuad& quad) {
-    if (!quad.new_tile || in_block_) return true;
-    in_block_ = true;
-    ++statistics_.blocks;
-    statistics_.empty_blocks += quad.empty_blocks;
-    walked_at_ = now() + cycles_to(quad);
-    return walked_at_ == now();
+bool RasterTiming::next_token_has_come() const {
+    return config_.architecture == Architecture::TileBased ? ports_.bins_in.can_pop()
+                                                           : ports_.setups_in.can_pop();
 }
 
-// All its quads are made: what is left are empty blocks.
-void RasterTiming::end_piece(const work::PreparedPiece& piece) {
-    statistics_.empty_blocks += piece.empty_blocks;
-    walked_at_ = now() + Cycle{piece.empty_blocks} * config_.empty_tile_cycles;
-    if (++piece_ != end_piece_)
-        quad_ = scene_->work.pieces[piece_].begin;
-    else if (walked_at_ <= now() + 1)
-        end_record();
-}
-
-Activity RasterTiming::walk_piece() {
-    const work::PreparedPiece& piece = scene_->work.pieces[piece_];
-    std::uint32_t made = 0;
-    for (; made < config_.quads_per_cycle && quad_ != piece.end; ++made) {
-        const TimedPart& part = part_with_quad();
-        const std::uint32_t index = quad_ - part.first;
-        const PreparedQuad& quad = part.work.quads[index];
-        // Another thread wrote them: they come from another processor's cache.
-        if (part.has(quad_ + QuadsAhead)) __builtin_prefetch(&quad + QuadsAhead);
-        // The way to another block begins in the cycle after the quads of this one.
-        if (made > 0 && quad.new_tile && cycles_to(quad) > 0) break;
-        if (!step_to_block(quad)) return Activity::Busy;
-        if (!ports_.quads_out.can_push())
-            return made > 0 ? Activity::Busy : Activity::StalledOutput;
-        ports_.quads_out.push({&part, index, 0});
-        in_block_ = false;
-        ++quad_;
-    }
-    const bool nothing_behind = piece.empty_blocks == 0 || config_.empty_tile_cycles == 0;
-    if (quad_ == piece.end && (made == 0 || nothing_behind)) end_piece(piece);
-    return Activity::Busy;
-}
-
-const TimedPart& RasterTiming::part_with_quad() {
-    if (!part_ || !part_->has(quad_)) part_ = &scene_->part_of(quad_);
-    return *part_;
-}
-
-// Of the piece's quads from `quad` to `end`, in a cycle. A walk over whole tiles looks at all.
-bool RasterTiming::starves(const TimedScene& scene, std::uint32_t quad, std::uint32_t end) const {
-    const bool looks_at_all = config_.walk == Walk::Tiles;
-    return scene.told_quads() <
-           (looks_at_all ? end : std::min(quad + config_.quads_per_cycle, end));
-}
-
-bool RasterTiming::starves() const {
-    if (config_.architecture == Architecture::TileBased) return false; // The scene was gathered.
-    if (piece_ != end_piece_) return starves(*scene_, quad_, scene_->work.pieces[piece_].end);
+// What could be taken in the next cycle, and begun.
+bool RasterTiming::next_token_starves() const {
     if (ports_.setups_in.items() == 0) return false;
     const SetupToken& next = ports_.setups_in.next();
     if (next.begin == next.end) return false;
-    const work::PreparedPiece& piece = next.draw.scene->work.pieces[next.begin];
-    return starves(*next.draw.scene, piece.begin, piece.end);
+    const TimedScene& scene = *next.draw.scene;
+    const work::PreparedPiece& piece = scene.work.pieces[next.begin];
+    return starves_at(scene, piece.begin, piece.end);
+}
+
+// Of the piece's quads from `quad` to `end`, in a cycle; the one behind tells whether the block
+// ends. A walk over whole tiles looks at all.
+bool RasterTiming::starves_at(const TimedScene& scene,
+                              std::uint32_t quad,
+                              std::uint32_t end) const {
+    const bool looks_at_all = config_.walk == Walk::Tiles;
+    return scene.told_quads() <
+           (looks_at_all ? end : std::min(quad + config_.quads_per_cycle + 1, end));
 }
 
 Activity RasterTiming::step() {
-    const Activity activity = walk();
-    if (may_starve_ && starves()) ask_whether_to_wait();
+    const Activity activity = config_.walk == Walk::Tiles ? step_tiles() : step_box();
+    if (starves()) ask_whether_to_wait();
     return activity;
 }
 
-Activity RasterTiming::walk() {
-    if (now() < walked_at_) {
-        if (piece_ == end_piece_ && now() + 1 == walked_at_) end_record();
-        return Activity::Busy;
-    }
-    if (piece_ == end_piece_) {
-        if (!take()) return Activity::Idle;
-        if (piece_ == end_piece_) return Activity::Busy;
-    }
-    return config_.walk == Walk::Tiles ? walk_tiles() : walk_piece();
-}
-
 Cycle RasterTiming::next_work(Activity last) const {
-    if (now() + 1 >= walked_at_) return Unit::next_work(last);
-    return piece_ == end_piece_ ? walked_at_ - 1 : walked_at_;
+    return config_.walk == Walk::Tiles ? next_in_tiles(last) : next_in_box(last);
 }
 
 } // namespace ffgpu::timing

@@ -109,9 +109,16 @@ std::string TileMemory::state() const {
 }
 
 std::string RasterTiming::state() const {
-    if (piece_ == end_piece_) return "no piece";
-    return fmt::format(
-        "piece {} of {}, quad {}, walked in cycle {}", piece_, end_piece_, quad_, walked_at_);
+    std::string walk = "no piece";
+    if (piece_ != end_piece_)
+        walk = fmt::format("piece {} of {}, walked in cycle {}", piece_, end_piece_, walked_at_);
+    if (blocks_.empty()) return walk;
+    const Block& first = blocks_.front();
+    return fmt::format("{}; {} blocks, the first, with quad {}, in cycle {}",
+                       walk,
+                       blocks_.size(),
+                       first.quad,
+                       first.ready_at);
 }
 
 std::string DepthTiming::state() const {

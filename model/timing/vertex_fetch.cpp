@@ -114,15 +114,17 @@ bool VertexFetch::ask_vertex(Activity& reason) {
     return true;
 }
 
-// `bytes`: that may still be sent in this cycle.
-bool VertexFetch::forward(std::uint32_t& bytes, Activity& reason) {
+// The first vertex, or a part of it. `bytes`: that may still be sent in this cycle; `left`:
+// vertices that have left in it. Behind the last of these the bytes go ahead of their vertex.
+bool VertexFetch::forward(std::uint32_t& bytes, std::uint32_t& left, Activity& reason) {
     if (waiting_.empty()) return false;
     Waiting& first = waiting_.front();
     if (!ports_.cache.is_complete(first.ticket)) {
         reason = Activity::StalledMemory;
         return false;
     }
-    if (!ports_.vertices_out.can_push()) {
+    const bool may_leave = left < config_.vertices_per_cycle;
+    if (may_leave && !ports_.vertices_out.can_push()) {
         reason = Activity::StalledOutput;
         return false;
     }
@@ -130,7 +132,8 @@ bool VertexFetch::forward(std::uint32_t& bytes, Activity& reason) {
     statistics_.fetched_bytes += sent;
     bytes -= sent;
     first.bytes_left -= sent;
-    if (first.bytes_left > 0) return sent > 0;
+    if (first.bytes_left > 0 || !may_leave) return sent > 0;
+    ++left;
     ports_.vertices_out.push(first.vertex);
     to_geometry_.leave(first.ticket);
     waiting_.pop_front();
@@ -145,7 +148,7 @@ Activity VertexFetch::step() {
         config_.fetch_bytes_per_cycle == 0 ? ~0u : config_.fetch_bytes_per_cycle;
     std::uint32_t bytes = most;
     bool moved = false;
-    for (std::uint32_t i = 0; i < config_.vertices_per_cycle && forward(bytes, reason); ++i)
+    for (std::uint32_t left = 0; forward(bytes, left, reason);)
         moved = true;
     to_geometry_.worked += bytes < most;
     std::uint32_t asked = 0;

@@ -59,7 +59,7 @@ private:
     bool ask_index(Activity& reason);
     bool begin_draw();
     bool ask_vertex(Activity& reason);
-    bool forward(std::uint32_t& bytes, Activity& reason);
+    bool forward(std::uint32_t& bytes, std::uint32_t& left, Activity& reason);
     bool reuse(std::uint32_t vertex);
     void forget_rewritten(TimedScene& scene);
     LineCache& indices() const {

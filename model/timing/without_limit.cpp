@@ -50,6 +50,9 @@ void without_target(Cache& cache) {
 }
 
 void without_texture(TimingConfig& config) {
+    if (config.texture.rate == TexelRate::Texels) // Quads wait for lines in the texels' queue.
+        config.texel_cache.fragment_fifo =
+            std::max(config.texel_cache.fragment_fifo, config.texture.texel_queue);
     config.texture.rate = TexelRate::Samples;
     config.texel_cache.lookups_per_cycle = Many;
     config.texel_cache.bilinear_quads_per_cycle = MostUnits;

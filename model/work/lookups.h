@@ -24,7 +24,7 @@ inline constexpr std::array<std::string_view, ReuseScopes + 1> ReuseNames{
     "quad", "tile", "primitive", "draw", "frame", "earlier_frame"};
 
 // The quad, or vertex, that asks: they are numbered in their order from 0, those of all caches of
-// fragments together. A tile is one of the rasterizer's, of one primitive; a tile-based machine's
+// fragments together. A tile is one of the rasterizer's, of one piece; a tile-based machine's
 // primitives and draws are their parts in a bin.
 struct LookupPlace {
     std::uint64_t number = 0;

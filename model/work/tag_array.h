@@ -76,12 +76,13 @@ public:
         line = {};
     }
 
-    // Calls each(number, line) for every line present; the call may drop it.
+    // Calls each(number, line) for every line present, all sets of a way before the next way's:
+    // lines that came one behind the other follow each other. The call may drop it.
     template <class Each>
     void for_each(Each&& each) {
-        for (std::size_t i = 0; i < numbers_.size(); ++i) {
-            if (numbers_[i] != Empty) each(numbers_[i], lines_[i]);
-        }
+        for (std::size_t way = 0; way < ways_; ++way)
+            for (std::size_t i = way; i < numbers_.size(); i += ways_)
+                if (numbers_[i] != Empty) each(numbers_[i], lines_[i]);
     }
 
     std::size_t size() const { return numbers_.size(); }

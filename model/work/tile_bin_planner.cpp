@@ -112,10 +112,9 @@ void TileBinPlanner::load_and_store(std::size_t target,
                                     const Place& place) {
     const TileTarget& of = gathered_.targets[target];
     const Rectangle area = bin_rectangle(config_.raster.bin_size, key_);
-    const std::uint32_t whole = whole_pixel(of.surface.format).covered;
     if (contents.needs_load()) {
         sorted_.deferred.need(of.surface, key_);
-        add_bin_lines(of, area, whole, loads_);
+        add_bin_lines(of, area, whole_pixel(of.surface.format).covered, loads_);
     } else if (sorted_.deferred.drop(of.surface, key_, contents.overwritten() | contents.dirty())) {
         ++sorted_.scene.tiles.needless_stores;
     }
@@ -126,7 +125,7 @@ void TileBinPlanner::load_and_store(std::size_t target,
     if (contents.dirty() == 0) return;
     if (place.is_last && (of.depth || is_resolved(target, place)))
         return sorted_.deferred.defer(of, key_, contents.dirty());
-    add_bin_lines(of, area, of.depth ? contents.dirty() : whole, stores_);
+    add_bin_lines(of, area, contents.dirty(), stores_);
 }
 
 } // namespace ffgpu::work

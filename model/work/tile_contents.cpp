@@ -4,6 +4,7 @@ namespace ffgpu::work {
 
 TileContents::TileContents(const TileTarget& target, const Rectangle& bin, bool detects_overwrite)
     : all_(whole_pixel(target.surface.format).covered)
+    , stores_all_(!target.depth)
     , samples_(target.surface.samples)
     , pixels_(target.cut(bin))
     , detects_overwrite_(detects_overwrite)
@@ -14,7 +15,7 @@ TileContents::TileContents(const TileTarget& target, const Rectangle& bin, bool 
 void TileContents::clear(const Rectangle& rectangle, PixelBytes bytes) {
     const Rectangle part = intersect(rectangle, pixels_);
     if (part.empty() || bytes.touched == 0) return;
-    dirty_ |= bytes.touched;
+    dirty_ |= stores_all_ ? all_ : bytes.touched;
     if (!is_valid(bytes.touched & ~bytes.covered)) load_ = true; // Bits of a byte stay.
     if (part == pixels_) {
         cleared_ |= bytes.covered;

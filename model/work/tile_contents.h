@@ -45,6 +45,7 @@ public:
 
     // When the bin has been drawn:
     bool needs_load() const;
+    // Bytes of a sample that are to be stored: of a colour all, of a depth those that are new.
     std::uint32_t dirty() const { return dirty_; }
     // Bytes that have a new value in every sample: what memory holds of them is of no use.
     std::uint32_t overwritten() const { return missing_ == 0 ? all_ : cleared_; }
@@ -54,6 +55,7 @@ private:
     void write_sample(int x, int y, unsigned sample);
 
     const std::uint32_t all_; // bytes of a sample
+    const bool stores_all_;   // where any is new; else what is new
     const unsigned samples_;
     const Rectangle pixels_;
     const bool detects_overwrite_;

@@ -219,6 +219,8 @@ class RefusalTest(SweepCase):
                 ("[grid]\ntexel_cache.ways = 4\n", 2, ["[1, 2, 4]"]),
                 ("[fixed]\ntexel_cache.ways = 1\n[grit]\na.b = [1]\n", 3, ["grit"]),
                 ("[random]\nsamples = 0\naxes.texel_cache.ways = [1]\n", 1, ["samples"]),
+                ("[grid]\n" + "".join("%s_cache.ways = { from = 1, to = 1000 }\n" % of
+                                      for of in ("texel", "depth", "color")), 1, ["1000000 points"]),
                 ("[grid\n", 1, [])]:
             with self.subTest(space=space):
                 self.assert_refused(self.sweep("out", space=space), ".toml:%d:" % line, *words)

@@ -295,6 +295,18 @@ TEST_CASE("an overwritten line is dropped, one that is overwritten in part is wr
     CHECK(bench.cache.statistics().written_bytes.value() == 64);
 }
 
+TEST_CASE("lines that came one behind the other are written back so, whatever the ways") {
+    for (const std::uint32_t ways : {1u, 2u, 8u, 16u}) {
+        Bench bench(tiny(16 / ways, ways));
+        for (std::uint64_t number = 32; number < 48; ++number)
+            bench.look_up(write_of(number, bytes(0, 64)));
+        std::uint64_t next = 32;
+        for (const LineWrite& line : bench.cache.flush())
+            CHECK(line.number == next++);
+        CHECK(next == 48);
+    }
+}
+
 TEST_CASE("invalidated lines miss again, their neighbours do not") {
     Bench bench(tiny(4, 4));
     for (std::uint64_t number = 0; number < 8; ++number)

@@ -146,6 +146,7 @@ private:
         config.setup.attribute_cycles = below(3);
         config.raster.traversal = static_cast<Traversal>(below(6));
         config.raster.empty_tile_cycles = below(3);
+        config.raster.block_queue = power(6);
         if (below(3) == 0) config.scan_out.refresh_cycles = 500 + below(5000);
         config.scan_out.queue = power(5);
     }

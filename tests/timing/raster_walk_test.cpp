@@ -1,12 +1,16 @@
-// The rasterizer's walk against a count of its own: a block with quads takes tile_cycles and its
-// quads' cycles, an empty one of the box empty_tile_cycles, a piece a cycle at least.
+// The rasterizer's walk against a count of its own: a block with quads takes the walk tile_cycles,
+// an empty one of the box empty_tile_cycles, a piece without quads a cycle at least; the quads of
+// what was walked to are made beside it.
 
 #include "tests/support/drawn_quad.h"
 #include "tests/timing/front_end_scenes.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <random>
 #include <set>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -82,10 +86,74 @@ std::uint64_t expected_cycles(const Piece& piece, const RasterConfig& config) {
     return std::max<std::uint64_t>(cycles, 1);
 }
 
+// The cycle in which the last of all pieces is over, `times` over, by the rules of the queue
+// between the walk and the making of quads. Blocks in the order of their rows.
+class WalkedAhead {
+public:
+    explicit WalkedAhead(const RasterConfig& config)
+        : config_(config) {}
+
+    void add(const Piece& piece) {
+        std::map<Place, std::uint32_t> cells; // row, column
+        const std::uint32_t width = config_.tile_width;
+        for (std::uint32_t y = piece.box.y0; y < piece.box.y1; ++y)
+            for (std::uint32_t x = piece.box.x0; x < piece.box.x1; ++x)
+                cells[{y / width, x / width}] = 0;
+        for (const auto& [column, row] : piece.quads)
+            ++cells[{2 * row / width, 2 * column / width}];
+        made_in_cycle_ = config_.quads_per_cycle; // A piece's quads begin in a cycle of their own.
+        std::uint64_t empty = 0;
+        for (const auto& [cell, quads] : cells) {
+            if (quads == 0) {
+                ++empty;
+                continue;
+            }
+            begin(empty * config_.empty_tile_cycles + config_.tile_cycles);
+            empty = 0;
+            make(quads);
+        }
+        std::uint64_t behind = empty * config_.empty_tile_cycles;
+        if (piece.quads.empty()) behind = std::max<std::uint64_t>(behind, 1);
+        if (behind == 0) return;
+        begin(behind);
+        gone_.push_back(std::max(walked_at_ - 1, gone_.empty() ? 0 : gone_.back()));
+    }
+    std::uint64_t end() const { return gone_.back(); }
+
+private:
+    void begin(std::uint64_t cycles) {
+        const std::size_t before = gone_.size();
+        const std::uint64_t place =
+            before < config_.block_queue ? 0 : gone_[before - config_.block_queue] + 1;
+        walked_at_ = std::max(walked_at_, place) + cycles;
+    }
+    void make(std::uint32_t quads) {
+        for (std::uint32_t quad = 0; quad < quads; ++quad) {
+            if (made_in_cycle_ == config_.quads_per_cycle) {
+                ++cycle_;
+                made_in_cycle_ = 0;
+            }
+            if (cycle_ < walked_at_) {
+                cycle_ = walked_at_;
+                made_in_cycle_ = 0;
+            }
+            ++made_in_cycle_;
+        }
+        gone_.push_back(cycle_);
+    }
+
+    const RasterConfig config_;
+    std::uint64_t walked_at_ = 1; // the first cycle after the walk's steps
+    std::uint64_t cycle_ = 0;     // in which quads were made last, and how many
+    std::uint32_t made_in_cycle_ = 0;
+    std::vector<std::uint64_t> gone_; // of each block
+};
+
 TEST_CASE("a piece takes the cycles of the blocks of its box and of its quads, in every order") {
     const std::vector<Piece> pieces = random_pieces(1, 60);
     for (unsigned i = 0; i < work::TraversalNames.size() * 6; ++i) {
         TimingConfig config = wide_front_end();
+        config.raster.block_queue = 1;
         config.raster.traversal = static_cast<Traversal>(i % work::TraversalNames.size());
         config.raster.tile_width = i % 4 < 2 ? 8 : 4;
         config.raster.quads_per_cycle = i % 3 == 0 ? 1 : i % 3 == 1 ? 4 : 3;
@@ -100,6 +168,32 @@ TEST_CASE("a piece takes the cycles of the blocks of its box and of its quads, i
         const Figures twice = run(config, draw_of(pieces, 2));
         CHECK(twice.at("total_cycles") - once.at("total_cycles") == expected);
         CHECK(run(config, draw_of(pieces, 1), 9) == once);
+    }
+}
+
+TEST_CASE("the walk is ahead of the quads by the blocks that its queue holds") {
+    const std::vector<Piece> pieces = random_pieces(2, 60);
+    for (unsigned i = 0; i < 48; ++i) {
+        TimingConfig config = wide_front_end();
+        config.raster.traversal = Traversal::Tiled;
+        config.raster.tile_width = i % 2 == 0 ? 8 : 4;
+        config.raster.quads_per_cycle = std::array{1, 2, 3, 16}[i % 4];
+        config.raster.tile_cycles = 1 + i % 5;
+        config.raster.empty_tile_cycles = i % 3;
+        config.raster.block_queue = std::array{1, 2, 3, 7, 16, 64}[i % 6];
+        config.fragment.pipe_queue = config.raster.queue = 256;
+        INFO("queue " << config.raster.block_queue << ", " << config.raster.quads_per_cycle
+                      << " quads, empty " << config.raster.empty_tile_cycles << ", tile "
+                      << config.raster.tile_cycles);
+        WalkedAhead once(config.raster), twice(config.raster);
+        for (const Piece& piece : pieces)
+            once.add(piece);
+        for (unsigned time = 0; time < 2; ++time)
+            for (const Piece& piece : pieces)
+                twice.add(piece);
+        CHECK(run(config, draw_of(pieces, 2)).at("total_cycles") -
+                  run(config, draw_of(pieces, 1)).at("total_cycles") ==
+              twice.end() - once.end());
     }
 }
 

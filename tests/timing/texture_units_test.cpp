@@ -101,6 +101,7 @@ TEST_CASE("Primitives that take turns share the pipes, and quads leave in order"
         TimingConfig config = wide_machine(pipes);
         config.fragment.distribution = Distribution::Triangles;
         config.setup.triangle_cycles = 1;
+        config.raster.tile_cycles = 0; // A block holds four quads of each of four primitives.
         check_cycles(config, textured_draw(1, 0, 32), 1);
     }
     // One large primitive is one pipe's alone.

@@ -41,7 +41,6 @@ textured_draw(unsigned textures, double level = 0, std::uint32_t quads_a_primiti
 inline TimingConfig wide_machine(std::uint32_t pipes) {
     TimingConfig config;
     config.raster.quads_per_cycle = pipes;
-    config.raster.tile_cycles = 0;
     config.memory.profile = MemoryProfile::Ideal;
     config.memory.apply_profile();
     config.memory.channels = 16;

@@ -168,6 +168,26 @@ TEST_CASE("Depth that the next frame tests against is stored once and loaded onc
     CHECK(figures.at("memory_color_read_bytes") == loaded); // Bins of which some pixels stay.
 }
 
+TEST_CASE("A clear of some channels alone loads the bins that it is stored to") {
+    // A bin of 96 x 64 pixels in the window's corner, and parts of others.
+    for (const Box& cleared : {Box{0, 0, Width, Height}, Box{0, 0, 50, 40}}) {
+        TileBench bench(Width, Height);
+        bench.draw({bench.all()});
+        bench.end_frame();
+        bench.state.blend.write_mask = 0b0101;
+        bench.state.scissor = {.x = 0,
+                               .y = 0,
+                               .width = static_cast<std::uint16_t>(cleared.x1),
+                               .height = static_cast<std::uint16_t>(cleared.y1)};
+        bench.clear(true, false);
+        bench.end_frame();
+        const std::uint64_t touched = 4 * bench.pixels(bins_of(cleared, 32), 32);
+        const Figures figures = bench.run(tile_based());
+        CHECK(figures.at("tile_color_loaded_bytes") == touched);
+        CHECK(figures.at("tile_color_stored_bytes") == 4 * Width * Height + touched);
+    }
+}
+
 TEST_CASE("A clear on chip takes the bin's pixels, a primitive in a bin its cycles") {
     constexpr std::uint32_t Primitives = 10;
     TileBench bench(32, 32);

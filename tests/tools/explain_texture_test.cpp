@@ -247,14 +247,14 @@ TEST_CASE("ffgpu explain refuses what it cannot explain, and says why") {
     };
     frame("2", "--frame 2: " + path + " ends before frame 2");
     frame("90", "--frame 90: " + path + " ends before frame 2");
-    for (const std::string text : {"-1", "1x", "", "99999999999999999999"})
+    for (const std::string text : {"-1", "1x", "99999999999999999999"})
         frame(text, "--frame " + text + ": expected a frame's number, counted from 0");
     // No fragment reads a texture: that there will be no picture hides no wrong path.
     for (const std::string wrong : {"/dev/null/picture.png", "/"})
         explain({"--pixel", "0,0", "--footprint", wrong}, wrong + ": cannot be written");
-    explain({"--pixel", "0,0", "--footprint", ""}, "--footprint: expected a file");
-    explain({"--pixel", "0,0", "-o", ""}, "--output: expected a file");
-    for (const std::string wrong : {"gpu.texture_filter=", "gpu.texture_filter", "=3", ""})
+    for (const std::string option : {"--footprint", "--output", "--set"})
+        explain({"--pixel", "0,0", option, ""}, option + ": expected a value");
+    for (const std::string wrong : {"gpu.texture_filter=", "gpu.texture_filter", "=3"})
         explain({"--pixel", "0,0", "--set", wrong}, "--set " + wrong + ": expected NAME=VALUE");
     refused({"explain", path, "--pixel", "0,0"}, "--frame is required");
 }

@@ -46,7 +46,7 @@ void write_results(const CacheArguments& arguments,
 
 int run_cache(const CacheArguments& arguments) {
     CacheStudyOptions options = resolve(arguments);
-    check_folder(options.input, arguments.output);
+    check_folder({options.input, arguments.config}, arguments.output);
     options.warn = warn;
     const Interruption interruption;
     OutputFolder folder(arguments.output, PicturePrefixes);

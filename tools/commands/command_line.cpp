@@ -23,6 +23,8 @@ namespace {
 
 constexpr int Done = 0, BadInput = 2;
 
+constexpr const char* Program = "program"; // that is run, with its arguments, which may be empty
+
 int fail(const char* message, int status = BadInput) {
     std::fprintf(stderr, "ffgpu: %s\n", message);
     return status;
@@ -54,6 +56,17 @@ std::string missing(const CLI::App& application, const CLI::RequiredError& error
             if (word.size() > 1 && word[0] == '-' && word != "--")
                 return "The following argument was not expected: " + word;
     return error.what();
+}
+
+// An empty value is a name that was not set, and never meant as none.
+void refuse_empty_values(CLI::App& application) {
+    const CLI::Validator is_given(
+        [](std::string& value) { return std::string(value.empty() ? "expected a value" : ""); },
+        "");
+    for (CLI::App* const verb : application.get_subcommands({}))
+        for (CLI::Option* const option : verb->get_options())
+            if (option->get_items_expected_max() > 0 && option->get_name() != Program)
+                option->check(is_given);
 }
 
 void parse(CLI::App& application, int count, const char* const* arguments) {
@@ -111,6 +124,7 @@ int run_command_line(int count, const char* const* arguments, const char* versio
     add_manual_command(application, run);
     add_presets_command(application, run);
     add_sweep_command(application, run, version);
+    refuse_empty_values(application);
     const auto parse_and_run = [&] {
         if (count > 1) check_verb(application, arguments[1]);
         parse(application, count, arguments);

@@ -1,3 +1,4 @@
+#include "model/timing/machine_checks.h"
 #include "tools/commands/commands.h"
 #include "tools/config/config_file.h"
 #include "tools/config/settings_option.h"
@@ -27,6 +28,7 @@ void add_config_command(CLI::App& application, Run& run) {
             if (!options->file.empty()) read_config_file(options->file, configuration);
             for (const std::string& setting : options->settings)
                 apply_setting(setting, configuration);
+            timing::check_machine(configuration.timing);
             std::fputs(to_toml(configuration).c_str(), stdout);
             return 0;
         };

@@ -78,7 +78,7 @@ int run_replay(Arguments& arguments) {
                 {{"--capture", arguments.recording.capture},
                  {"--save-work", arguments.recording.save_work},
                  {"--rtl-cycles", arguments.rtl_cycles}});
-    check_folder(options.input, options.output);
+    check_folder({options.input, arguments.recording.config}, options.output);
     if (options.benchmark > 0) options.images = false;
     if (options.player_only && (options.benchmark == 0 || !options.output.empty() ||
                                 !options.capture.empty() || !options.save_work.empty()))

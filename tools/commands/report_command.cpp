@@ -5,7 +5,6 @@
 #include "tools/sweep/point_report.h"
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -20,15 +19,11 @@ struct Arguments {
     std::string point, trace;
 };
 
-// What a run's figures are read from.
-std::string read_of(const std::string& folder) {
-    return folder.empty() ? std::string() : (std::filesystem::path(folder) / "stats.json").string();
-}
-
 std::string report(Arguments& arguments) {
     ReportOptions& options = arguments.report;
     if (!arguments.frames.empty()) options.frames = parse_frame_range(arguments.frames);
-    check_files({read_of(options.folder), read_of(options.other)}, {{"-o", options.output}});
+    for (const std::string& folder : {options.folder, options.other})
+        check_outside("-o", options.output, folder);
     if (arguments.point.empty()) {
         if (!arguments.trace.empty()) throw InputError("report: --trace is of --point");
         return write_report(options);

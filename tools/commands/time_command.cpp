@@ -45,7 +45,8 @@ void add_time_command(CLI::App& application, Run& run) {
                 throw InputError("time: --measure-gains writes gains.csv: expected -o DIR");
             check_files({arguments->time.input, arguments->config},
                         {{"--totals", arguments->time.totals}});
-            check_folder(arguments->time.input, arguments->time.output);
+            check_folder({arguments->time.input, arguments->config}, arguments->time.output);
+            check_outside("--totals", arguments->time.totals, arguments->time.output);
             Configuration& configuration = arguments->time.configuration;
             if (!arguments->config.empty()) read_config_file(arguments->config, configuration);
             for (const std::string& setting : arguments->settings)

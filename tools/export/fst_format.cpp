@@ -30,6 +30,9 @@ public:
         , unfinished_units_(temporary_ + ".hier")
         , writer_(fstWriterCreate(temporary_.c_str(), 1)) {
         if (!writer_) throw InputError(path_ + ": cannot be written");
+        // The writer's large blocks are of all sizes: among kept memory they leave more and more
+        // holes.
+        ::mallopt(M_MMAP_THRESHOLD, 128 << 10);
     }
     ~Fst() override {
         if (!writer_) return;

@@ -25,17 +25,18 @@ std::optional<fs::path> place_of(const std::string& path) {
 }
 
 // Of all that goes to folders.
-constexpr std::array Extensions{".csv", ".json", ".png", ".svg"};
+constexpr std::array Extensions{".csv", ".json", ".npy", ".png", ".svg"};
 
-} // namespace
+bool is_of_folder(const fs::path& file) {
+    return std::ranges::find(Extensions, file.extension()) != Extensions.end();
+}
 
 void check_folder(const std::string& read, const std::string& folder) {
     const auto file = place_of(read), where = place_of(folder);
     if (!file || !where) return;
     std::error_code error;
     for (const auto& entry : fs::directory_iterator((*where / "").parent_path(), error)) {
-        const fs::path extension = entry.path().extension();
-        if (std::ranges::find(Extensions, extension) == Extensions.end()) continue;
+        if (!is_of_folder(entry.path())) continue;
         const bool is_link = entry.is_symlink(error);
         if ((is_link ? fs::weakly_canonical(entry.path(), error) : entry.path()) != *file) continue;
         throw InputError(fmt::format(
@@ -43,8 +44,28 @@ void check_folder(const std::string& read, const std::string& folder) {
             "name that does not end in {}",
             folder,
             read,
-            extension.string()));
+            entry.path().extension().string()));
     }
+}
+
+} // namespace
+
+void check_folder(std::initializer_list<std::string> read, const std::string& folder) {
+    for (const std::string& file : read)
+        check_folder(file, folder);
+}
+
+void check_outside(const char* option, const std::string& path, const std::string& folder) {
+    const auto file = place_of(path), where = place_of(folder);
+    if (!file || !where || !is_of_folder(*file) ||
+        file->parent_path() != (*where / "").parent_path())
+        return;
+    throw InputError(fmt::format("{} {}: may be a file of {}: expected another folder, or a name "
+                                 "that does not end in {}",
+                                 option,
+                                 path,
+                                 folder,
+                                 file->extension().string()));
 }
 
 void check_files(std::initializer_list<std::string> read,

@@ -17,8 +17,12 @@ struct FileToWrite {
 void check_files(std::initializer_list<std::string> read,
                  std::initializer_list<FileToWrite> written);
 
-// The same of what a command writes to its folder, under names of its own: throws where `read`, or
-// a link to it, lies there with a name of that kind. An empty folder: none is written.
-void check_folder(const std::string& read, const std::string& folder);
+// The same of what a command writes to its folder, under names of its own: throws where one of
+// `read`, or a link to it, lies there with a name of that kind. An empty folder: none is written.
+void check_folder(std::initializer_list<std::string> read, const std::string& folder);
+
+// Throws where `path`, of this option, has a name of that kind in the folder: what is written there
+// is read from it, or written by another.
+void check_outside(const char* option, const std::string& path, const std::string& folder);
 
 } // namespace ffgpu::tools

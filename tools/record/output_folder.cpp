@@ -1,7 +1,5 @@
 #include "tools/record/output_folder.h"
 
-#include "tools/report/statistics_file.h"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -29,9 +27,9 @@ bool is_picture_of(std::span<const std::string_view> prefixes, const fs::path& n
 } // namespace
 
 OutputFolder::OutputFolder(std::string path, std::span<const std::string_view> prefixes)
-    : path_(std::move(path)) {
+    : path_(std::move(path))
+    , made_(path_) {
     if (path_.empty()) return;
-    make_folder(path_);
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(path_, error))
         if (is_picture_of(prefixes, entry.path().filename()))

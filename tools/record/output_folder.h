@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "tools/files/made_folder.h"
+
 #include <cstdint>
 #include <set>
 #include <span>
@@ -29,6 +31,7 @@ public:
 
 private:
     std::string path_;
+    MadeFolder made_;
     std::set<std::string> older_; // names
 };
 

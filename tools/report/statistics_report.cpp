@@ -239,6 +239,10 @@ void StatisticsReport::write(const TextSink& out) const {
     out(content_->frame_count == 0 ? "]\n}\n" : "\n ]\n}\n");
 }
 
+bool StatisticsReport::has_frames() const {
+    return content_->frame_count > 0;
+}
+
 std::string StatisticsReport::summary() const {
     return summarize(content_->totals, content_->frame_count, content_->clock);
 }

@@ -34,6 +34,8 @@ public:
     // The whole file so far; all but the frames, and the end, is the first piece.
     void write(const TextSink& out) const;
 
+    bool has_frames() const;
+
     // A few lines for people.
     std::string summary() const;
 

@@ -23,7 +23,7 @@ public:
             else if (key == "fixed")
                 file_.fixed = axes(node, key, &Reader::one_value);
             else if (key == "grid")
-                file_.grid = axes(node, key, &Reader::all_values);
+                grid(node, key);
             else if (key == "list")
                 list(node);
             else if (key == "random")
@@ -35,6 +35,17 @@ public:
     }
 
 private:
+    // Told before it is gone through: that of a few long axes takes minutes.
+    void grid(const toml::node& node, const std::string& key) {
+        file_.grid = axes(node, key, &Reader::all_values);
+        std::size_t points = 1;
+        for (const Axis& axis : file_.grid) {
+            points *= axis.values.size();
+            if (points > MostPoints)
+                fail(node, fmt::format("grid: the space has more than {} points", MostPoints));
+        }
+    }
+
     using Values = std::vector<std::string> (Reader::*)(const toml::node&, const std::string&);
 
     [[noreturn]] void fail(const toml::node& node, const std::string& what) const {

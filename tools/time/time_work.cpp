@@ -3,6 +3,7 @@
 #include "model/timing/gpu_timing.h"
 #include "model/timing/machine_stuck.h"
 #include "model/work/work_file_reader.h"
+#include "tools/files/made_folder.h"
 #include "tools/frames/progress.h"
 #include "tools/replay/interruption.h"
 #include "tools/report/frame_meter.h"
@@ -38,7 +39,7 @@ void play(work::WorkFileReader& file, timing::GpuTiming& timing, FrameMeter& met
 
 std::string time_work(const TimeOptions& options) {
     work::WorkFileReader file(options.input);
-    if (!options.output.empty()) make_folder(options.output);
+    const MadeFolder folder(options.output);
     std::optional<SeriesFile> series; // The machine uses it.
     timing::GpuTiming timing(options.configuration.timing);
     StatisticsReport report(options.configuration, true);
@@ -56,7 +57,7 @@ std::string time_work(const TimeOptions& options) {
         write_totals_file(report, options.totals, true);
         throw;
     } catch (const std::runtime_error&) {
-        write(); // What is done stays. They are no totals.
+        if (report.has_frames()) write(); // What is done stays. They are no totals.
         throw;
     }
     write();

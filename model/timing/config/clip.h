@@ -24,8 +24,9 @@ struct ClipConfig {
               {.unit = "cycles",
                .minimum = 0,
                .maximum = 1024,
-               .meaning = "for each plane that a primitive is cut against; primitives that need no "
-                          "cut pass, setup.units a cycle"});
+               .meaning = "for each plane that a primitive is cut against, of the sides of the "
+                          "view all four where one is crossed; primitives that need no cut pass, "
+                          "setup.units a cycle"});
         field("queue",
               self.queue,
               {.unit = "primitives",

@@ -22,6 +22,7 @@ struct RasterConfig : work::RasterOrder {
     std::uint32_t quads_per_cycle = 1;
     std::uint32_t tile_cycles = 1;
     std::uint32_t empty_tile_cycles = 1;
+    std::uint32_t block_queue = 16;
     Walk walk = Walk::Box;
     std::uint32_t piece_cycles = 0;
     std::uint32_t latency = 1;
@@ -51,6 +52,13 @@ struct RasterConfig : work::RasterOrder {
                .meaning =
                    "to step over one of a primitive's box that holds none; 0: such tiles are "
                    "not walked"});
+        field("block_queue",
+              self.block_queue,
+              {.unit = "tiles",
+               .minimum = 1,
+               .maximum = 64,
+               .meaning = "walk box: from the first step to one, or to a row or column, until its "
+                          "last quad is made; 1: one after the other"});
         field("walk",
               self.walk,
               {.meaning =

@@ -6,17 +6,19 @@
 #     tools/python/examples/miss_rates.py out/cache -o miss_rates.png
 
 # %%
-from style import arguments, pyplot, save
+from style import arguments, pyplot, read, save
 
 from ffgpu_data import miss_curves
 
 given = arguments("Miss rates by size and ways", ("curves", "the folder of ffgpu cache -o"))
-table = miss_curves(given.curves)
+table = read(miss_curves, given.curves)
 table = table[(table.client == "texel") & (table.accesses > 0)]
 if table.empty:
     raise SystemExit(f"{given.curves}: no texel was looked up: there is nothing to draw")
 line = 64 if (table.line_bytes == 64).any() else table.line_bytes.min()
 table = table[(table.line_bytes == line) & table["bytes"].between(512, 256 << 10)]
+if table.empty:
+    raise SystemExit(f"{given.curves}: no cache of 512 bytes to 256 KB: there is nothing to draw")
 
 # %%
 # What a run of `ffgpu cache` can vary besides size and ways: an axis each, named by what differs.

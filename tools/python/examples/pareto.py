@@ -9,12 +9,12 @@
 import sys
 
 from matplotlib.ticker import EngFormatter
-from style import arguments, pyplot, save
+from style import arguments, pyplot, read, save
 
 from ffgpu_data import pareto_front, sweep
 
 given = arguments("Pareto fronts", ("sweep", "the folder of ffgpu sweep -o"))
-table = sweep(given.sweep)
+table = read(sweep, given.sweep)
 if table.empty:
     sys.exit(f"{given.sweep}: no machine of the sweep came to an end")
 prices = [("memory_bytes", "bytes of memory traffic"), ("cost", "cost, LUTs")]

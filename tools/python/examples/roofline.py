@@ -12,19 +12,19 @@
 # %%
 import numpy
 from matplotlib.ticker import NullFormatter
-from style import COLORS, arguments, pyplot, save
+from style import COLORS, arguments, pyplot, read, save
 
 from ffgpu_data import draws, roofs, traffic
 
 given = arguments("A roofline of draws", ("run", "the folder of ffgpu replay --timing -o"),
                   ("memory", "what ffgpu export --format csv wrote"))
-table = draws(given.run)
-table["bytes"] = traffic(given.memory).sum(axis=1).reindex(table.index)
+table = read(draws, given.run)
+table["bytes"] = read(traffic, given.memory).sum(axis=1).reindex(table.index)
 table = table[(table.fragments > 0) & (table["bytes"] > 0)]
 if table.empty:
     raise SystemExit("roofline: no draw of the run writes fragments and reads texels from memory")
 intensity, speed = table.fragments / table["bytes"], table.fragments / table.cycles
-roof = roofs(given.run)
+roof = read(roofs, given.run)
 
 # %%
 figure, axis = pyplot.subplots()

@@ -26,6 +26,23 @@ def arguments(text, *inputs):
     return parser.parse_args()
 
 
+def read(function, path):
+    """What the function reads from the path. Where it cannot, one line says why, and all ends."""
+    try:
+        return function(path)
+    except OSError as error:
+        sys.exit(f"{error.filename or path}: {error.strerror or error}")
+    except ValueError as error:
+        sys.exit(str(error))
+
+
 def save(figure, path):
-    figure.savefig(path, bbox_inches="tight", metadata={"Software": None} if str(path).endswith("png")
-                   else None)
+    kinds = figure.canvas.get_supported_filetypes()
+    kind = pathlib.Path(path).suffix[1:].lower()
+    if not path or (kind and kind not in kinds):
+        sys.exit(f"-o '{path}': expected a name that ends in one of {', '.join(sorted(kinds))}")
+    try:
+        figure.savefig(path, bbox_inches="tight",
+                       metadata={"Software": None} if kind == "png" else None)
+    except OSError as error:
+        sys.exit(f"{path}: {error.strerror or error}")

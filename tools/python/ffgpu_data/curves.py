@@ -1,14 +1,15 @@
 """curves.csv of `ffgpu cache -o DIR`."""
-import pathlib
+from .files import file_at, read_table
 
-import pandas
+NAMES = ["client", "layout", "traversal", "granularity"]
+NUMBERS = ["level", "tile_width", "merged", "line_bytes", "sets", "ways", "bytes", "reads",
+           "accesses", "misses"]
 
 
 def miss_curves(path):
     """A row a cache, with `miss_rate` of its look-ups, `reads_rate` of what they serve (texels,
     samples, vertices), and `is_full`: fully associative. `path` is curves.csv or its folder."""
-    path = pathlib.Path(path)
-    table = pandas.read_csv(path / "curves.csv" if path.is_dir() else path)
+    table = read_table(file_at(path, "curves.csv"), "curves.csv of ffgpu cache", NAMES, NUMBERS)
     table["miss_rate"] = table.misses / table.accesses
     table["reads_rate"] = table.misses / table.reads
     table["is_full"] = table.sets == 1

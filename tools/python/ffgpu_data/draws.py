@@ -1,6 +1,7 @@
 """Single draws: their cycles from stats.json, their bytes from `ffgpu export --format csv`."""
 import pandas
 
+from .files import file_at, read_table
 from .statistics import configuration, read
 
 
@@ -25,7 +26,9 @@ def traffic(path):
     """Bytes between the units and memory, a row a draw and a column a unit. Of units whose requests
     are a draw's alone, which are the texture units: a line of depths, colors or vertices is many
     draws' in turn."""
-    table = pandas.read_csv(path, usecols=["unit", "bytes", "draw"]).dropna(subset=["draw"])
+    columns = ["unit", "bytes", "draw"]
+    table = read_table(file_at(path), "what ffgpu export --format csv writes", columns[:1],
+                       columns[1:], usecols=lambda name: name in columns).dropna(subset=["draw"])
     table["draw"] = table["draw"].astype(int)
     return table.pivot_table(index="draw", columns="unit", values="bytes", aggfunc="sum",
                              fill_value=0)
@@ -34,6 +37,8 @@ def traffic(path):
 def roofs(path):
     """What no draw exceeds: fragments a cycle, and bytes a cycle of the memory's buses."""
     machine = configuration(path)
+    if not machine:
+        raise ValueError(f"{path}: tells no configuration: it comes with --timing")
     memory_clocks = machine["memory.memory_clocks"] / machine["memory.core_clocks"]
     return {"fragments_per_cycle": 4 * machine["raster.quads_per_cycle"] /
             machine["fragment.quad_cycles"],

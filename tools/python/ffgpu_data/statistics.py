@@ -1,25 +1,38 @@
 """stats.json: frames and their counters, and the configuration of the machine."""
 import json
-import pathlib
 
 import pandas
 
+from .files import file_at
+
+# Figures of a frame's own, in stats.json's order; the last with --timing.
+OWN = ["frame", "width", "height", "api_calls", "pixels", "overdraw", "milliseconds"]
+
 
 def read(path):
-    path = pathlib.Path(path)
-    with open(path / "stats.json" if path.is_dir() else path) as file:
-        return json.load(file)
+    path = file_at(path, "stats.json")
+    try:
+        with open(path) as file:
+            stats = json.load(file)
+    except ValueError as error:
+        raise ValueError(f"{path}: is not stats.json of a run: {error}") from error
+    if not isinstance(stats, dict) or not {"configuration", "frames"} <= stats.keys():
+        raise ValueError(f"{path}: is not stats.json of a run: it has no configuration or frames")
+    return stats
 
 
 def frames(path):
-    """A row a frame: its own figures, and every counter of the functional and the timed units."""
+    """A row a frame: its own figures, and every counter of the functional and the timed units. Of a
+    run without frames stats.json names no counters: the columns are the frame's own figures."""
     rows = []
-    for frame in read(path)["frames"]:
+    stats = read(path)
+    for frame in stats["frames"]:
         row = {key: value for key, value in frame.items() if not isinstance(value, (dict, list))}
         row.update(frame["functional"])
         row.update(frame.get("timing", {}))
         rows.append(row)
-    return pandas.DataFrame(rows).set_index("frame")
+    own = OWN + ["total_cycles"] if stats["configuration"] else OWN[:-1]
+    return pandas.DataFrame(rows, columns=None if rows else own).set_index("frame")
 
 
 def configuration(path):

@@ -1,12 +1,12 @@
 """results.csv of `ffgpu sweep`."""
-import pathlib
+from .files import file_at, read_table
 
-import pandas
+NUMBERS = ["stuck", "cycles", "memory_bytes", "cost"]
 
 
 def sweep(path):
     """A row a trace and point; machines that stood still are left out. `path` is results.csv or its
     folder."""
-    path = pathlib.Path(path)
-    table = pandas.read_csv(path / "results.csv" if path.is_dir() else path)
+    table = read_table(file_at(path, "results.csv"), "results.csv of ffgpu sweep",
+                       ["trace", "point"], NUMBERS)
     return table[table.stuck == 0].drop(columns="stuck").reset_index(drop=True)
