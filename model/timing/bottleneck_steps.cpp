@@ -4,6 +4,7 @@
 #include "model/timing/bottlenecks.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <optional>
 #include <utility>
@@ -240,7 +241,7 @@ Bottlenecks::pass_on(Place& place, const StepPlace& step, const StepMoved& moved
         if (each.waited) each.count_waited();
         if (each.begun != 0) each.count_begun(step.last);
     });
-    if (step.told.asks) place.memory->looked_up = &step.last;
+    if (step.told.asks) note_look_up(place, step.last);
     if (step.told.stores) place.memory->stored = &step.last;
     if (takes<From>(step.told))
         for (Way* const way : place.in)
@@ -298,16 +299,30 @@ void Bottlenecks::go_through_steps(Place& place, std::uint64_t links, const Move
     if (asks && place.is_last) ask(place);
 }
 
-// In the order in which it looked up what it asks for; what waited for its turn was looked up
-// before.
+// Of two stages of a unit that look up in one cycle the first asks: what it looks up is mostly new,
+// what the second does has come for the first.
+inline void Bottlenecks::note_look_up(const Place& place, const Moment& moment) {
+    AtMemory& memory = *place.memory;
+    const bool other_did =
+        memory.looked_up && memory.looked_up->at == now_ && memory.looks_up != &place;
+    if (other_did) return;
+    memory.looked_up = &moment;
+    memory.looks_up = &place;
+}
+
+// In the order in which it looked up what it asks for. Where nothing was looked up in the cycle, or
+// stored, that was before.
 void Bottlenecks::ask(Place& place) {
     AtMemory& memory = *place.memory;
+    const std::array reasons{memory.looked_up, memory.stored};
+    const bool is_new = std::ranges::any_of(
+        reasons, [this](const Moment* reason) { return reason && reason->at == now_; });
     for (Way* const way : place.asked) {
         if (way->pushed == way->seen_pushed) continue;
         found_.begin(now_);
         found_.add({&memory.asked, 0});
-        for (const Moment* const reason : {memory.looked_up, memory.stored})
-            if (reason && (reason->at == now_ || memory.asked.at < reason->at))
+        for (const Moment* const reason : reasons)
+            if (reason && (is_new ? reason->at == now_ : memory.asked.at < reason->at))
                 found_.add({reason, 0});
         found_.add({&way->place_freed(way->seen_pushed - 1), 1});
         move_on(memory.asked, place.stage.resource);

@@ -111,6 +111,7 @@ private:
         // The steps' that did so last; null: none in this frame.
         const Moment* looked_up = nullptr;
         const Moment* stored = nullptr;
+        const Place* looks_up = nullptr; // the stage of the first of them
     };
     // Of passages, a bit each: where something came, or went; and where the steps at their ends
     // looked something up, or worked, since they did something last.
@@ -197,6 +198,7 @@ private:
     void explain(const Place& place, const StepPlace& step);
     template <int From, int To>
     void pass_on(Place& place, const StepPlace& step, const StepMoved& moved);
+    void note_look_up(const Place& place, const Moment& moment);
     void give(Place& place, const Moment& moment);
     void ask(Place& place);
     // Of what was found, which it may be one of.

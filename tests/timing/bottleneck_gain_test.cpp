@@ -147,6 +147,27 @@ TEST_CASE("a draw bound by any parameter of a unit gains what it takes less with
     check_gain(run(config, bin), ("gain_" + name + "_cycles").c_str(), unlimited);
 }
 
+// Depths of some draws are tested early, of others late: what one stage of the unit looks up is not
+// what the other asks the memory for.
+TEST_CASE("an interpolator gains what it takes beside depths that miss, early or late") {
+    WorkBin bin = interpolated_fill();
+    auto state = std::make_shared<Registers>(*bin.draws[0].state);
+    state->depth.test_enable = state->depth.write_enable = true;
+    state->targets.depth = state->targets.color[0];
+    state->targets.depth.address += 1 << 24;
+    state->targets.depth.format = Format::Depth24Stencil8;
+    bin.draws[0].state = state;
+    bin.draws[0].early_depth = GENERATE(true, false);
+    TimingConfig config;
+    config.memory.kind = MemoryKind::Fixed;
+    config.memory.channels = 16;
+    config.interpolator.value_cycles = GENERATE(3u, 4u, 5u);
+    config.fragment.latency = GENERATE(1u, 12u, 40u);
+    CAPTURE(bin.draws[0].early_depth, config.interpolator.value_cycles, config.fragment.latency);
+    const TimingConfig without = without_limit(config, Resource::Interpolator);
+    check_gain(run(config, bin), "gain_interpolator_cycles", run(without, bin).at("total_cycles"));
+}
+
 // Stores go the way of the reads, whose requests stand behind them.
 TEST_CASE("a draw past the colour cache gains what it takes less without the memory's latency") {
     WorkBin bin = fill(false);
