@@ -169,7 +169,6 @@ TEST_CASE("Depth that the next frame tests against is stored once and loaded onc
 }
 
 TEST_CASE("A clear of some channels alone loads the bins that it is stored to") {
-    // A bin of 96 x 64 pixels in the window's corner, and parts of others.
     for (const Box& cleared : {Box{0, 0, Width, Height}, Box{0, 0, 50, 40}}) {
         TileBench bench(Width, Height);
         bench.draw({bench.all()});
