@@ -214,6 +214,8 @@ class RefusalTest(SweepCase):
         for space, line, words in [
                 ("[grid]\ntexel_cache.ways = []\n", 2, ["texel_cache.ways", "no value"]),
                 ("[grid]\ntexel_cache.ways = { from = 4, to = 2 }\n", 2, ["no value"]),
+                ("[grid]\ntexel_cache.ways = { from = 1, to = 8, powers_of_two = true, step = 2 }\n",
+                 2, ["step"]),
                 ("[grid]\n\ntexel_cache.wais = [1]\n", 3, ["texel_cache.ways"]),
                 ("[grid]\ntexel_cache.ways = [1, 0]\n", 2, ["1 to 65536"]),
                 ("[grid]\ntexel_cache.ways = 4\n", 2, ["[1, 2, 4]"]),
@@ -289,7 +291,26 @@ class RefusalTest(SweepCase):
         self.swept("out")
         plan = self.folder / "out/plan.json"
         plan.write_text(plan.read_text().replace('"ffgpu": "', '"ffgpu": "9'))
-        self.assert_refused(self.sweep("out"), "another version")
+        self.assert_refused(self.sweep("out"), "another version's")
+
+    def test_another_builds_folder_is_refused(self):
+        table = self.swept("out")
+        tools = self.folder / "prefix/tools"
+        tools.mkdir(parents=True)
+        flow = pathlib.Path(FFGPU).resolve().parent / "sweep"
+        (tools / "sweep").symlink_to(flow)
+        other = tools / "ffgpu"
+        other.write_bytes(pathlib.Path(FFGPU).read_bytes() + b"\0") # It runs as before.
+        other.chmod(0o755)
+        command = [other, *self.command("out")[1:]]
+        self.assert_refused(subprocess.run(command, capture_output=True, text=True, check=False),
+                            "another build's")
+        command = [other, *self.command("new")[1:]]
+        subprocess.run(command, capture_output=True, check=True)
+        self.assertEqual((self.folder / "new/results.csv").read_bytes(), table)
+
+    def test_a_profile_that_there_is_not_is_told_in_snakemakes_words(self):
+        self.assert_refused(self.sweep("out", "--profile", "nope"), "Snakemake: profile")
 
 
 if __name__ == "__main__":

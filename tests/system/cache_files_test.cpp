@@ -185,6 +185,10 @@ TEST_CASE("what look-ups do not follow is told by cache and by din", "[cache]") 
              Case{"texel", "color_cache.enable=false", ""},
              Case{"vertex", "vertex.index_cache_lines=0", "vertex.index_cache_lines=0: not follow"},
              Case{"texel", "vertex.index_cache_lines=0", ""},
+             Case{"texel", "raster.quads_per_cycle=4", "raster.quads_per_cycle: not followed"},
+             Case{"vertex", "raster.quads_per_cycle=4", ""},
+             Case{"color", "raster.architecture=tile_based", "color_cache: raster.architecture"},
+             Case{"texel", "raster.architecture=tile_based", ""},
          }) {
         INFO(of.client << ", " << of.setting);
         const std::vector<std::string> common{
@@ -303,6 +307,7 @@ TEST_CASE("what is wrong with a study is one line, and status 2", "[cache]") {
     CHECK_THAT(fails({"--order", "tilde"}), Contains("did you mean 'tiled'?"));
     CHECK_THAT(fails({"--first-level", "64x4"}), Contains("SETSxWAYSxBYTES"));
     CHECK_THAT(fails({"--first-level", "64x4x64", "--line", "32"}), Contains("at least"));
+    CHECK_THAT(fails({"--first-level", "64x4x64", "--client", "depth"}), Contains("texel among"));
     CHECK_THAT(fails({"--most-sets", "100"}), Contains("--most-sets 100"));
     CHECK_THAT(fails({"--miss-map", "64x4x64"}), Contains("-o DIR"));
     CHECK_THAT(fails({"-o", "/proc/nothing"}), Contains("/proc/nothing"));

@@ -161,6 +161,10 @@ CacheStudyOptions resolve(const CacheArguments& arguments) {
     options.merges = !arguments.unmerged;
     if (!arguments.first_level.empty())
         options.first_level = parse_geometry("--first-level", arguments.first_level);
+    const auto& clients = options.clients;
+    if (options.first_level &&
+        std::find(clients.begin(), clients.end(), work::LookupClient::Texel) == clients.end())
+        throw InputError("--first-level: it is of texels; expected texel among --client, too");
     if (options.first_level && arguments.line_bytes.empty())
         fit_lines(*options.first_level, options.line_bytes);
     if (arguments.miss_map.empty()) return options;

@@ -26,6 +26,9 @@ std::vector<std::string> not_followed_by_lookups(const timing::TimingConfig& tim
     if (texel && timing.texel_cache.per_pipe && timing.raster.quads_per_cycle > 1)
         lines.emplace_back("texel_cache.per_pipe: not followed: look-ups are of one cache that all "
                            "pipes share");
+    else if (texel && timing.raster.quads_per_cycle > 1)
+        lines.emplace_back("raster.quads_per_cycle: not followed: look-ups come in the order of "
+                           "one pipe");
     if (texel && timing.texel_cache.forgets)
         lines.emplace_back("texel_cache.forgets: not followed: the cache keeps its lines from draw "
                            "to draw");
@@ -40,9 +43,15 @@ std::vector<std::string> not_followed_by_lookups(const timing::TimingConfig& tim
             lines.push_back(cache_of(client) + ".enable=false: not followed: look-ups are of a "
                                                "machine that has the cache");
     };
-    if (timing.raster.architecture == work::Architecture::Immediate) { // others look up neither
+    if (timing.raster.architecture == work::Architecture::Immediate) {
         warn_if_off(LookupClient::Depth, timing.depth_cache);
         warn_if_off(LookupClient::Color, timing.color_cache);
+    } else {
+        for (const LookupClient client : {LookupClient::Depth, LookupClient::Color})
+            if (has(clients, client))
+                lines.push_back(cache_of(client) +
+                                ": raster.architecture=tile_based has none: what it would hold "
+                                "lies on chip, and nobody looks it up");
     }
     return lines;
 }

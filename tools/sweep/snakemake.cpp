@@ -25,6 +25,7 @@ namespace {
 
 constexpr int NotThere = 127; // as a shell says it
 constexpr std::string_view Complaint = "ffgpu: ", FullDisk = "No space left on device";
+constexpr std::string_view OwnComplaint = "Error: "; // Snakemake's
 
 std::vector<std::string> command_line(const FlowOptions& options) {
     const fs::path flow = find_flow_folder();
@@ -80,12 +81,15 @@ public:
                 complaints.push_back(complaint);
         } else if (line.find(FullDisk) != std::string::npos)
             full_disk = true; // Snakemake's own
+        else if (line.starts_with(OwnComplaint) && own_complaint.empty())
+            own_complaint = "Snakemake: " + line.substr(OwnComplaint.size());
         unsigned done = 0, all = 0;
         if (on_terminal_ && std::sscanf(line.c_str(), "%u of %u steps", &done, &all) == 2)
             std::fprintf(stderr, "\r%u of %u jobs, %zu results to make\033[K", done, all, jobs_);
     }
 
     std::vector<std::string> complaints;
+    std::string own_complaint; // the first
     bool full_disk = false;
 
 private:
@@ -157,6 +161,8 @@ std::vector<std::string> run_flow(const FlowOptions& options) {
     if (!options.profile.empty()) read_logs(logs, listener);
     if (listener.full_disk && listener.complaints.empty())
         listener.complaints.push_back(fmt::format("{}: {}", options.folder.string(), FullDisk));
+    if (!listener.own_complaint.empty() && listener.complaints.empty())
+        listener.complaints.push_back(listener.own_complaint);
     if (WIFSIGNALED(status) && listener.complaints.empty())
         listener.complaints.push_back(
             fmt::format("Snakemake was ended by signal {}", WTERMSIG(status)));

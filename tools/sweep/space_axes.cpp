@@ -106,7 +106,7 @@ private:
     // { from = 16, to = 1024, step = 16 }, or powers_of_two = true
     std::vector<std::string> range(const toml::table& limits, const std::string& name) {
         std::uint64_t from = 0, to = 0, step = 1;
-        bool has_from = false, has_to = false, doubles = false;
+        bool has_from = false, has_to = false, has_step = false, doubles = false;
         for (const auto& entry : limits) {
             const std::string_view key = entry.first.str();
             const std::string full = name + '.' + std::string(key);
@@ -115,7 +115,7 @@ private:
             else if (key == "to")
                 to = count(entry.second, full), has_to = true;
             else if (key == "step")
-                step = count(entry.second, full);
+                step = count(entry.second, full), has_step = true;
             else if (key == "powers_of_two" && entry.second.is_boolean())
                 doubles = entry.second.as_boolean()->get();
             else
@@ -123,6 +123,7 @@ private:
         }
         if (!has_from || !has_to) fail(limits, name + ": from or to is missing");
         if (step == 0) fail(limits, name + ": a step of 0");
+        if (doubles && has_step) fail(limits, name + ": powers of two have no step");
         if (doubles && from == 0) fail(limits, name + ": powers of two begin with 1 or more");
         std::vector<std::string> all;
         for (std::uint64_t value = from; value <= to; value = doubles ? 2 * value : value + step) {

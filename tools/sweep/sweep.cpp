@@ -155,6 +155,7 @@ std::size_t count_missing(const SweepPlan& plan) {
 } // namespace
 
 std::string sweep(const SweepOptions& options) {
+    const UnitCosts units = read_unit_costs(find_flow_folder() / "rtl_cost.md");
     SweepPlan plan;
     plan.space = read_design_space(options.space);
     if (plan.space.left_out > 0)
@@ -173,7 +174,6 @@ std::string sweep(const SweepOptions& options) {
         complaints = run_flow({plan.folder, options.profile, options.cores, missing});
     }
     const std::size_t still_missing = count_missing(plan);
-    const UnitCosts units = read_unit_costs(find_flow_folder() / "rtl_cost.md");
     const std::vector<SweepRow> rows = read_results(plan, units);
     try {
         write_whole(plan.folder / "results.csv", table_text(plan, rows));

@@ -30,10 +30,11 @@ void write_whole(const fs::path& path, const std::string& text) {
     file.commit();
 }
 
-std::string content_hash(const std::string& path, const std::string& frames) {
+// Of the file, and of what was chosen of it.
+std::string content_hash(const std::string& path, const std::string& choice) {
     std::ifstream file(path, std::ios::binary);
     std::array<char, 1 << 16> buffer;
-    std::uint64_t hash = hash_on(HashStart, frames);
+    std::uint64_t hash = hash_on(HashStart, choice);
     while (file.read(buffer.data(), buffer.size()) || file.gcount() > 0)
         hash = hash_on(hash, {buffer.data(), static_cast<std::size_t>(file.gcount())});
     if (!file.is_open() || file.bad()) throw InputError(path + ": cannot be read");
@@ -52,14 +53,19 @@ std::string compact_toml(const Configuration& configuration) {
     return text;
 }
 
-void check_version(const fs::path& plan, const std::string& version) {
+// `build`: a hash of the program, which may be built from other sources than one of its version.
+void check_version(const fs::path& plan, const std::string& version, const std::string& build) {
     std::ifstream file(plan);
     if (!file.is_open()) return;
     const Json json = Json::parse(file, nullptr, false);
-    if (json.is_discarded() || !json.contains("ffgpu") || json["ffgpu"] != version)
-        throw InputError(fmt::format("{}: the sweep there is another version's of ffgpu, which may "
-                                     "count otherwise; give another folder",
-                                     plan.parent_path().string()));
+    const auto has = [&](const char* key, const std::string& text) {
+        return !json.is_discarded() && json.contains(key) && json[key] == text;
+    };
+    if (has("ffgpu", version) && has("build", build)) return;
+    throw InputError(fmt::format("{}: the sweep there is another {} of ffgpu, which may "
+                                 "count otherwise; give another folder",
+                                 plan.parent_path().string(),
+                                 has("ffgpu", version) ? "build's" : "version's"));
 }
 
 } // namespace
@@ -108,11 +114,13 @@ std::vector<SweepTrace> sweep_traces(const std::vector<std::string>& paths,
 }
 
 std::size_t write_plan(const SweepPlan& plan, const std::string& version) {
-    check_version(plan.folder / "plan.json", version);
+    const std::string build = content_hash(this_program().string(), version);
+    check_version(plan.folder / "plan.json", version, build);
     for (const char* const part : {"work", "points", "results"})
         make_folder((plan.folder / part).string());
     Json json = Json::object();
     json["ffgpu"] = version;
+    json["build"] = build;
     json["program"] = this_program().string();
     json["frames"] = plan.frames_text;
     json["values"] = plan.needs_values();

@@ -45,8 +45,8 @@ std::vector<SweepTrace> sweep_traces(const std::vector<std::string>& paths,
                                      const std::string& frames_text);
 
 // Writes plan.json and the points' files; those that are there stay as they are. Throws InputError
-// where a file cannot be written, or the folder is that of another version's sweep. Returns how
-// many results are missing.
+// where a file cannot be written, or the folder is that of a sweep by another version or build of
+// ffgpu. Returns how many results are missing.
 std::size_t write_plan(const SweepPlan& plan, const std::string& version);
 
 } // namespace ffgpu::tools
