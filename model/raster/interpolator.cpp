@@ -17,10 +17,13 @@ struct Fragment {
     unsigned lane;
     int x, y; // relative to the record's reference pixel
 
-    // The plane's integer: that of the quad's corner, and the lane's offset.
+    // The plane's integer: that of the quad's corner, and the lane's offset. In a lane that a piece
+    // does not cover their sum may go round, as it does in registers.
     std::int32_t at(const AttributePlane& plane) const {
         const int right = static_cast<int>(lane & 1), up = static_cast<int>(lane >> 1 & 1);
-        return plane.corner(x - right, y - up) + plane.lane_offsets()[lane % 4];
+        const auto corner = static_cast<std::uint32_t>(plane.corner(x - right, y - up));
+        const auto offset = static_cast<std::uint32_t>(plane.lane_offsets()[lane % 4]);
+        return static_cast<std::int32_t>(corner + offset);
     }
     // times w
     float value(unsigned i, float w) const {

@@ -147,13 +147,28 @@ DepthTiming::written_bytes(Path path, const QuadToken& token, std::size_t line) 
                       work::whole_pixel(draw.state->targets.depth.format));
 }
 
+// Of the quad's `line`-th line, what its test needs: of covered pixels, all samples. Where no line
+// lacks a byte it is the same to need all.
+LineMask DepthTiming::bytes_read(const QuadToken& token, std::size_t line) const {
+    if (!ports_.cache.lacks_bytes()) return LineAccess::Whole;
+    const PreparedDraw& draw = token.draw();
+    const PreparedQuad& quad = token.quad();
+    const auto samples = static_cast<SampleBits>(lanes_to_samples(quad.covered) * 0xf);
+    return quad_bytes(draw.depth_place,
+                      ports_.cache.grain(),
+                      {draw.depth_place.quad_addresses(quad.x, quad.y), quad.covered, samples},
+                      token.part->work.depth_lines(quad)[line],
+                      {draw.depth_bytes_read, draw.depth_bytes_read})
+        .touched;
+}
+
 LineAccess DepthTiming::access(Path path, const QuadToken& token, std::size_t line) const {
     const PreparedDraw& draw = token.draw();
     work::WrittenBytes written = written_bytes(path, token, line);
     const bool accepted = path == Path::Early && coarse_ == Coarse::Accepted;
     if (accepted && has_stencil(draw)) written = depths_alone(written, ports_.cache.grain());
     return {.number = token.part->work.depth_lines(token.quad())[line],
-            .read = accepted || !draw.reads_depth ? 0 : LineAccess::Whole,
+            .read = accepted || !draw.reads_depth() ? 0 : bytes_read(token, line),
             .written = written.touched,
             .covered = written.covered};
 }

@@ -67,6 +67,7 @@ private:
     template <Path path>
     bool look_up(Budget& budget, Activity& reason); // of the quad that is there
     bool look_up_lines(Path path, const QuadToken& token, Budget& budget, Activity& reason);
+    LineMask bytes_read(const QuadToken& token, std::size_t line) const;
     LineAccess access(Path path, const QuadToken& token, std::size_t line) const;
     work::WrittenBytes written_bytes(Path path, const QuadToken& token, std::size_t line) const;
     // False: it is culled, or has to wait for a cycle with tests left.

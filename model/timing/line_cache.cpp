@@ -92,6 +92,7 @@ LookupResult LineCache::look_up_absent(const LineAccess& access, TagArray::Line*
         fill(access.number, line);
     } else {
         ++statistics_.without_fetch; // Complete from the start.
+        lacks_bytes_ = true;
     }
     write(access, line);
     return {.accepted = true, .missed = true, .ticket = line.fill};

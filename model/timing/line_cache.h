@@ -91,6 +91,9 @@ public:
     // The memory delivered the data of `ticket`.
     void complete(std::uint64_t ticket);
 
+    // Some line came without a fetch: what is read of it may have to be.
+    bool lacks_bytes() const { return lacks_bytes_; }
+
     // Forgets everything. Returns the dirty lines, which the caller writes to memory.
     std::vector<LineWrite> flush();
 
@@ -187,6 +190,7 @@ private:
     // Of the last look-up that was accepted, while the line is there. Kept where a look-up costs no
     // port, and the cache has its lines in tags_.
     const bool keeps_last_;
+    bool lacks_bytes_ = false;
     const bool may_hit_at_once_;
     std::uint64_t last_number_ = work::TagArray::Empty;
     work::TagArray::Line* last_line_ = nullptr;

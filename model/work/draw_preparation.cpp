@@ -100,7 +100,7 @@ struct DrawPreparation::Places {
     void depth(const PlacedLevel& place) const {
         const DepthAccess access = depth_access(state);
         to.targets_.place_depth(place, access);
-        draw.reads_depth = access.reads();
+        draw.depth_bytes_read = access.bytes_read(state.targets.depth.format);
         draw.writes_depth = access.writes();
         draw.depth_place = place;
     }

@@ -110,7 +110,7 @@ void LookupWalk::depths(const PreparedScene& scene, const PreparedQuad& quad) {
     }
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const bool writes = scene.depth_bytes(quad, i).touched != 0;
-        if (draw.reads_depth || writes) lines_.push_back({lines[i], writes});
+        if (draw.reads_depth() || writes) lines_.push_back({lines[i], writes});
     }
     tell(LookupClient::Depth, quad_place_, samples);
 }

@@ -91,7 +91,8 @@ struct PreparedDraw {
     std::vector<PlacedLevel> color_places;   // of its colour targets
     std::vector<std::uint8_t> color_targets; // their numbers
     // As its state has it (target_access.h).
-    bool reads_depth = false, writes_depth = false;
+    std::uint32_t depth_bytes_read = 0; // of a sample, bit i for byte i
+    bool writes_depth = false;
     bool reads_color = false, writes_color = false;
     bool masks_color = false; // leaves bytes of pixels that it writes as they are
     bool has_values = false;  // Its quads have.
@@ -99,7 +100,8 @@ struct PreparedDraw {
     DrawShape shape;
     std::shared_ptr<const Registers> state;
 
-    bool uses_depth() const { return reads_depth || writes_depth; }
+    bool reads_depth() const { return depth_bytes_read != 0; }
+    bool uses_depth() const { return reads_depth() || writes_depth; }
 };
 
 // Quads in the order in which the rasterizer makes them, and the lines that they touch.

@@ -130,6 +130,11 @@ DepthAccess depth_access(const Registers& state) {
     return access;
 }
 
+std::uint32_t DepthAccess::bytes_read(Format format) const {
+    const ClearCommand both{.depth = tests_depth, .stencil = tests_stencil};
+    return cleared_depth_bytes(format, both, 0xff).touched;
+}
+
 ColorAccess color_access(const Registers& state, unsigned target) {
     const Blend& blend = state.blend;
     const Format format = state.targets.color[target].format;

@@ -19,6 +19,8 @@ struct DepthAccess {
     PixelBytes passed, depth_failed, stencil_failed;
 
     bool reads() const { return tests_depth || tests_stencil; }
+    // Of a sample's bytes, bit i for byte i.
+    std::uint32_t bytes_read(Format format) const;
     bool writes() const {
         return (depth.touched | passed.touched | depth_failed.touched | stencil_failed.touched) !=
                0;

@@ -104,10 +104,35 @@ class PythonTest(unittest.TestCase):
         self.assertEqual(list(pareto_front(table, "cost", "cycles").point), ["p2", "p1"])
 
     def test_a_run_without_timing_is_told_as_such(self):
-        from ffgpu_data import draws, frames, roofs
+        from ffgpu_data import configuration, draws, frames, roofs
         self.assertEqual(list(frames(self.plain).index), [0])
-        for function in (draws, roofs):
+        for function in (draws, roofs, configuration):
             self.assertRaisesRegex(ValueError, "plain: .* --timing", function, self.plain)
+
+    def test_a_memory_of_one_latency_has_no_roof(self):
+        from ffgpu_data import roofs
+        machine = json.loads(json.dumps(self.stats["configuration"]))
+        machine["memory"]["kind"] = "fixed"
+        fixed = self.folder / "fixed.json"
+        fixed.write_text(json.dumps(dict(self.stats, configuration=machine)))
+        self.assertEqual(roofs(fixed)["bytes_per_cycle"], float("inf"))
+        self.assertLess(roofs(self.run_folder)["bytes_per_cycle"], 1000)
+        self.ink(self.draw("roofline", fixed, self.memory))
+
+    def test_names_of_traces_and_points_are_text(self):
+        from ffgpu_data import sweep
+        names = ["007", "1e5", "NA"]
+        with open(self.sweep, newline="") as file:
+            header, *rows = csv.reader(file)
+        for name, row in zip(names, rows):
+            row[header.index("trace")] = row[header.index("point")] = name
+        odd = self.folder / "odd_names.csv"
+        with open(odd, "w", newline="") as file:
+            csv.writer(file).writerows([header, *rows[:3]])
+        table = sweep(odd)
+        self.assertEqual(list(table.trace), list(table.point))
+        self.assertLessEqual(set(table.trace), set(names))
+        self.assertGreater(len(table), 1)
 
     def test_a_run_without_frames_has_tables_without_rows(self):
         from ffgpu_data import draws, frames

@@ -249,6 +249,23 @@ class Difference(unittest.TestCase):
                          after["total_cycles"] - before["total_cycles"])
         self.assertIn("texel_cache_conflict_misses", [one["name"] for one in figures])
 
+    def difference_to(self, *settings):
+        other = runs.replay(self.folder / "-".join(settings), "--set", *settings)
+        runs.ffgpu("report", other, self.first, "-o", self.folder / "other.html")
+        return runs.data_of(self.folder / "other.html")["difference"]["figures"]
+
+    def test_what_has_no_whole_to_be_a_part_of_comes_last(self):
+        figures = self.difference_to("raster.architecture=tile_based")
+        wholes = [one["whole"] for one in figures]
+        self.assertIn(0, wholes)  # The first run has no cache of colours.
+        self.assertNotIn(0, wholes[:wholes.index(0)])
+        self.assertEqual(set(wholes[wholes.index(0):]), {0})
+
+    def test_bottlenecks_of_one_run_alone_are_no_effect(self):
+        figures = self.difference_to("bottlenecks.enable=false", "texel_cache.ways=1")
+        self.assertGreater(len(figures), 20)
+        self.assertEqual([one for one in figures if one["name"].startswith("bottleneck_")], [])
+
     def test_equal_runs_differ_in_nothing(self):
         runs.ffgpu("report", self.first, self.first, "-o", self.folder / "same.html")
         changes = runs.data_of(self.folder / "same.html")["difference"]

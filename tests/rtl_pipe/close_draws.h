@@ -115,7 +115,8 @@ public:
         model_.draw(PrimitiveType::Triangles, vertices);
         // Behind everything that a draw reads.
         constexpr DeviceAddress At = test::VerticesAt;
-        std::memcpy(bytes_.data() + At, vertices.data(), vertices.size() * sizeof vertices[0]);
+        const std::size_t size = vertices.size() * sizeof vertices[0];
+        if (size > 0) std::memcpy(bytes_.data() + At, vertices.data(), size);
         DrawCommand command;
         command.primitive = PrimitiveType::Triangles;
         command.count = command.vertex_count = static_cast<std::uint32_t>(vertices.size());

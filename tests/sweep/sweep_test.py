@@ -87,6 +87,17 @@ class TableTest(SweepCase):
                               text=True, check=False)
         self.assert_refused(done, "no point 'nowhere'")
 
+    def test_a_point_of_a_trace_that_changed_since_has_no_page(self):
+        trace = self.folder / "moved.trace"
+        trace.write_bytes(TRACE.read_bytes())
+        self.swept("out", traces=[trace])
+        report = [FFGPU, "report", str(self.folder / "out"), "--point", self.rows("out")[0]["point"]]
+        trace.write_bytes((SOURCE / "traces/chrome.trace").read_bytes())
+        done = subprocess.run(report, capture_output=True, text=True, check=False)
+        self.assert_refused(done, "moved.trace", "sweep it again")
+        trace.write_bytes(TRACE.read_bytes())
+        subprocess.run(report, stdout=subprocess.DEVNULL, check=True)
+
     def test_a_work_file_is_timed_as_it_is_and_two_traces_have_rows_of_their_own(self):
         work = self.folder / "kept.ffw"
         subprocess.run([FFGPU, "replay", TRACE, *FRAMES, "--save-work", work], check=True,
@@ -125,14 +136,14 @@ class TableTest(SweepCase):
 
 
 def process_of(name, folder):
-    """Processes of this program that work in the folder."""
+    """Processes of this program, or of any, that work in the folder."""
     found = []
     for entry in pathlib.Path("/proc").iterdir():
         try:
             words = (entry / "cmdline").read_bytes().split(b"\0")
         except OSError:
             continue
-        if len(words) > 1 and name in words[:2] and any(str(folder).encode() in w for w in words):
+        if len(words) > 1 and (not name or name in words[:2]) and any(str(folder).encode() in w for w in words):
             found.append(int(entry.name))
     return found
 
@@ -170,6 +181,21 @@ class KillTest(SweepCase):
             with self.subTest(kind=kind, moment=moment):
                 self.assertEqual(self.kill_and_resume(kind, moment), whole)
 
+    def test_ctrl_c_ends_the_sweep_and_all_that_it_began(self):
+        begin = time.monotonic()
+        whole = self.swept("whole")
+        duration = time.monotonic() - begin
+        for i in range(6):
+            output = "interrupted_%d" % i
+            sweep = subprocess.Popen(self.command(output), stderr=subprocess.DEVNULL,
+                                     start_new_session=True)
+            time.sleep((0.25 + 0.1 * i) * duration)
+            os.killpg(sweep.pid, signal.SIGINT) # as a terminal does
+            with self.subTest(moment=i):
+                self.assertEqual(sweep.wait(timeout=20), -signal.SIGINT)
+                self.assertEqual(process_of(b"", self.folder / output), [])
+                self.assertEqual(self.swept(output), whole)
+
     def test_a_finished_sweep_does_nothing_again(self):
         table = self.swept("out")
         before = self.results("out")
@@ -200,6 +226,10 @@ class MakeOnceTest(SweepCase):
         self.assertEqual(self.make(file, f"echo other > {file}; echo own > $1"), 0)
         self.assertEqual(file.read_text(), "other\n")
         self.assertEqual(list(self.folder.iterdir()), [file])
+
+    def test_nothing_is_no_file(self):
+        self.assertEqual(self.make(self.folder / "result", "true"), 2)
+        self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_a_failure_leaves_nothing_and_a_stuck_machine_a_result(self):
         file = self.folder / "result"

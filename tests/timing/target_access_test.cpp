@@ -195,6 +195,40 @@ auto mask(std::uint8_t channels, Format format = Format::Rgba8) {
     };
 }
 
+// A draw's depths alone come without a fetch; of what it wrote another draw needs no more.
+TEST_CASE("What a depth test needs is there where a draw wrote it, and nothing else of the line") {
+    struct Reading {
+        std::function<void(Registers&)> set;
+        unsigned first_x = 0; // of each sixteen pixels: eight from there on
+        std::uint64_t read = 0;
+    };
+    const StencilFace equal{.compare = Compare::Equal};
+    const auto less = depths(Compare::Less, false);
+    const auto both = [&](Registers& state) {
+        less(state);
+        stencil(equal)(state);
+    };
+    const auto of_eight = [](WorkBin& bin, std::uint32_t number, unsigned first_x) {
+        auto& quads = bin.tiles[0].batches[number].quads;
+        std::erase_if(quads, [&](const WorkQuad& quad) { return quad.x % 16 / 8 != first_x / 8; });
+    };
+    for (const Reading& reading : {Reading{less, 0, 0},             // the very bytes
+                                   Reading{both, 0, 4 * Pixels},    // stencil values, too
+                                   Reading{less, 8, 4 * Pixels}}) { // other pixels of the line
+        WorkBin bin = draw({"writes", depths(Compare::Always)}, true);
+        const WorkBin second = draw({"reads", reading.set}, true);
+        bin.draws.push_back(second.draws[0]);
+        bin.tiles[0].batches.push_back(second.tiles[0].batches[0]);
+        bin.tiles[0].batches[1].draw = 1;
+        of_eight(bin, 0, 0);
+        of_eight(bin, 1, reading.first_x);
+        TimingConfig config = machine();
+        config.depth_cache.sets = 1;
+        config.depth_cache.ways = 4096;
+        CHECK(run(config, bin).at("memory_depth_read_bytes") == reading.read);
+    }
+}
+
 TEST_CASE("Colours are read where what is written depends on them, and written under the mask") {
     using enum BlendFactor;
     check_cases({{"opaque", [](Registers&) {}, 0, 4},

@@ -295,7 +295,8 @@ unsigned threads_for(std::size_t curves) {
     return static_cast<unsigned>(std::min<std::size_t>(processors - 1, 1 + 2 * curves));
 }
 
-void play_and_count(const CacheStudyOptions& options,
+// Whether look-ups behind the last frame may be among those counted.
+bool play_and_count(const CacheStudyOptions& options,
                     WorkPlayOptions play,
                     CacheStudyResult& result) {
     const std::vector<CacheVariant> wanted = variants_of(options);
@@ -323,13 +324,16 @@ void play_and_count(const CacheStudyOptions& options,
         for (Variant& variant : variants)
             variant.tell(result);
     };
+    bool has_more = false;
     try {
-        texels_alone ? play_work(play, scans, on_frame) : play_work(play, readers, on_frame);
+        has_more =
+            texels_alone ? play_work(play, scans, on_frame) : play_work(play, readers, on_frame);
     } catch (const InputError&) {
         finish();
         throw;
     }
     finish();
+    return has_more;
 }
 
 } // namespace
@@ -362,19 +366,24 @@ void study_caches(const CacheStudyOptions& options, CacheStudyResult& result) {
             if (warned == 0) return options.warn(line);
             --warned;
         };
-        play_and_count(options, play, result);
+        return play_and_count(options, play, result);
     };
-    try {
-        count();
-    } catch (const InputError&) {
-        if (result.frames.empty()) throw;
-        // Some look-ups of the frame that did not end were counted, too.
+    // Some look-ups of the frame that did not end were counted, too.
+    const auto count_whole_frames = [&] {
         play.ends_behind = result.frames.back();
         play.warn = [](const std::string&) {};
         result = {};
         count();
+    };
+    try {
+        if (!count()) return;
+    } catch (const InputError&) {
+        if (result.frames.empty()) throw;
+        count_whole_frames();
         throw;
     }
+    if (result.frames.empty()) throw InputError(options.input + ": has no whole frame");
+    count_whole_frames();
 }
 
 std::vector<CacheGeometry> told_geometries(const CacheStudyOptions& options,

@@ -39,6 +39,17 @@ void MissMap::lookups(work::LookupClient client,
     }
 }
 
+void MissMap::flush(work::LookupClient client) {
+    if (client != work::LookupClient::Texel) return;
+    tags_.for_each([&](std::uint64_t, work::TagArray::Line& line) { tags_.drop(line); });
+}
+
+void MissMap::overwritten(work::LookupClient client, std::span<const work::OverwrittenLine> lines) {
+    if (client != work::LookupClient::Texel) return;
+    for (const work::OverwrittenLine& overwritten : lines)
+        if (work::TagArray::Line* const line = tags_.find(overwritten.line)) tags_.drop(*line);
+}
+
 void MissMap::end_frame(std::uint32_t) {
     shown_.swap(misses_);
     misses_.assign(shown_.size(), 0);

@@ -29,8 +29,9 @@ private:
                  const work::LookupPlace& place,
                  std::span<const work::LineLookup> lines,
                  std::uint32_t reads) override;
-    void flush(work::LookupClient) override {}
-    void overwritten(work::LookupClient, std::span<const work::OverwrittenLine>) override {}
+    void flush(work::LookupClient client) override;
+    void overwritten(work::LookupClient client,
+                     std::span<const work::OverwrittenLine> lines) override;
     void end_frame(std::uint32_t frame) override;
 
     work::TagArray tags_;

@@ -61,7 +61,9 @@ public:
             sinks_.add(timing_->sink());
         }
         if (question.work) sinks_.add(*question.work);
-        if (!sinks_.empty()) gpu_.set_work_sink(&sinks_);
+        const bool values = question.timing && !question.timing->needs_values().empty();
+        if (!sinks_.empty())
+            gpu_.set_work_sink(&sinks_, values ? WorkDetail::Values : WorkDetail::Masks);
     }
 
     std::vector<PixelHistory> run() {

@@ -63,6 +63,11 @@ void ExplainedTiming::note_lines(FragmentNote& note) {
     }
 }
 
+void ExplainedTiming::content(const std::shared_ptr<const SurfaceContent>& content) {
+    if (!config_.needs_values().empty()) order_.content(content);
+    timing_.content(content);
+}
+
 void ExplainedTiming::host_transfer(const HostTransfer& transfer) {
     order_.host_transfer(transfer);
     timing_.host_transfer(transfer);

@@ -38,6 +38,7 @@ private:
     };
 
     void command(std::shared_ptr<const work::WholeCommand> command) override;
+    void content(const std::shared_ptr<const SurfaceContent>& content) override;
     void host_transfer(const HostTransfer& transfer) override;
     void end_frame(std::uint32_t frame) override;
 

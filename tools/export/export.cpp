@@ -22,26 +22,36 @@ namespace {
 WorkPlayOptions play_options(const ExportOptions& options) {
     return {.input = options.input,
             .frames = options.frames,
+            .ends_behind = options.ends_behind,
             .gpu = options.configuration.gpu,
             .machine = options.configuration.timing,
             .warn = options.warn};
 }
 
+// Work came behind the input's last frame, and is in the output, which has not its name.
+struct CameBehindFrames {
+    std::uint64_t last_frame = 0;
+};
+
 // Plays the work, then completes the output; a fault of the input comes after that, and an
 // Interruption is the input's end.
 template <class Finish>
 void play_and_finish(const ExportOptions& options,
+                     bool can_begin_anew,
                      work::CommandSink& sink,
                      const std::function<void(const work::FrameFigures&)>& frame,
                      Finish&& finish) {
-    std::uint64_t frames = 0;
+    std::uint64_t frames = 0, last_frame = 0;
     const auto counting = [&](const work::FrameFigures& figures) {
         frame(figures);
         ++frames;
+        last_frame = figures.number;
     };
     std::exception_ptr fault;
     try {
-        play_work(play_options(options), sink, counting);
+        const bool has_more = play_work(play_options(options), sink, counting);
+        if (has_more && frames == 0) throw InputError(options.input + ": has no whole frame");
+        if (has_more && can_begin_anew) throw CameBehindFrames{last_frame};
     } catch (const InputError&) {
         if (frames == 0) throw;
         fault = std::current_exception();
@@ -85,6 +95,7 @@ std::string export_lookups(const ExportOptions& options) {
     work::MachineOrder order(timing.work(), walk);
     play_and_finish(
         options,
+        output.is_file(),
         order,
         [](const work::FrameFigures&) {},
         [&] {
@@ -221,6 +232,7 @@ std::string export_memory(const ExportOptions& options) {
     const TracedMachine::StandsAtEnd stands(machine);
     play_and_finish(
         options,
+        output.is_file(),
         machine,
         [&](const work::FrameFigures&) { trace.check_failure(); },
         [&] {
@@ -254,6 +266,7 @@ std::string export_commands(const ExportOptions& options) {
     const TracedMachine::StandsAtEnd stands(machine);
     play_and_finish(
         options,
+        output.is_file(),
         machine,
         [&](const work::FrameFigures&) { trace.check_failure(); },
         [&] {
@@ -295,6 +308,7 @@ std::string export_time(const ExportOptions& options) {
     const TracedMachine::StandsAtEnd stands(machine);
     play_and_finish(
         options,
+        fst || output.is_file(),
         machine,
         [&](const work::FrameFigures&) { trace.check_failure(); },
         [&] {
@@ -304,6 +318,22 @@ std::string export_time(const ExportOptions& options) {
             output.commit();
         });
     return fmt::format("{} units over {} cycles\n", timing.unit_names().size(), timing.cycles());
+}
+
+std::string export_once(const ExportOptions& options) {
+    switch (options.format) {
+    case ExportFormat::Din:
+    case ExportFormat::Xdin:
+        return export_lookups(options);
+    case ExportFormat::DramCommands:
+        return export_commands(options);
+    case ExportFormat::Perfetto:
+    case ExportFormat::Vcd:
+    case ExportFormat::Fst:
+        return export_time(options);
+    default:
+        return export_memory(options);
+    }
 }
 
 } // namespace
@@ -329,18 +359,13 @@ bool has_access_bytes(ExportFormat format) {
 }
 
 std::string export_trace(const ExportOptions& options) {
-    switch (options.format) {
-    case ExportFormat::Din:
-    case ExportFormat::Xdin:
-        return export_lookups(options);
-    case ExportFormat::DramCommands:
-        return export_commands(options);
-    case ExportFormat::Perfetto:
-    case ExportFormat::Vcd:
-    case ExportFormat::Fst:
-        return export_time(options);
-    default:
-        return export_memory(options);
+    try {
+        return export_once(options);
+    } catch (const CameBehindFrames& came) {
+        ExportOptions whole_frames = options;
+        whole_frames.ends_behind = came.last_frame;
+        whole_frames.warn = [](const std::string&) {}; // It was told.
+        return export_once(whole_frames);
     }
 }
 

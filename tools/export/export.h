@@ -49,6 +49,7 @@ struct ExportOptions {
     std::string output = "-"; // a file; "-": standard output
     ExportFormat format = ExportFormat::Din;
     FrameRange frames{};
+    std::uint64_t ends_behind = FrameRange{}.last; // this frame, of any input
     Configuration configuration{};
     work::LookupClient client = work::LookupClient::Texel; // has_client()
     std::uint32_t access_bytes = 64;                       // of a record; has_access_bytes()
@@ -59,8 +60,9 @@ struct ExportOptions {
 // Throws InputError for a name that is none, with the nearest that is.
 ExportFormat parse_export_format(const std::string& name);
 
-// Returns a summary for people. Throws InputError; what was exported before a fault of the input is
-// kept, what a full disk cut off is not.
+// Returns a summary for people. What comes behind the last frame is left out, but where it goes to
+// no file it has gone when that is known. Throws InputError; what was exported before a fault of
+// the input is kept, what a full disk cut off is not.
 std::string export_trace(const ExportOptions& options);
 
 } // namespace ffgpu::tools

@@ -30,6 +30,9 @@ public:
     // All of it is with the system; the file has its name.
     void commit();
 
+    // What was written has no name yet.
+    bool is_file() const { return file_.has_value(); }
+
     // Before compression.
     std::uint64_t bytes() const { return bytes_; }
 

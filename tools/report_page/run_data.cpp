@@ -111,6 +111,10 @@ void add_series(Json& data, Notes& notes, const std::string& folder, const RunFi
     if (!is_series_of(*file, figures))
         return notes.add("series", "series.csv is of another run than stats.json: left out.");
     const RunSeries series = series_of(*file, figures);
+    if (series.joined > 1)
+        notes.add("series",
+                  fmt::format("A point is {} rows of series.csv, or what a frame has left of them.",
+                              series.joined));
     data["series"] = {{"joined", series.joined},
                       {"frame", series.frame},
                       {"cycles", series.cycles},

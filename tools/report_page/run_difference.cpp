@@ -47,6 +47,12 @@ bool is_account(const std::string& name) {
            (name.find("_stalled_") != std::string::npos && name.ends_with("_cycles"));
 }
 
+bool tells_bottlenecks(const RunFigures& figures) {
+    const std::pair<std::string, nlohmann::json> off{"bottlenecks.enable", false};
+    return std::find(figures.configuration.begin(), figures.configuration.end(), off) ==
+           figures.configuration.end();
+}
+
 std::uint64_t bytes_of(const Totals& totals) {
     std::uint64_t sum = 0;
     for (const auto& [name, value] : totals)
@@ -95,8 +101,9 @@ std::string frames_of(const RunFigures& figures) {
 } // namespace
 
 double FigureChange::effect() const {
+    if (whole == 0) return 0;
     const double change = static_cast<double>(after) - static_cast<double>(before);
-    return change / static_cast<double>(std::max<std::uint64_t>(whole, 1));
+    return change / static_cast<double>(whole);
 }
 
 void check_same_work(const RunFigures& before,
@@ -138,9 +145,11 @@ RunDifference difference(const RunFigures& before, const RunFigures& after) {
     const Totals first = totals_of(before), second = totals_of(after);
     Totals both = first;
     both.insert(second.begin(), second.end());
+    const bool both_tell_bottlenecks = tells_bottlenecks(before) && tells_bottlenecks(after);
     RunDifference result;
     result.configuration = changed_parameters(before, after);
     for (const auto& [name, ignored] : both) {
+        if (name.starts_with("bottleneck_") && !both_tell_bottlenecks) continue;
         std::optional<FigureChange> change = change_of(name, first);
         if (!change) continue;
         change->before = value_of(first, name);

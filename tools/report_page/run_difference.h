@@ -20,13 +20,14 @@ struct ParameterChange {
 };
 
 // A figure that differs. `effect`: the change as a share of `whole`, which is what all figures of
-// its kind are parts of: the cycles, the bytes, the look-ups of its cache.
+// its kind are parts of: the cycles, the bytes, the look-ups of its cache. What bottlenecks took is
+// told of runs that both tell of them.
 struct FigureChange {
     EffectKind kind = EffectKind::Account;
     std::string name;
     std::uint64_t before = 0, after = 0, whole = 0;
 
-    double effect() const;
+    double effect() const; // 0 where there was no whole: a cache that the first run has not
 };
 
 struct RunDifference {

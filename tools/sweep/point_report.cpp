@@ -4,6 +4,7 @@
 #include "tools/config/config_file.h"
 #include "tools/replay/replay.h"
 #include "tools/report_page/report_page.h"
+#include "tools/sweep/sweep_plan.h"
 #include "tools/time/time_work.h"
 
 #include <filesystem>
@@ -46,6 +47,12 @@ std::string find_trace(const Json& plan, const PointReportOptions& options) {
     return found;
 }
 
+// The sweep's results are of what the file held then.
+void check_unchanged(const std::string& input, const std::string& id, const std::string& frames) {
+    if (id == name_in(id) + '-' + content_hash(input, frames)) return;
+    throw InputError(input + ": is no longer what the sweep timed: sweep it again");
+}
+
 void draw_again(const std::string& trace, const Json& plan, const TimeOptions& run) {
     ReplayOptions drawing;
     drawing.input = trace;
@@ -71,6 +78,7 @@ std::string report_point(const PointReportOptions& options) {
                     .output = folder / "reports" / (name_in(trace) + '-' + options.point),
                     .configuration = {}};
     read_config_file(point, run.configuration);
+    check_unchanged(run.input, trace, plan["frames"].get<std::string>());
     fs::create_directories(run.output);
     if (plan["traces"][trace].at("is_work").get<bool>())
         time_work(run);

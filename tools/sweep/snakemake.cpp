@@ -54,7 +54,45 @@ std::vector<std::string> command_line(const FlowOptions& options) {
     return words;
 }
 
+// Ctrl-C, handed on to Snakemake and its jobs, which have a process group of their own: it is heard
+// to its end, and does not write into a pipe that nobody reads, behind which it would wait for ever
+// and hold the sweep's lock. One that does not end is killed: what is finished is kept.
+class HandedOn {
+public:
+    explicit HandedOn(pid_t group) {
+        group_ = group;
+        struct sigaction action {};
+        action.sa_flags = SA_RESTART;
+        action.sa_handler = [](int) {
+            came_ = 1;
+            ::kill(-group_, SIGINT);
+            ::alarm(SecondsToEnd);
+        };
+        ::sigaction(SIGINT, nullptr, &interrupt_);
+        if (interrupt_.sa_handler != SIG_IGN) ::sigaction(SIGINT, &action, nullptr);
+        action.sa_handler = [](int) { ::kill(-group_, SIGKILL); };
+        ::sigaction(SIGALRM, &action, &alarm_);
+    }
+    // The process ends as one that does not catch the signal.
+    ~HandedOn() {
+        ::alarm(0);
+        ::sigaction(SIGALRM, &alarm_, nullptr);
+        ::sigaction(SIGINT, &interrupt_, nullptr);
+        if (came_) ::raise(SIGINT);
+    }
+    HandedOn(const HandedOn&) = delete;
+    HandedOn& operator=(const HandedOn&) = delete;
+
+private:
+    static constexpr unsigned SecondsToEnd = 10;
+
+    static inline volatile std::sig_atomic_t group_ = 0, came_ = 0;
+    struct sigaction interrupt_ {
+    }, alarm_{};
+};
+
 [[noreturn]] void run_program(const std::vector<std::string>& words, int output) {
+    ::setpgid(0, 0);
     ::prctl(PR_SET_PDEATHSIG, SIGTERM); // A sweep that is killed takes Snakemake along.
     ::dup2(output, STDOUT_FILENO);
     ::dup2(output, STDERR_FILENO);
@@ -150,7 +188,9 @@ std::vector<std::string> run_flow(const FlowOptions& options) {
     const pid_t child = ::fork();
     if (child < 0) throw InputError(std::string("sweep: no process: ") + std::strerror(errno));
     if (child == 0) run_program(words, ends[1]);
+    ::setpgid(child, child); // Whoever comes first.
     ::close(ends[1]);
+    const HandedOn handed_on(child);
     Listener listener(options.jobs);
     listen(ends[0], listener, logs / "snakemake.txt");
     int status = 0;

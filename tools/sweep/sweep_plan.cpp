@@ -30,17 +30,6 @@ void write_whole(const fs::path& path, const std::string& text) {
     file.commit();
 }
 
-// Of the file, and of what was chosen of it.
-std::string content_hash(const std::string& path, const std::string& choice) {
-    std::ifstream file(path, std::ios::binary);
-    std::array<char, 1 << 16> buffer;
-    std::uint64_t hash = hash_on(HashStart, choice);
-    while (file.read(buffer.data(), buffer.size()) || file.gcount() > 0)
-        hash = hash_on(hash, {buffer.data(), static_cast<std::size_t>(file.gcount())});
-    if (!file.is_open() || file.bad()) throw InputError(path + ": cannot be read");
-    return fmt::format("{:016x}", hash);
-}
-
 // Without comments and empty lines: there may be ten thousand of them.
 std::string compact_toml(const Configuration& configuration) {
     std::istringstream lines(to_toml(configuration));
@@ -69,6 +58,16 @@ void check_version(const fs::path& plan, const std::string& version, const std::
 }
 
 } // namespace
+
+std::string content_hash(const std::string& path, const std::string& choice) {
+    std::ifstream file(path, std::ios::binary);
+    std::array<char, 1 << 16> buffer;
+    std::uint64_t hash = hash_on(HashStart, choice);
+    while (file.read(buffer.data(), buffer.size()) || file.gcount() > 0)
+        hash = hash_on(hash, {buffer.data(), static_cast<std::size_t>(file.gcount())});
+    if (!file.is_open() || file.bad()) throw InputError(path + ": cannot be read");
+    return fmt::format("{:016x}", hash);
+}
 
 bool SweepPlan::needs_values() const {
     return std::any_of(space.points.begin(), space.points.end(), [](const DesignPoint& point) {

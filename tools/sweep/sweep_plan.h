@@ -39,6 +39,9 @@ struct SweepPlan {
     std::filesystem::path result(const SweepTrace& trace, const DesignPoint& point) const;
 };
 
+// Of the file, and of what was chosen of it. Throws InputError where it cannot be read.
+std::string content_hash(const std::string& path, const std::string& choice);
+
 // Throws InputError: a trace that cannot be read or whose name is another's, a work file of another
 // version, frames that a work file cannot be cut to.
 std::vector<SweepTrace> sweep_traces(const std::vector<std::string>& paths,

@@ -36,6 +36,27 @@ FunctionalGpu::Config gpu_config(const WorkPlayOptions& options) {
     return config;
 }
 
+// Sees what comes behind the last end of a frame.
+class LastFrameWatch final : public WorkSink {
+public:
+    explicit LastFrameWatch(WorkSink& out)
+        : out_(out) {}
+
+    void bin(std::shared_ptr<const WorkBin> bin) override {
+        has_more_ |= !bin->draws.empty() || !bin->transfers.empty();
+        out_.bin(std::move(bin));
+    }
+    void end_frame(std::uint32_t frame) override {
+        has_more_ = false;
+        out_.end_frame(frame);
+    }
+    bool has_more() const { return has_more_; }
+
+private:
+    WorkSink& out_;
+    bool has_more_ = false;
+};
+
 // Draws, and hands the work over on a thread of its own.
 class Drawing {
 public:
@@ -43,11 +64,13 @@ public:
         : options_(options)
         , on_frame_(on_frame)
         , gpu_(gpu_config(options))
-        , thread_(sink, options.pool)
+        , watch_(sink)
+        , thread_(watch_, options.pool)
         , source_(open_frame_source(
               options.input, gpu_, {.warn = options.warn, .panel = options.gpu.panel()})) {}
 
-    void run() {
+    // Whether work came behind the last frame.
+    bool run() {
         try {
             play();
         } catch (const InputError&) {
@@ -55,6 +78,7 @@ public:
             throw;
         }
         finish();
+        return watch_.has_more();
     }
 
 private:
@@ -112,6 +136,7 @@ private:
     const WorkPlayOptions& options_;
     const OnFrame& on_frame_;
     FunctionalGpu gpu_;
+    LastFrameWatch watch_;
     work::SinkThread thread_;
     std::unique_ptr<FrameSource> source_; // Plays on the GPU.
     std::uint64_t next_ = 0;              // frame
@@ -128,22 +153,30 @@ public:
 
     void command(std::shared_ptr<const work::WholeCommand> command) override {
         timing::check_values(machine_, *command, contents_told_);
+        has_more_ = true;
         out_.command(std::move(command));
     }
     void content(const std::shared_ptr<const SurfaceContent>& content) override {
         contents_told_ = true;
         if (!machine_.needs_values().empty()) out_.content(content);
     }
-    void host_transfer(const HostTransfer& transfer) override { out_.host_transfer(transfer); }
-    void end_frame(std::uint32_t frame) override { out_.end_frame(frame); }
+    void host_transfer(const HostTransfer& transfer) override {
+        has_more_ = true;
+        out_.host_transfer(transfer);
+    }
+    void end_frame(std::uint32_t frame) override {
+        has_more_ = false;
+        out_.end_frame(frame);
+    }
+    bool has_more() const { return has_more_; } // behind the last frame
 
 private:
     const timing::TimingConfig& machine_;
     work::CommandSink& out_;
-    bool contents_told_ = false;
+    bool contents_told_ = false, has_more_ = false;
 };
 
-void play_file(const WorkPlayOptions& options, work::CommandSink& sink, const OnFrame& on_frame) {
+bool play_file(const WorkPlayOptions& options, work::CommandSink& sink, const OnFrame& on_frame) {
     if (!(options.frames == FrameRange{}))
         throw InputError("--frames: a work file is played whole: " + options.input);
     if (options.gpu.forces()) options.warn(forces_nothing(options.input));
@@ -155,6 +188,7 @@ void play_file(const WorkPlayOptions& options, work::CommandSink& sink, const On
         progress.show(figures.number);
         if (Interruption::signal() != 0 || figures.number >= options.ends_behind) file.stop();
     });
+    return of_machine.has_more();
 }
 
 } // namespace
@@ -164,16 +198,16 @@ std::string forces_nothing(const std::string& path) {
                   "nothing any more";
 }
 
-void play_work(const WorkPlayOptions& options, work::CommandSink& sink, const OnFrame& frame) {
+bool play_work(const WorkPlayOptions& options, work::CommandSink& sink, const OnFrame& frame) {
     if (work::WorkFileReader::is_work_file(options.input)) return play_file(options, sink, frame);
     work::CommandAssembler assembler(sink);
-    Drawing(options, assembler, frame).run();
+    return Drawing(options, assembler, frame).run();
 }
 
-void play_work(const WorkPlayOptions& options, DrawReader& reader, const OnFrame& frame) {
+bool play_work(const WorkPlayOptions& options, DrawReader& reader, const OnFrame& frame) {
     if (work::WorkFileReader::is_work_file(options.input)) return play_file(options, reader, frame);
     work::DrawSplitter splitter(reader);
-    Drawing(options, splitter, frame).run();
+    return Drawing(options, splitter, frame).run();
 }
 
 } // namespace ffgpu::tools

@@ -42,15 +42,16 @@ struct MissedColors {
 // Calls `frame` where a frame's work has all been handed over; that and all calls of the sink come
 // one after another, from threads that need not be the caller's. Ends behind a frame where an
 // Interruption came, perhaps without any. Throws InputError; all that came before the fault has
-// been handed over then.
-void play_work(const WorkPlayOptions& options,
+// been handed over then. Returns whether more work came behind the last frame that ended, which is
+// in no frame's figures: WorkPlayOptions::ends_behind leaves it out.
+bool play_work(const WorkPlayOptions& options,
                work::CommandSink& sink,
                const std::function<void(const work::FrameFigures&)>& frame);
 
 // Reads draws as they were drawn, where the input is drawn; a work file has commands.
 class DrawReader : public work::DrawSink, public work::CommandSink {};
 
-void play_work(const WorkPlayOptions& options,
+bool play_work(const WorkPlayOptions& options,
                DrawReader& reader,
                const std::function<void(const work::FrameFigures&)>& frame);
 

@@ -42,7 +42,14 @@ const KnownColors = {
   index: "#c9669b",
   links: "#c9c9c9",
 };
-const colorOf = (list, name) => KnownColors[name] ?? Palette[list.indexOf(name) % Palette.length];
+// Others take the colours that nothing known of the list has, in turn.
+function colorOf(list, name) {
+  if (name in KnownColors) return KnownColors[name];
+  const taken = list.map((other) => KnownColors[other]);
+  const free = Palette.filter((color) => !taken.includes(color));
+  const others = list.filter((other) => !(other in KnownColors));
+  return free[others.indexOf(name) % free.length];
+}
 const AccountColors = {
   busy: "#4e9a5f",
   idle: "#9aa4ae",

@@ -38,7 +38,7 @@ function effectColumns() {
     { name: "figure", isWord: true, value: (row) => row.name, show: (row) => words(row.name) },
     {
       name: "size of the effect",
-      value: (row) => Math.abs(change(row)) / Math.max(1, row.whole),
+      value: (row) => ratio(Math.abs(change(row)), row.whole),
       show: (row) => signed(percent(change(row), row.whole, 2), change(row)),
     },
     { name: runNames[0], value: (row) => row.before, show: (row) => shown(row, row.before) },

@@ -67,7 +67,7 @@ const costColumns = [
   counted("cycles", (row) => row.cycles),
   {
     name: "of the frame",
-    value: (row) => row.cycles,
+    value: (row) => ratio(row.cycles, wholeOf(row)),
     show: (row) => withBar(percent(row.cycles, wholeOf(row)), ratio(row.cycles, wholeOf(row))),
   },
 ];
@@ -79,7 +79,7 @@ const changeColumns = [
   },
   {
     name: "size of the change",
-    value: (row) => Math.abs(changeOf(row)),
+    value: (row) => ratio(Math.abs(changeOf(row)), wholeOf(row)),
     show: (row) => percent(Math.abs(changeOf(row)), wholeOf(row)),
   },
   counted(`cycles, ${runNames[0]}`, (row) => row.cycles),

@@ -7,9 +7,11 @@ function addSummary() {
   const parent = section("summary");
   section("title").textContent = isPair ? `${runNames[0]} against ${runNames[1]}` : `Run ${runNames[0]}`;
   const frames = first.frames;
+  const sizes = new Set(frames.map(({ width, height }) => `${width} × ${height}`));
+  const others = sizes.size > 1 ? ` at first, and ${number(sizes.size - 1)} other sizes` : "";
   section("about").textContent =
     `${number(frames.length)} frame${frames.length > 1 ? "s" : ""}, ` +
-    `${frames[0].width} × ${frames[0].height} pixels. ffgpu: what the machine did, in its own cycles.`;
+    `${frames[0].width} × ${frames[0].height} pixels${others}. ffgpu: what the machine did, in its own cycles.`;
   if (!hasTiming) return addNotes(parent, "timing");
   const tiles = parent.querySelector(".tiles");
   const text = parent.querySelector(".sentence");
@@ -79,7 +81,8 @@ const shareOf = (run, part, whole, digits) => percent(figure(run, part), figure(
 function tileList() {
   const count = selection.isAll ? first.frames.length : 1;
   const a = selection.isAll ? " a frame" : "";
-  const written = (run) => Math.max(1, selected(run.functional.fragments_written));
+  const written = (run) => selected(run.functional.fragments_written);
+  const aFragment = (run) => (written(run) > 0 ? number(cyclesOf(run) / written(run), 2) : "–");
   const each = (show) => runs.map(show).join(" → ");
   const tile = (text, show) =>
     element("div", { class: "tile" }, element("b", {}, each(show)), element("span", {}, text));
@@ -87,7 +90,7 @@ function tileList() {
   const tiles = [
     tile(`cycles${a}`, (run) => short(cyclesOf(run) / count)),
     tile(`ms${a}, ${rates} frames/s`, (run) => number(millisecondsOf(run) / count, 3)),
-    tile("cycles a fragment written", (run) => number(cyclesOf(run) / written(run), 2)),
+    tile("cycles a fragment written", aFragment),
     tile(`of memory traffic${a}`, (run) => bytes(trafficOf(run) / count)),
     tile("of the buses' cycles carry data", (run) =>
       shareOf(run, "memory_data_cycles", "memory_bus_cycles", 0),

@@ -29,7 +29,9 @@ roof = read(roofs, given.run)
 # %%
 figure, axis = pyplot.subplots()
 ridge = roof["fragments_per_cycle"] / roof["bytes_per_cycle"]
-reach = numpy.geomspace(min(intensity.min(), ridge) / 2, max(intensity.max(), ridge) * 4, 100)
+ridges = [ridge] if ridge > 0 else [] # A memory without buses has no slope.
+reach = numpy.geomspace(min([intensity.min(), *ridges]) / 2,
+                        max([intensity.max(), *ridges]) * 4, 100)
 axis.plot(reach, numpy.minimum(reach * roof["bytes_per_cycle"], roof["fragments_per_cycle"]),
           color="#222222", label=f"{roof['bytes_per_cycle']:g} bytes, "
           f"{roof['fragments_per_cycle']:g} fragments a cycle")

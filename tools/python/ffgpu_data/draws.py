@@ -1,4 +1,6 @@
 """Single draws: their cycles from stats.json, their bytes from `ffgpu export --format csv`."""
+import math
+
 import pandas
 
 from .files import file_at, read_table
@@ -35,12 +37,11 @@ def traffic(path):
 
 
 def roofs(path):
-    """What no draw exceeds: fragments a cycle, and bytes a cycle of the memory's buses."""
+    """What no draw exceeds: fragments a cycle, and bytes a cycle of the memory's buses; a memory of
+    one latency (memory.kind=fixed) has none, and any number of bytes."""
     machine = configuration(path)
-    if not machine:
-        raise ValueError(f"{path}: tells no configuration: it comes with --timing")
     memory_clocks = machine["memory.memory_clocks"] / machine["memory.core_clocks"]
+    bus_bytes = machine["memory.channels"] * machine["memory.bytes_per_cycle"] * memory_clocks
     return {"fragments_per_cycle": 4 * machine["raster.quads_per_cycle"] /
             machine["fragment.quad_cycles"],
-            "bytes_per_cycle": machine["memory.channels"] * machine["memory.bytes_per_cycle"] *
-            memory_clocks}
+            "bytes_per_cycle": math.inf if machine["memory.kind"] == "fixed" else bus_bytes}

@@ -38,5 +38,7 @@ def frames(path):
 def configuration(path):
     """Every parameter by its path: configuration(DIR)["texel_cache.ways"]."""
     groups = read(path)["configuration"]
+    if not groups:
+        raise ValueError(f"{path}: tells no configuration: it comes with --timing")
     return {f"{group}.{name}": value
             for group, values in groups.items() for name, value in values.items()}

@@ -11,4 +11,5 @@ trap 'rm -f "$part"' EXIT
 status=$?
 # 3: a machine that is stuck, which is a result, too.
 [ $status = 0 ] || [ $status = 3 ] || exit $status
+[ -s "$part" ] || { echo "ffgpu: $file: nothing was written: its trace has no frame that was asked for" >&2; exit 2; }
 chmod "$(printf '%o' $((0666 & ~0$(umask))))" "$part" && mv -n "$part" "$file"

@@ -1,0 +1,111 @@
+// What a program draws behind its last frame is in no frame: nothing that is counted or exported
+// differs from what comes without it.
+
+#include "tests/support/temporary_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/tools/scene_trace.h"
+#include "tests/tools/tool.h"
+
+#include <catch2/catch.hpp>
+
+namespace ffgpu::tools {
+namespace {
+
+using Catch::Matchers::Contains;
+
+constexpr GlEnum TriangleFan{6};
+
+void draw(SceneTrace& scene, float size) {
+    scene.call("glBegin", TriangleFan);
+    for (const auto& [s, t] : {std::pair(0.f, 0.f), {1.f, 0.f}, {1.f, 1.f}, {0.f, 1.f}}) {
+        scene.call("glTexCoord2f", s, t);
+        scene.call("glVertex2f", size * (2 * s - 1), size * (2 * t - 1));
+    }
+    scene.call("glEnd");
+}
+
+// Textured squares in each frame, and where it goes on, another and an upload.
+std::string trace_of(unsigned frames, bool goes_on) {
+    SceneTrace scene;
+    scene.texture(Luminance, 16, std::string(256, '\x40'), Nearest);
+    for (unsigned i = 0; i < frames; ++i) {
+        draw(scene, 0.5f);
+        draw(scene, 0.9f);
+        scene.swap();
+    }
+    if (goes_on) {
+        draw(scene, 1);
+        scene.texture(Luminance, 16, std::string(256, '\x50'), Nearest);
+        draw(scene, 0.7f);
+        scene.call("glFinish");
+    }
+    return scene.file();
+}
+
+std::string work_of(const TemporaryFile& trace, const std::string& path) {
+    printed(stderr, [&] {
+        REQUIRE(run({"replay", trace.path(), "--no-images", "--save-work", path}) == 0);
+    });
+    return path;
+}
+
+std::string printed_by(const std::vector<std::string>& arguments) {
+    return printed(stdout, [&] {
+        const std::string said = printed(stderr, [&] { CHECK(run(arguments) == 0); });
+        INFO(said);
+    });
+}
+
+TEST_CASE("What comes behind the last frame is in no curve and no export") {
+    const TemporaryFolder folder;
+    const TemporaryFile whole(trace_of(2, false), ".trace"), longer(trace_of(2, true), ".trace");
+    const std::string work = work_of(longer, folder / "longer.ffw");
+    const auto outputs_of = [&](const std::string& input) {
+        std::vector<std::string> outputs;
+        for (const char* const client : {"texel", "texel,color"})
+            outputs.push_back(printed_by({"cache", input, "--client", client}));
+        for (const char* const format : {"xdin", "csv", "dram_commands", "vcd", "perfetto"}) {
+            const std::string path = folder / format;
+            outputs.push_back(printed_by({"export", input, "--format", format, "-o", path}));
+            outputs.push_back(content(path));
+        }
+        return outputs;
+    };
+    const std::vector<std::string> expected = outputs_of(whole.path());
+    CHECK(outputs_of(longer.path()) == expected);
+    CHECK(outputs_of(work) == expected);
+}
+
+TEST_CASE("Of a program that shows no frame there are no curves and no exports") {
+    const TemporaryFile none(trace_of(0, true), ".trace");
+    const TemporaryFolder folder;
+    const std::string path = folder / "out";
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"cache", none.path()},
+          {"export", none.path(), "--format", "xdin", "-o", path},
+          {"export", none.path(), "--format", "csv", "-o", path}}) {
+        const std::string said = printed(stderr, [&] { CHECK(run(arguments) == 2); });
+        CHECK_THAT(said, Contains("has no whole frame"));
+        CHECK(content(path).empty());
+    }
+}
+
+TEST_CASE("A pixel is explained on machines that need values") {
+    const TemporaryFile trace(trace_of(1, false), ".trace");
+    for (const char* const setting :
+         {"depth.test=late", "color_blocks.compression=true", "depth.test=as_gl_allows"}) {
+        const std::string text = printed_by({"explain",
+                                             trace.path(),
+                                             "--frame",
+                                             "0",
+                                             "--pixel",
+                                             "16,16",
+                                             "--timing",
+                                             "--set",
+                                             setting});
+        CHECK_THAT(text, Contains("cycle"));
+    }
+}
+
+} // namespace
+} // namespace ffgpu::tools
