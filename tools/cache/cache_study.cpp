@@ -8,6 +8,7 @@
 #include "tools/cache/lookup_chunks.h"
 #include "tools/cache/miss_map.h"
 #include "tools/cache/not_followed.h"
+#include "tools/cache/scan_fan_out.h"
 #include "tools/record/work_fan_out.h"
 #include "tools/work/work_player.h"
 
@@ -235,35 +236,6 @@ private:
     std::optional<work::TexelScan> scan_;
     std::optional<work::LookupWalk> walk_;
     std::optional<work::MachineOrder> order_;
-};
-
-class ScanFanOut final : public DrawReader {
-public:
-    void add(work::TexelScan& scan) { scans_.push_back(&scan); }
-
-    void draw_part(const WorkDraw& draw, const work::DrawPart& part) override {
-        for (work::TexelScan* const scan : scans_)
-            scan->draw_part(draw, part);
-    }
-    void command(std::shared_ptr<const work::WholeCommand> command) override {
-        for (work::TexelScan* const scan : scans_)
-            scan->command(command);
-    }
-    void content(const std::shared_ptr<const SurfaceContent>& content) override {
-        for (work::TexelScan* const scan : scans_)
-            scan->content(content);
-    }
-    void host_transfer(const HostTransfer& transfer) override {
-        for (work::TexelScan* const scan : scans_)
-            scan->host_transfer(transfer);
-    }
-    void end_frame(std::uint32_t frame) override {
-        for (work::TexelScan* const scan : scans_)
-            scan->end_frame(frame);
-    }
-
-private:
-    std::vector<work::TexelScan*> scans_;
 };
 
 void check_options(const CacheStudyOptions& options) {
