@@ -116,7 +116,8 @@ class PythonTest(unittest.TestCase):
         fixed = self.folder / "fixed.json"
         fixed.write_text(json.dumps(dict(self.stats, configuration=machine)))
         self.assertEqual(roofs(fixed)["bytes_per_cycle"], float("inf"))
-        self.assertLess(roofs(self.run_folder)["bytes_per_cycle"], 1000)
+        # The default: two buses of 32 bits, both edges, at the machine's clock.
+        self.assertEqual(roofs(self.run_folder)["bytes_per_cycle"], 2 * 4 * 2)
         self.ink(self.draw("roofline", fixed, self.memory))
 
     def test_names_of_traces_and_points_are_text(self):

@@ -61,7 +61,7 @@ class HandedOn {
 public:
     explicit HandedOn(pid_t group) {
         group_ = group;
-        struct sigaction action {};
+        Action action{};
         action.sa_flags = SA_RESTART;
         action.sa_handler = [](int) {
             came_ = 1;
@@ -87,8 +87,8 @@ private:
     static constexpr unsigned SecondsToEnd = 10;
 
     static inline volatile std::sig_atomic_t group_ = 0, came_ = 0;
-    struct sigaction interrupt_ {
-    }, alarm_{};
+    using Action = struct sigaction;
+    Action interrupt_{}, alarm_{};
 };
 
 [[noreturn]] void run_program(const std::vector<std::string>& words, int output) {

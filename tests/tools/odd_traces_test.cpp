@@ -1,10 +1,11 @@
-// What a program draws behind its last frame is in no frame: nothing that is counted or exported
-// differs from what comes without it.
+// Traces that are not just frames of draws: what comes behind the last frame is in no figure, lines
+// that are overwritten miss, machines that need values are told them.
 
 #include "tests/support/temporary_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/scene_trace.h"
 #include "tests/tools/tool.h"
+#include "tools/image/image.h"
 
 #include <catch2/catch.hpp>
 
@@ -88,6 +89,36 @@ TEST_CASE("Of a program that shows no frame there are no curves and no exports")
         CHECK_THAT(said, Contains("has no whole frame"));
         CHECK(content(path).empty());
     }
+}
+
+TEST_CASE("A miss map shows the misses of lines that were overwritten") {
+    // 16x16 bytes are four lines of 64, each of which misses once until it is overwritten.
+    SceneTrace scene;
+    const std::string texels(256, '\x40');
+    constexpr GlEnum Texture2d{0x0de1}, UnsignedByte{0x1401};
+    scene.texture(Luminance, 16, texels, Nearest);
+    for (unsigned frame = 0; frame < 3; ++frame) {
+        if (frame == 1)
+            scene.call(
+                "glTexSubImage2D", Texture2d, 0, 0, 0, 16, 16, Luminance, UnsignedByte, texels);
+        draw(scene, 1);
+        scene.swap();
+    }
+    const TemporaryFile trace(scene.file(), ".trace");
+    const TemporaryFolder folder;
+    printed_by({"cache", trace.path(), "-o", folder.path(), "--miss-map", "64x4x64"});
+    std::vector<unsigned> missed;
+    for (const char* const name : {"miss_map_0000.png", "miss_map_0001.png", "miss_map_0002.png"}) {
+        const Image map = read_image(folder / name);
+        unsigned misses = 0; // of all pixels of quads: blue one, green two, red more
+        for (std::size_t i = 0; i < map.rgb.size(); i += 3) {
+            const unsigned red = map.rgb[i], green = map.rgb[i + 1], blue = map.rgb[i + 2];
+            REQUIRE(red <= std::max(green, blue));
+            if (green + blue > 0) misses += green > blue ? 2 : 1;
+        }
+        missed.push_back(misses / 4);
+    }
+    CHECK(missed == std::vector<unsigned>{4, 4, 0});
 }
 
 TEST_CASE("A pixel is explained on machines that need values") {
