@@ -55,14 +55,17 @@ MemoryConfig random_config(std::mt19937& random) {
 }
 
 // What a channel did with the requests, a number each, that came at these times at the earliest.
-std::vector<Event> served(const MemoryConfig& config, std::uint32_t seed, bool plainly) {
+// `for_one`: that many of eight are for one bank, besides its share.
+std::vector<Event>
+served(const MemoryConfig& config, std::uint32_t seed, bool plainly, std::uint32_t for_one = 0) {
     std::mt19937 random(seed);
     Recorder recorder;
     DramChannel channel(config, 0, recorder, plainly);
     MemoryCycle now = 0;
     for (std::uint32_t number = 0; number < 600; ++number) {
         if (random() % 3 == 0) now += random() % 40;
-        const DramRequest request{.bank = static_cast<std::uint32_t>(random() % config.banks),
+        const auto bank = static_cast<std::uint32_t>(random() % config.banks);
+        const DramRequest request{.bank = for_one > 0 && random() % 8 < for_one ? 0 : bank,
                                   .row = random() % 3,
                                   .bytes = 16u << random() % 4,
                                   .write = random() % 3 == 0,
@@ -183,6 +186,23 @@ TEST_CASE("what cycles were lost to stands where a column yields and requests co
         config.page_policy = PagePolicy::Open;
         CAPTURE(seed, config.banks, config.reorder_limit);
         CHECK(served(config, seed, false) == served(config, seed, true));
+    }
+}
+
+// Many more wait for one bank than for the others, whose activates step back for its.
+TEST_CASE("by bits or plainly, activates step back for a bank that limits") {
+    std::mt19937 random(12);
+    for (std::uint32_t seed = 0; seed < 400; ++seed) {
+        MemoryConfig config = random_config(random);
+        config.banks = seed % 2 == 0 ? 4 : 8;
+        config.queue = 16;
+        config.scheduler = SchedulerKind::FirstReady;
+        config.reorder_limit = 64;
+        config.activate_to_activate_cycles = 7;
+        config.row_to_column_cycles = 6 + seed % 8;
+        config.page_policy = seed % 3 == 0 ? PagePolicy::Closed : PagePolicy::Open;
+        CAPTURE(seed, config.banks);
+        CHECK(served(config, seed, false, 3) == served(config, seed, true, 3));
     }
 }
 

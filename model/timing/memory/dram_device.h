@@ -50,6 +50,10 @@ public:
     bool is_activate_held(std::uint32_t bank) const {
         return banks_[bank].activate_at < any_activate_at();
     }
+    // An activate of another bank at `later` is nearer to one at `now` than tRRD.
+    bool is_too_near(MemoryCycle now, MemoryCycle later) const {
+        return later < now + config_.activate_to_activate_cycles;
+    }
     // Of the request's columns from `now` on one behind the first takes the slot of an activate,
     // which a column later would leave, and rows of such requests go by the distance of activates,
     // not by the bus.

@@ -14,6 +14,7 @@ std::uint64_t bit(std::uint32_t bank) {
 } // namespace
 
 struct DramScheduler::Search {
+    const DramScheduler& scheduler;
     const WaitingRequests& waiting;
     const DramDevice& device;
     MemoryCycle now;
@@ -50,6 +51,8 @@ struct DramScheduler::Search {
     bool consider_activate(std::size_t index, std::uint32_t bank) {
         const MemoryCycle ready_at = device.activate_ready_at(bank);
         if (device.is_activate_held(bank)) held_activate_at = ready_at;
+        const bool could_go = ready_at <= now && row_slot <= now;
+        if (could_go && scheduler.steps_back(bank, waiting, device, now)) return false;
         return consider_row(DramCommand::Kind::Activate, index, ready_at);
     }
     // A bank whose row is in the way. Where a column could go out, too, and the bank would be
@@ -110,6 +113,31 @@ bool DramScheduler::is_bus_wanted(const Search& search) {
     return false;
 }
 
+// The oldest request's bank has no row open, and its activate could go out soon, but would have to
+// wait for its distance from one that goes out now.
+bool DramScheduler::is_oldest_due(const WaitingRequests& waiting,
+                                  const DramDevice& device,
+                                  MemoryCycle now) {
+    const std::uint32_t bank = waiting.front().request.bank;
+    if (device.open_row(bank) != DramDevice::NoRow) return false;
+    const MemoryCycle at = device.activate_ready_at(bank);
+    return at > now && device.is_too_near(now, at);
+}
+
+// An activate of `bank` that could go out now leaves the slot to the oldest request's that is due.
+bool DramScheduler::steps_back(std::uint32_t bank,
+                               const WaitingRequests& waiting,
+                               const DramDevice& device,
+                               MemoryCycle now) const {
+    if (!is_oldest_due(waiting, device, now)) return false;
+    if (waiting.front().passed >= limit_) return true;
+    const auto wait_for = [&](std::uint32_t wanted) {
+        return std::ranges::count_if(
+            waiting, [=](const WaitingRequest& it) { return it.request.bank == wanted; });
+    };
+    return wait_for(waiting.front().request.bank) > wait_for(bank) + backlog_;
+}
+
 // A bank works for the oldest request that needs it, and leaves its row only when nobody waits for
 // that any more, or when the request has been passed too often.
 void DramScheduler::find_row(Search& search) const {
@@ -132,7 +160,8 @@ void DramScheduler::find_row(Search& search) const {
     }
 }
 
-// False, and nothing found, where a column could go out, or the oldest request may not be passed.
+// False, and nothing found, where a column could go out, the oldest request may not be passed, or
+// an activate steps back for it.
 // Else no request was passed too often, so that a bank works for its oldest one if nobody waits for
 // the row that it has open.
 inline bool DramScheduler::find_without_column(Search& search) const {
@@ -151,11 +180,15 @@ inline bool DramScheduler::find_without_column(Search& search) const {
                 .now = search.now},
                found);
     if (found.column_is_due) return false;
-    search.command.again_at = found.again_at;
-    search.command.column_at = found.column_at;
-    if (found.rows == 0) return true;
+    if (found.rows == 0) {
+        search.command.again_at = found.again_at;
+        search.command.column_at = found.column_at;
+        return true;
+    }
     const auto index = static_cast<std::size_t>(std::countr_zero(found.rows));
-    const bool closed = search.device.open_row(waiting[index].request.bank) == DramDevice::NoRow;
+    const std::uint32_t bank = waiting[index].request.bank;
+    const bool closed = search.device.open_row(bank) == DramDevice::NoRow;
+    if (closed && steps_back(bank, waiting, search.device, search.now)) return false;
     search.command = {.kind = closed ? DramCommand::Kind::Activate : DramCommand::Kind::Precharge,
                       .index = index};
     return true;
@@ -236,6 +269,7 @@ std::optional<MemoryCycle> DramScheduler::soonest_of(const DramRequest& request,
                                                      const DramDevice& device,
                                                      MemoryCycle now) const {
     if (!by_banks_ || waiting.empty() || waiting.front().passed >= limit_) return std::nullopt;
+    if (is_oldest_due(waiting, device, now)) return std::nullopt; // One that stepped back may go.
     const WaitingRequests::Bits of_bank = waiting.of_bank(request.bank);
     if (device.open_row(request.bank) != request.row)
         return of_bank != 0 ? NoCycle
@@ -245,8 +279,8 @@ std::optional<MemoryCycle> DramScheduler::soonest_of(const DramRequest& request,
 }
 
 // Behind the search for a column. Where one could go out and a row, too, the row goes if the bus
-// stood still before the column, which is then not what limits; else the column, but now and then
-// the row where no other column wants the bus.
+// stood still before the column, which is then not what limits; else the column, unless another
+// column wants the bus no less; but now and then the other of the two.
 template <class FindRow, class IsBusWanted>
 void DramScheduler::choose_row(Search& search,
                                const FindRow& find_row,
@@ -257,12 +291,12 @@ void DramScheduler::choose_row(Search& search,
     if (follows && is_bus_wanted()) return;
     find_row();
     if (search.has_column()) return search.yield_to_held_activate();
-    const bool row_goes = !follows || meetings_ % MeetingsToSlip == MeetingsToSlip - 1;
-    if (row_goes)
+    const bool slips = meetings_ % MeetingsToSlip == MeetingsToSlip - 1;
+    if (follows == slips)
         search.column_yields = true;
     else
         search.command = {.kind = DramCommand::Kind::Column, .index = column};
-    search.command.meets = follows;
+    search.command.meets = true;
 }
 
 void DramScheduler::choose_plainly(Search& search) const {
@@ -293,7 +327,12 @@ inline void DramScheduler::choose_row_by_banks(const WaitingRequests& waiting,
     }
     if (ready == 0) return;
     const auto index = static_cast<std::size_t>(std::countr_zero(ready));
-    const bool closed = device.open_row(waiting[index].request.bank) == DramDevice::NoRow;
+    const std::uint32_t bank = waiting[index].request.bank;
+    const bool closed = device.open_row(bank) == DramDevice::NoRow;
+    if (closed && steps_back(bank, waiting, device, now)) {
+        command = {.again_at = NoCycle};
+        return choose_first_by_bits(waiting, device, now, command);
+    }
     command = {.kind = closed ? DramCommand::Kind::Activate : DramCommand::Kind::Precharge,
                .index = index};
 }
@@ -326,7 +365,7 @@ inline void DramScheduler::choose_by_bus(const WaitingRequests& waiting,
                                                            const DramDevice& device,
                                                            MemoryCycle now,
                                                            DramCommand& command) const {
-    Search search{waiting, device, now, command};
+    Search search{*this, waiting, device, now, command};
     choose_by_bits(search);
     search.note_why();
 }
@@ -345,7 +384,7 @@ void DramScheduler::choose(const WaitingRequests& waiting,
                                                        const DramDevice& device,
                                                        MemoryCycle now,
                                                        DramCommand& command) const {
-    Search search{waiting, device, now, command};
+    Search search{*this, waiting, device, now, command};
     if (!by_bits_)
         choose_plainly(search);
     else if (!by_banks_ || !find_without_column(search))

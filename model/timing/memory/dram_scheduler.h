@@ -4,12 +4,14 @@
 // go first: the bus is not what limits then, and a bank that is late for a row is late for all its
 // rows to come. It is not late where its activate waits for those of older requests anyway: then
 // the column goes before its precharge. Two banks whose commands meet round after round would delay
-// each other by as much and never part; so of the meetings with a column that follows the data
-// before, one in MeetingsToSlip is the bank's, too. Where rows go by the distance of activates, a
-// request of several columns waits a cycle rather than that one behind the first takes the next
-// activate's slot, if no other column wants the bus. A request that reorder_limit younger ones have
-// passed is passed no more. In order is the same with a limit of zero: data in the order of the
-// requests, rows opened ahead.
+// each other by as much and never part; so one in MeetingsToSlip of their meetings goes the other
+// way. Banks also delay each other by the distance of activates: one of a younger request leaves
+// the slot to the oldest's, which would come soon, where so many more requests wait for that bank
+// that it is what limits, or where the oldest may not be passed anyway. Where rows go by the
+// distance of activates, a request of several columns waits a cycle rather than that one behind the
+// first takes the next activate's slot, if no other column wants the bus. A request that
+// reorder_limit younger ones have passed is passed no more. In order is the same with a limit of
+// zero: data in the order of the requests, rows opened ahead.
 //
 // Two forms of one rule: the plain one looks at each request, and is the specification; the other
 // looks at the bits of WaitingRequests, at a request for each bank and kind, where the queue has
@@ -34,7 +36,7 @@ struct DramCommand {
     MemoryCycle again_at = 0;        // None: nothing can go out before
     MemoryCycle column_at = NoCycle; // None: a column can go out then, where that is known
     bool foresees_column = false;    // None: that of `index`, if no bank waits for a row then
-    bool meets = false;              // a column without a gap, and a row: one goes, both could
+    bool meets = false;              // a column and a row: one goes, both could
     // Why no data flow: a column's could, but a bank's row went first; a younger request's could,
     // but for the order. Neither: for what the oldest request waits for.
     bool column_yields = false, order_forbids = false;
@@ -49,7 +51,8 @@ public:
         : limit_(config.scheduler == SchedulerKind::InOrder ? 0 : config.reorder_limit)
         , by_bits_(!plainly && config.queue <= WaitingRequests::MostWithBits)
         , by_banks_(by_bits_ && config.banks <= FewBanks)
-        , banks_(config.banks) {}
+        , banks_(config.banks)
+        , backlog_(config.queue / 4) {}
 
     // Writes it to `command`, whose numbers are read at once: a copy would wait for each of them
     // (model/base/one_store.h).
@@ -105,6 +108,12 @@ private:
                           const DramDevice& device,
                           MemoryCycle now,
                           DramCommand& command) const;
+    static bool
+    is_oldest_due(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now);
+    bool steps_back(std::uint32_t bank,
+                    const WaitingRequests& waiting,
+                    const DramDevice& device,
+                    MemoryCycle now) const;
     void choose_plainly(Search& search) const;
     void find_column(Search& search) const;
     void find_row(Search& search) const;
@@ -121,6 +130,7 @@ private:
     const std::uint32_t limit_;
     const bool by_bits_, by_banks_;
     const std::uint32_t banks_;
+    const std::ptrdiff_t backlog_; // requests more than for another bank, for a bank that limits
     std::uint32_t meetings_ = 0;
 };
 
