@@ -62,8 +62,9 @@ for line in "${Builds[@]}"; do
         if [ -z "$reference" ]; then
             reference=$folder
             files=$(find "$folder" -type f | wc -l)
-            # Three frames of a picture and four heat maps, and the statistics; of one and four samples.
-            [ "$files" -eq $((${#Traces[@]} * 2 * 16)) ] || { say "$folder: $files files"; exit 1; }
+            # Three frames of a picture and four heat maps, their list, and the statistics; of one and
+            # four samples.
+            [ "$files" -eq $((${#Traces[@]} * 2 * 17)) ] || { say "$folder: $files files"; exit 1; }
             say "$name, $threads threads: $files files, the reference"
             continue
         fi
