@@ -16,10 +16,11 @@ Cycle RasterTiming::cycles_to(const PreparedQuad& quad) const {
     return Cycle{quad.empty_blocks} * config_.empty_tile_cycles + config_.tile_cycles;
 }
 
-// To pass the blocks behind the piece's last quad. A piece without quads takes a cycle at least.
-Cycle RasterTiming::empty_cycles_behind() const {
-    const Cycle cycles = Cycle{piece().empty_blocks} * config_.empty_tile_cycles;
-    return piece().begin == piece().end ? std::max<Cycle>(cycles, 1) : cycles;
+// To pass the blocks behind the piece's last quad, which are told with that. A piece without quads
+// takes a cycle at least.
+Cycle RasterTiming::empty_cycles_behind(const work::PreparedPiece& piece) const {
+    const Cycle cycles = Cycle{piece.empty_blocks} * config_.empty_tile_cycles;
+    return piece.begin == piece.end ? std::max<Cycle>(cycles, 1) : cycles;
 }
 
 // next_ goes on to the first quad of the next block, or to the piece's end; false: those up to
@@ -50,7 +51,7 @@ void RasterTiming::walk() {
             continue;
         }
         statistics_.empty_blocks += piece().empty_blocks;
-        if (const Cycle cycles = empty_cycles_behind(); cycles > 0) begin_empty(cycles);
+        if (const Cycle cycles = empty_cycles_behind(piece()); cycles > 0) begin_empty(cycles);
         if (++piece_ != end_piece_) begin_piece();
     }
 }
@@ -83,7 +84,8 @@ void RasterTiming::push_block(const PreparedQuad& quad, Cycle cycles) {
                        .end = piece().end,
                        .ready_at = walked_at_,
                        .begins_piece = next_ == piece().begin,
-                       .ends_record = piece_ + 1 == end_piece_ && empty_cycles_behind() == 0});
+                       .piece = piece_,
+                       .is_of_last_piece = piece_ + 1 == end_piece_});
     passage_.enter_unit(cycles);
     ++next_;
     is_found_ = false;
@@ -96,9 +98,9 @@ void RasterTiming::begin_empty(Cycle cycles) {
     blocks_.push_back({.record = record_,
                        .ready_at = walked_at_,
                        .is_empty = true,
-                       .ends_record = has_pieces
-                                          ? piece_ + 1 == end_piece_
-                                          : config_.architecture == Architecture::Immediate});
+                       .is_of_last_piece = has_pieces
+                                               ? piece_ + 1 == end_piece_
+                                               : config_.architecture == Architecture::Immediate});
     passage_.enter_unit(cycles);
 }
 
@@ -132,9 +134,16 @@ bool RasterTiming::make_block(Block& block, std::uint32_t& made) {
     return false;
 }
 
+// Of a block that was made, or passed. The empty ones behind a piece's last quads have a place of
+// their own in the queue.
+bool RasterTiming::ends_record(const Block& block) const {
+    if (!block.is_of_last_piece || block.quad != block.end) return false;
+    return block.is_empty || empty_cycles_behind(block.record.scene->work.pieces[block.piece]) == 0;
+}
+
 void RasterTiming::leave_block() {
     const Block& block = blocks_.front();
-    if (block.ends_record && block.quad == block.end) end_record(block.record);
+    if (ends_record(block)) end_record(block.record);
     blocks_.pop_front();
     passage_.leave();
 }

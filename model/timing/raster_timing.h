@@ -81,7 +81,8 @@ private:
         Cycle ready_at = 0;              // It was walked to; empty ones: they were passed.
         bool is_empty = false;           // blocks without quads behind a piece's last ones
         bool begins_piece = false;       // None of the piece's quads was made.
-        bool ends_record = false;        // with its piece's end
+        std::uint32_t piece = 0;         // of a block with quads
+        bool is_of_last_piece = false;   // of the record
     };
     enum class Made : std::uint8_t { Nothing, Something, Refused };
     // The quads of one scene, found again and again at places near each other.
@@ -105,7 +106,8 @@ private:
     bool begin_block();
     void push_block(const PreparedQuad& quad, Cycle cycles);
     void begin_empty(Cycle cycles);
-    Cycle empty_cycles_behind() const;
+    Cycle empty_cycles_behind(const work::PreparedPiece& piece) const;
+    bool ends_record(const Block& block) const;
     bool begin_free_block(bool made);
     bool find_next_block() { return is_found_ || look_for_next_block(); }
     bool look_for_next_block();

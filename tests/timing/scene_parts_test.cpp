@@ -162,6 +162,35 @@ work::WholeCommand square(RandomWork& work, std::uint32_t number) {
     return command;
 }
 
+// The empty blocks behind the last quads are told with these, when the walk has come to the block
+// long since.
+TEST_CASE("empty blocks behind a block that is told in parts end a draw once") {
+    for (const auto granularity : {work::Granularity::Quad, work::Granularity::Fragment})
+        for (const std::uint32_t empty_tile_cycles : {0u, 1u, 5u}) {
+            TimingConfig config;
+            config.raster.granularity = granularity;
+            config.raster.tile_width = 64;
+            config.raster.empty_tile_cycles = empty_tile_cycles;
+            const auto run = [&](Told told) {
+                return run_frames(config, told, [](RandomWork& work, std::uint32_t number) {
+                    work::WholeCommand command = square(work, number);
+                    command.draw.geometry.pieces[0].y1 = 256;
+                    return command;
+                });
+            };
+            CAPTURE(empty_tile_cycles);
+            const Outcome whole = run(Told::Whole);
+            // Twelve draws, whose box has four blocks with quads and as many without.
+            CHECK(whole.figures.at("raster_blocks") == 12 * 4);
+            CHECK(whole.figures.at("raster_empty_blocks") == 12 * 4);
+            for (const Told told : {Told::Soon, Told::AtFramesEnd, Told::ByLot}) {
+                const Outcome outcome = run(told);
+                CHECK(outcome.is_of_machine(whole));
+                CHECK(outcome.parts > 12);
+            }
+        }
+}
+
 TEST_CASE("a walk over whole tiles looks at a piece's quads when all are told") {
     TimingConfig config;
     config.raster.traversal = work::Traversal::Nested;
