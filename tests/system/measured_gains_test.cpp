@@ -3,8 +3,12 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/system/trace_run.h"
 #include "tools/commands/command_line.h"
+#include "tools/replay/interruption.h"
+#include "tools/time/measured_gains.h"
 
 #include <algorithm>
+#include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -97,6 +101,22 @@ TEST_CASE("Measured gains are those of machines whose limits are taken away by h
         CHECK(row.gain <= rows.at({key.first, "fragment"}).gain);
     CHECK(rows.count({1, "binner"}) == 0); // An immediate machine has none.
     CHECK(run({"time", work, "--totals", folder / "t.json", "--measure-gains"}) == 2);
+}
+
+TEST_CASE("Ctrl-C while gains are measured leaves none, not those of an older run either") {
+    const TemporaryFolder folder;
+    const std::string work = folder / "work.ffw", out = folder / "out";
+    REQUIRE(run({"replay", own_trace("corridor"), "--save-work", work, "--frames", "1-2"}) == 0);
+    const timing::TimingConfig config;
+    {
+        const Interruption interruption;
+        std::raise(SIGINT);
+        CHECK(measure_gains(work, config).empty());
+    }
+    REQUIRE(run({"time", work, "-o", out, "--measure-gains"}) == 0);
+    CHECK(std::filesystem::exists(out + "/gains.csv"));
+    REQUIRE(run({"time", work, "-o", out}) == 0);
+    CHECK_FALSE(std::filesystem::exists(out + "/gains.csv"));
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // CensusDevice: a device that draws nothing. It keeps memory and registers, and counts what it is
-// told to do.
+// told to do. Throws std::bad_alloc where the host has no memory for it.
 
 #pragma once
 
@@ -10,6 +10,7 @@
 
 #include <cstdlib>
 #include <memory>
+#include <new>
 #include <vector>
 
 namespace ffgpu::tools {
@@ -33,12 +34,16 @@ private:
         void operator()(void* memory) const { std::free(memory); }
     };
 
+    static std::byte* zeroes() {
+        void* const memory = std::calloc(1, MemoryBytes);
+        if (memory == nullptr) throw std::bad_alloc();
+        return static_cast<std::byte*>(memory);
+    }
     void count(const CommandReader& reader);
     std::byte* memory(DeviceAddress at, std::size_t bytes) const;
 
     // Zeroes, which the host backs as they are touched.
-    const std::unique_ptr<std::byte, Free> memory_{
-        static_cast<std::byte*>(std::calloc(1, MemoryBytes))};
+    const std::unique_ptr<std::byte, Free> memory_{zeroes()};
     RegisterFile registers_;
     Census census_;
     bool counts_ = true;

@@ -4,6 +4,7 @@
 #include "model/timing/gpu_timing.h"
 #include "model/timing/without_limit.h"
 #include "model/work/work_file_reader.h"
+#include "tools/replay/interruption.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +26,10 @@ void play(const std::string& work,
     timing::GpuTiming timing(config, {}, memory);
     timing.set_on_frame(on_frame);
     timing.let_frames_overlap();
-    work::WorkFileReader(work).play(timing, [](const work::FrameFigures&) {});
+    work::WorkFileReader file(work);
+    file.play(timing, [&](const work::FrameFigures&) {
+        if (Interruption::signal() != 0) file.stop();
+    });
     timing.catch_up();
 }
 
@@ -38,6 +42,10 @@ double reckoned_gain(const timing::FrameTiming& frame, Resource resource) {
 
 std::int64_t gain(std::uint64_t with, std::uint64_t without) {
     return static_cast<std::int64_t>(with) - static_cast<std::int64_t>(without);
+}
+
+std::filesystem::path gains_file(const std::string& folder) {
+    return std::filesystem::path(folder) / "gains.csv";
 }
 
 std::string_view name_of(Resource resource) {
@@ -61,6 +69,7 @@ std::vector<FrameGains> measure_gains(const std::string& work, const timing::Tim
             gains.without.push_back({resource, 0, reckoned_gain(frame, resource)});
     });
     for (std::size_t i = 0; i < limited.size(); ++i) {
+        if (Interruption::signal() != 0) return {};
         timing::TimingConfig faster = timing::without_limit(config, limited[i]);
         faster.bottlenecks.enable = false;
         std::size_t frame = 0;
@@ -69,11 +78,17 @@ std::vector<FrameGains> measure_gains(const std::string& work, const timing::Tim
                 frames.at(frame++).without[i].cycles = timed.cycles;
             });
     }
+    if (Interruption::signal() != 0) return {};
     return frames;
 }
 
+void remove_gains_file(const std::string& folder) {
+    std::error_code none_there;
+    std::filesystem::remove(gains_file(folder), none_there);
+}
+
 void write_gains_file(const std::vector<FrameGains>& frames, const std::string& folder) {
-    WholeFile file((std::filesystem::path(folder) / "gains.csv").string());
+    WholeFile file(gains_file(folder).string());
     file.write("frame,resource,cycles,cycles_without,gain,reckoned_gain\n");
     for (const FrameGains& frame : frames)
         for (const FrameGains::Without& without : frame.without)

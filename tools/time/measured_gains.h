@@ -26,10 +26,13 @@ struct FrameGains {
     std::vector<Without> without; // in the order of the resources; those alone that have limits
 };
 
-// Plays the work file once, and once more for each resource. Throws InputError, MachineStuck.
+// Plays the work file once, and once more for each resource. None, of any frame, where Ctrl-C came
+// meanwhile (replay/interruption.h): it ends behind the frame. Throws InputError, MachineStuck.
 std::vector<FrameGains> measure_gains(const std::string& work, const timing::TimingConfig& config);
 
-// gains.csv in the folder: a row a frame and resource. Throws InputError.
+// gains.csv in the folder: a row a frame and resource. Throws InputError. One that is there is of
+// another run, and goes when this one's statistics come.
+void remove_gains_file(const std::string& folder);
 void write_gains_file(const std::vector<FrameGains>& frames, const std::string& folder);
 
 // Of all frames together, a line a resource, the largest gain first.

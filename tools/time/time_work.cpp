@@ -47,6 +47,7 @@ std::string time_work(const TimeOptions& options) {
     if (options.configuration.timing.series.interval_cycles > 0) series.emplace(timing);
     const auto write = [&] {
         if (options.output.empty()) return;
+        remove_gains_file(options.output);
         write_statistics_file(report, options.output);
         if (series) series->write(options.output);
     };
@@ -66,6 +67,7 @@ std::string time_work(const TimeOptions& options) {
     if (!options.measure_gains) return report.summary();
     const std::vector<FrameGains> gains =
         measure_gains(options.input, options.configuration.timing);
+    if (Interruption::signal() != 0) return report.summary();
     write_gains_file(gains, options.output);
     return report.summary() + gains_summary(gains);
 }
