@@ -1,7 +1,7 @@
 // Twice the dot product of two colours, each channel n standing for 2 n - 255, as combine_operation
 // gives its results: 2 sum((2 a0 - 255) (2 a1 - 255)) over r, g, b.
 //
-// Combinational. Equals dot_product() in model/fragment/texture_environment.cpp before its finish.
+// Combinational. Equals doubled_dot_product() in model/fragment/texture_environment.cpp.
 
 module combine_dot (
   input  logic                               enable_i,  // low: nobody looks at the result

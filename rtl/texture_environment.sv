@@ -148,26 +148,23 @@ module texture_environment (
     .out_data_o (doubled_q)
   );
 
-  // Stage 3: scale, clamp, rounding. Alpha from a dot product is scaled as colour is.
+  // Stage 3: scale, clamp, rounding.
   ffgpu_pkg::texture_environment_state_t state_3;
   ffgpu_registers_pkg::combiner_t        combiner_3;
   ffgpu_pkg::shade_quad_t                shaded_3;
   ffgpu_pkg::quad_t                      quad_3, colored_3;
-  logic [1:0]                            alpha_shift;
   logic [127:0]                          color;
 
   assign shaded_3    = doubled_q.shaded;
   assign quad_3      = shaded_3.quad;
   assign state_3     = quad_3.tag ? state_1_i : state_0_i;
   assign combiner_3  = ffgpu_registers_pkg::decode_combiner(state_3.combiner);
-  assign alpha_shift = combiner_3.rgb_op == ffgpu_registers_pkg::CombineOpDot3Rgba ?
-    combiner_3.rgb_scale_shift : combiner_3.alpha_scale_shift;
 
   for (genvar channel = 0; channel < 4 * ffgpu_pkg::Lanes; channel++) begin : g_finish
     combine_finish u_finish (
       .enable_i     (doubled_valid && doubled_ready),
       .doubled_i    (doubled_q.doubled[DoubledWidth*channel +: DoubledWidth]),
-      .scale_shift_i(channel % 4 == 3 ? alpha_shift : combiner_3.rgb_scale_shift),
+      .scale_shift_i(channel % 4 == 3 ? combiner_3.alpha_scale_shift : combiner_3.rgb_scale_shift),
       .result_o     (color[8*channel +: 8])
     );
   end

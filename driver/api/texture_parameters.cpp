@@ -135,12 +135,14 @@ GLenum set_value(TextureParameters& gl, TextureTarget target, GLenum name, const
     }
 }
 
+// A colour has no form without v.
 template <class Value>
-void set_parameter(Context& context, GLenum target, GLenum name, const Value* params) {
+void set_parameter(
+    Context& context, GLenum target, GLenum name, const Value* params, bool is_vector = true) {
     const auto wanted = find_texture_target(target);
     if (!wanted) return context.error(GL_INVALID_ENUM);
     const Parameter* const parameter = find_parameter(Parameters, name);
-    if (!parameter) return context.error(GL_INVALID_ENUM);
+    if (!parameter || (parameter->count > 1 && !is_vector)) return context.error(GL_INVALID_ENUM);
     TextureObject& texture =
         *context.state.texture.active().bound[static_cast<std::size_t>(*wanted)];
     TextureParameters changed = texture.parameters;
@@ -210,11 +212,11 @@ void get_parameter(Context& context, GLenum target, GLenum name, Value* params) 
 } // namespace
 
 void TexParameterf(Context& context, GLenum target, GLenum pname, GLfloat param) {
-    set_parameter(context, target, pname, Scalar(param).values);
+    set_parameter(context, target, pname, Scalar(param).values, false);
 }
 
 void TexParameteri(Context& context, GLenum target, GLenum pname, GLint param) {
-    set_parameter(context, target, pname, Scalar(param).values);
+    set_parameter(context, target, pname, Scalar(param).values, false);
 }
 
 void TexParameterfv(Context& context, GLenum target, GLenum pname, const GLfloat* params) {

@@ -27,19 +27,27 @@ bool is_of(const std::shared_ptr<FramebufferObject>& object, GLenum buffer) {
     return buffer == GL_NONE || (object != nullptr) == (buffer >= GL_COLOR_ATTACHMENT0);
 }
 
+// GL_COORD_REPLACE of all units, a bit each: the point group's alone (ARB_point_sprite).
+std::uint8_t coord_replace_of(const TextureState& texture) {
+    unsigned bits = 0;
+    for (unsigned i = 0; i < TextureUnits; ++i)
+        bits |= texture.units[i].environment.coord_replace ? 1u << i : 0u;
+    return static_cast<std::uint8_t>(bits);
+}
+
+void set_coord_replace(std::uint8_t bits, TextureState& texture) {
+    for (unsigned i = 0; i < TextureUnits; ++i)
+        texture.units[i].environment.coord_replace = bits >> i & 1;
+}
+
 void save_point(Context& context, SavedAttributes& saved) {
     saved.point = context.state.rasterization.point;
-    saved.coord_replace = 0;
-    for (unsigned i = 0; i < TextureUnits; ++i) {
-        if (context.state.texture.units[i].environment.coord_replace)
-            saved.coord_replace |= static_cast<std::uint8_t>(1u << i);
-    }
+    saved.coord_replace = coord_replace_of(context.state.texture);
 }
 
 void restore_point(const SavedAttributes& saved, Context& context) {
     context.state.rasterization.point = saved.point;
-    for (unsigned i = 0; i < TextureUnits; ++i)
-        context.state.texture.units[i].environment.coord_replace = saved.coord_replace >> i & 1;
+    set_coord_replace(saved.coord_replace, context.state.texture);
     context.dirty.mark(Dirty::Primitive);
 }
 
@@ -122,7 +130,9 @@ void save_texture(Context& context, SavedAttributes& saved) {
 }
 
 void restore_texture(const SavedAttributes& saved, Context& context) {
+    const std::uint8_t coord_replace = coord_replace_of(context.state.texture);
     restore_textures(*saved.textures, context.state.texture);
+    set_coord_replace(coord_replace, context.state.texture);
     context.dirty.mark(Dirty::Textures);
     context.dirty.mark(Dirty::Environments);
     context.dirty.mark(Dirty::TexGen);

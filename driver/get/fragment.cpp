@@ -3,6 +3,7 @@
 #include "driver/context/context.h"
 #include "driver/get/state_variable.h"
 
+#include <algorithm>
 #include <array>
 
 namespace ffgpu::gl {
@@ -28,7 +29,7 @@ std::span<const StateVariable> fragment_variables() {
         // The active face's, as EXT_stencil_two_side has it.
         FFGPU_STATE(GL_STENCIL_FUNC, integer(active_face(s).func)),
         FFGPU_STATE(GL_STENCIL_VALUE_MASK, integer(active_face(s).compare_mask)),
-        FFGPU_STATE(GL_STENCIL_REF, integer(active_face(s).reference)),
+        FFGPU_STATE(GL_STENCIL_REF, integer(std::clamp(active_face(s).reference, 0, 255))),
         FFGPU_STATE(GL_STENCIL_FAIL, integer(active_face(s).fail)),
         FFGPU_STATE(GL_STENCIL_PASS_DEPTH_FAIL, integer(active_face(s).depth_fail)),
         FFGPU_STATE(GL_STENCIL_PASS_DEPTH_PASS, integer(active_face(s).depth_pass)),

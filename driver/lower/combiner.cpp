@@ -154,7 +154,8 @@ Combiner lower_combine(const TextureEnvironment& environment, unsigned unit) {
     }
     if (!is_unscaled(environment.combine_rgb))
         combiner.rgb.scale_shift = lower_scale(environment.rgb_scale);
-    combiner.alpha.scale_shift = lower_scale(environment.alpha_scale);
+    if (environment.combine_rgb != GL_DOT3_RGBA_EXT) // whose alpha is the dot product
+        combiner.alpha.scale_shift = lower_scale(environment.alpha_scale);
     return combiner;
 }
 

@@ -98,14 +98,14 @@ bool is_dot_product(CombineOp op) {
     return op == CombineOp::Dot3Rgb || op == CombineOp::Dot3Rgba;
 }
 
-// 4 sum((a - 1/2)(b - 1/2)) = sum((2a - 1)(2b - 1)).
-std::uint8_t dot_product(const Combiner& combiner, const CombineInputs& in) {
+// Twice 4 sum((a - 1/2)(b - 1/2)) = sum((2a - 1)(2b - 1)).
+std::int32_t doubled_dot_product(const Combiner& combiner, const CombineInputs& in) {
     std::int32_t sum = 0;
     for (unsigned channel = 0; channel < 3; ++channel) {
         const Arguments a = channel_arguments(combiner.rgb, channel, combiner, in);
         sum += (2 * a[0] - One) * (2 * a[1] - One);
     }
-    return finish(2 * sum, combiner.rgb.scale_shift);
+    return 2 * sum;
 }
 
 } // namespace
@@ -113,8 +113,12 @@ std::uint8_t dot_product(const Combiner& combiner, const CombineInputs& in) {
 PixelColor combine(const Combiner& combiner, const CombineInputs& inputs) {
     PixelColor result{};
     if (is_dot_product(combiner.rgb.op)) {
-        result.fill(dot_product(combiner, inputs));
-        if (combiner.rgb.op == CombineOp::Dot3Rgba) return result;
+        const std::int32_t doubled = doubled_dot_product(combiner, inputs);
+        result.fill(finish(doubled, combiner.rgb.scale_shift));
+        if (combiner.rgb.op == CombineOp::Dot3Rgba) {
+            result[3] = finish(doubled, combiner.alpha.scale_shift);
+            return result;
+        }
     } else {
         for (unsigned channel = 0; channel < 3; ++channel) {
             const Arguments a = channel_arguments(combiner.rgb, channel, combiner, inputs);

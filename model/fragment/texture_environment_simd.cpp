@@ -180,7 +180,18 @@ HWY_INLINE VSigned32 dot_terms(const V16 (&a)[3], const V16 (&b)[3], Half&& half
     return sum;
 }
 
-HWY_INLINE V16 dot_product(const V16 (&a)[3], const V16 (&b)[3], unsigned shift) {
+// Of all lanes, before the scale.
+struct DotProducts {
+    VSigned32 lower, upper;
+};
+
+HWY_INLINE DotProducts dot_products(const V16 (&a)[3], const V16 (&b)[3]) {
+    const DHalf16 dh;
+    return {dot_terms(a, b, [&](V16 v) { return hn::LowerHalf(dh, v); }),
+            dot_terms(a, b, [&](V16 v) { return hn::UpperHalf(dh, v); })};
+}
+
+HWY_INLINE V16 scaled(const DotProducts& dots, unsigned shift) {
     const DSigned32 d;
     const DHalf16 dh;
     const auto clamped = [&](VSigned32 sum) {
@@ -188,9 +199,7 @@ HWY_INLINE V16 dot_product(const V16 (&a)[3], const V16 (&b)[3], unsigned shift)
         const VSigned32 limit = hn::Set(d, static_cast<std::int32_t>(Unorm8OneSquared));
         return hn::DemoteTo(dh, hn::Max(hn::Min(scaled, limit), hn::Zero(d)));
     };
-    const auto lower = clamped(dot_terms(a, b, [&](V16 v) { return hn::LowerHalf(dh, v); }));
-    const auto upper = clamped(dot_terms(a, b, [&](V16 v) { return hn::UpperHalf(dh, v); }));
-    return divide_by_255(hn::Combine(D16(), upper, lower));
+    return divide_by_255(hn::Combine(D16(), clamped(dots.upper), clamped(dots.lower)));
 }
 
 void run_dot_product(const UnitProgram& unit, FragmentBatch& batch) {
@@ -203,11 +212,13 @@ void run_dot_product(const UnitProgram& unit, FragmentBatch& batch) {
     for (unsigned i = 0; i < batch.lanes(); i += Lanes16) {
         const V16 x[3] = {a[0](i), a[1](i), a[2](i)};
         const V16 y[3] = {b[0](i), b[1](i), b[2](i)};
-        const V16 dot = dot_product(x, y, unit.channels[0].scale_shift);
+        const DotProducts dots = dot_products(x, y);
+        const V16 dot = scaled(dots, unit.channels[0].scale_shift);
         hn::Store(dot, D16(), color.r.data() + i);
         hn::Store(dot, D16(), color.g.data() + i);
         hn::Store(dot, D16(), color.b.data() + i);
-        if (unit.alpha_from_dot) hn::Store(dot, D16(), color.a.data() + i);
+        if (!unit.alpha_from_dot) continue;
+        hn::Store(scaled(dots, unit.channels[3].scale_shift), D16(), color.a.data() + i);
     }
 }
 

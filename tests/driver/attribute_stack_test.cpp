@@ -208,6 +208,22 @@ TEST_CASE("Texture state is restored for every unit, and the active unit too") {
     CHECK(value == GL_REPEAT);
 }
 
+TEST_CASE("Sprites' coordinates belong to the point group alone") {
+    StateFixture f;
+    const auto replaced = [] {
+        GLint value = 0;
+        GetTexEnviv(GL_POINT_SPRITE, GL_COORD_REPLACE, &value);
+        return value;
+    };
+    for (const GLbitfield group : {GL_TEXTURE_BIT, GL_POINT_BIT}) {
+        TexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, GL_FALSE);
+        PushAttrib(group);
+        TexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, GL_TRUE);
+        PopAttrib();
+        CHECK(replaced() == (group == GL_TEXTURE_BIT ? GL_TRUE : GL_FALSE));
+    }
+}
+
 TEST_CASE("Restoring enables restores those of every texture unit") {
     StateFixture f;
     ActiveTexture(GL_TEXTURE3);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
@@ -30,6 +31,16 @@ TEST_CASE("A name that glGet does not know is an invalid enumerant and writes no
     CHECK(GetError() == GL_INVALID_ENUM);
     Enable(GL_LIGHT0 + 8);
     CHECK(GetError() == GL_INVALID_ENUM);
+}
+
+TEST_CASE("A stencil reference is told as it is compared") {
+    StateFixture f;
+    for (const auto& [set, told] : {std::pair{300, 255}, {-5, 0}, {7, 7}}) {
+        StencilFunc(GL_ALWAYS, set, 0xff);
+        GLint value = -1;
+        GetIntegerv(GL_STENCIL_REF, &value);
+        CHECK(value == told);
+    }
 }
 
 TEST_CASE("Colours and depths become the full range of integers, other floats are rounded") {

@@ -113,8 +113,12 @@ Color evaluate(const Combiner& combiner, const Inputs& inputs) {
     Color result;
     for (std::size_t c = 0; c < 3; ++c)
         result[c] = combine(combiner.rgb, inputs, c);
-    result[3] = combiner.rgb.op == CombineOp::Dot3Rgba ? combine(combiner.rgb, inputs, 0)
-                                                       : combine(combiner.alpha, inputs, 3);
+    CombineHalf alpha = combiner.alpha;
+    if (combiner.rgb.op == CombineOp::Dot3Rgba) { // the dot product, by ALPHA_SCALE
+        alpha = combiner.rgb;
+        alpha.scale_shift = combiner.alpha.scale_shift;
+    }
+    result[3] = combine(alpha, inputs, 3);
     return result;
 }
 
@@ -290,6 +294,13 @@ TEST_CASE("a dot product goes to alpha as well only as GL_DOT3_RGBA") {
         dot += 4 * (inputs.samples[0][c] - 0.5) * (0.5 - inputs.previous[c]);
     Color result = evaluate(lower_combiner(environment, 0, {BaseFormat::Rgba}), inputs);
     check_equal(result, {dot, dot, dot, dot});
+    environment.alpha_scale = 2;
+    result = evaluate(lower_combiner(environment, 0, {BaseFormat::Rgba}), inputs);
+    check_equal(result, {dot, dot, dot, clamped(2 * dot)});
+    environment.combine_rgb = GL_DOT3_RGBA_EXT;
+    result = evaluate(lower_combiner(environment, 0, {BaseFormat::Rgba}), inputs);
+    check_equal(result, {dot, dot, dot, dot});
+    environment.alpha_scale = 1;
     environment.combine_rgb = GL_DOT3_RGB;
     result = evaluate(lower_combiner(environment, 0, {BaseFormat::Rgba}), inputs);
     check_equal(result, {dot, dot, dot, inputs.previous[3]});

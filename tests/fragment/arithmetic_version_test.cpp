@@ -215,7 +215,7 @@ std::string seal_of_color_write() {
 
 TEST_CASE("Each fragment unit gives the results that its version is sealed with") {
     const std::string page = test::arithmetic_page();
-    CHECK(page.find("**Version: Arithmetic 2") != std::string::npos);
+    CHECK(page.find("**Version: Arithmetic 3") != std::string::npos);
     const struct {
         const char* unit;
         std::string seal;

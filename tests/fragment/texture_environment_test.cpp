@@ -186,15 +186,17 @@ TEST_CASE("A dot product is 4 sum((a - 1/2)(b - 1/2)), into r g b alone or into 
         Combiner combiner =
             four_sources(draws.coin() ? CombineOp::Dot3Rgb : CombineOp::Dot3Rgba, draws.below(3));
         combiner.alpha.op = CombineOp::Add;
-        combiner.alpha.scale_shift = 0;
+        combiner.alpha.scale_shift = static_cast<std::uint8_t>(draws.below(3));
         const PixelColor result = combine(combiner, inputs_of({{a, b, {}, {}}}));
         Rational sum{0, 1};
         for (unsigned c = 0; c < 3; ++c)
             sum = sum + (unorm(a[c]) - Half) * (unorm(b[c]) - Half);
         const std::uint8_t dot = to_unorm8(sum * Rational{4 << combiner.rgb.scale_shift, 1});
-        const std::uint8_t alpha = combiner.rgb.op == CombineOp::Dot3Rgba
-                                       ? dot
-                                       : static_cast<std::uint8_t>(std::min(255, a[3] + b[3]));
+        const unsigned scale = combiner.alpha.scale_shift; // RGB_SCALE is for colour alone.
+        const std::uint8_t alpha =
+            combiner.rgb.op == CombineOp::Dot3Rgba
+                ? to_unorm8(sum * Rational{4 << scale, 1})
+                : static_cast<std::uint8_t>(std::min(255, (a[3] + b[3]) << scale));
         if (result != PixelColor{dot, dot, dot, alpha})
             REQUIRE(result == PixelColor{dot, dot, dot, alpha});
     }

@@ -228,7 +228,7 @@ std::string seal_of_depth_textures() {
 } // namespace
 
 TEST_CASE("the frozen arithmetic gives the results that its version is sealed with") {
-    const std::string seal = "Arithmetic 2, sealed " + seal_of_this_build();
+    const std::string seal = "Arithmetic 3, sealed " + seal_of_this_build();
     INFO("this build: " << seal);
     CHECK(arithmetic_page().find(seal) != std::string::npos);
 }

@@ -166,7 +166,7 @@ void add_explain_command(CLI::App& application, Run& run) {
         ->type_name("F.png");
     verb->add_flag("--timing", options.timing, "With hits, misses and cycles of the timing model");
     verb->add_option("--config", arguments->config, "Parameters; ffgpu config prints them")
-        ->type_name("F.toml");
+        ->type_name("F.toml|preset:NAME");
     add_settings_option(*verb, arguments->settings);
     add_samples_option(*verb, options.samples);
     add_swap_option(*verb, options.swap);

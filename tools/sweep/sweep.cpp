@@ -105,9 +105,10 @@ std::string point_text(const SweepPlan& plan, const SweepRow& row) {
 }
 
 std::string summary(const SweepPlan& plan, const std::vector<SweepRow>& rows, std::size_t made) {
-    std::string text = fmt::format("{} points, {} traces: {} results, {} of them made now\n",
+    std::string text = fmt::format("{} points, {} {}: {} results, {} of them made now\n",
                                    plan.space.points.size(),
                                    plan.traces.size(),
+                                   plan.traces.size() == 1 ? "trace" : "traces",
                                    rows.size(),
                                    made);
     for (const SweepTrace& trace : plan.traces) {

@@ -124,7 +124,7 @@ enum class CombineOp : std::uint8_t {
     Interpolate,       // a0 a2 + a1 (1 - a2)
     Subtract,          // a0 - a1
     Dot3Rgb,           // 4 ((a0r - 1/2)(a1r - 1/2) + ...) into r g b
-    Dot3Rgba,          // the same into a as well; the alpha combiner is ignored
+    Dot3Rgba,          // into a as well, by its own scale; else the alpha combiner is ignored
     ModulateAdd,       // a0 a2 + a1           (ATI_texture_env_combine3)
     ModulateSignedAdd, // a0 a2 + a1 - 1/2
     ModulateSubtract,  // a0 a2 - a1
