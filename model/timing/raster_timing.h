@@ -82,7 +82,7 @@ private:
         bool is_empty = false;           // blocks without quads behind a piece's last ones
         bool begins_piece = false;       // None of the piece's quads was made.
         std::uint32_t piece = 0;         // of a block with quads
-        bool is_of_last_piece = false;   // of the record
+        bool is_of_last_piece = false;   // of the record, or of one without pieces
     };
     enum class Made : std::uint8_t { Nothing, Something, Refused };
     // The quads of one scene, found again and again at places near each other.

@@ -283,12 +283,13 @@ TEST_CASE("new rows of several bursts take the form's time or the shortest round
         CHECK(range.least > 0.998 * form); // The last round may be a shorter one.
         if (range.most <= 1.02 * form) return;
         ++longer_than_form;
-        const double shortest = ShortestRound(config, stream).cycles() / double(config.banks);
+        const std::uint32_t round = ShortestRound(config, stream).cycles();
+        const double shortest = round / double(config.banks);
         const Form it{config.page_policy, config.profile, config.banks, stream.bursts};
         const bool is_longer = stream.write && std::ranges::count(longer_writes, it) > 0;
         CAPTURE(shortest);
         CHECK((range.most > 1.02 * shortest) == is_longer);
-        CHECK(range.most < 1.07 * shortest);
+        CHECK(range.most < 1.02 * (round + 1) / config.banks); // at most a cycle a round more
     };
     for (const Service& service : all_services())
         for (const MemoryProfile profile :
@@ -319,33 +320,35 @@ TEST_CASE("columns of several bursts leave the slots of activates by whose dista
 TEST_CASE(
     "new rows take the closed form's time within a hundredth over all timings, and never less") {
     constexpr int Count = 1000;
-    const std::vector<Service> services = all_services();
-    Dice dice(21);
-    const auto within = [&](std::uint32_t most) {
-        return static_cast<std::uint32_t>(dice.below(most + 1));
-    };
-    double sum = 0;
-    for (std::size_t i = 0; i < Count; ++i) {
-        MemoryConfig config;
-        serve(services[i % services.size()], config);
-        config.refresh_interval_cycles = 0;
-        config.banks = 1u << dice.below(4);
-        config.burst_cycles = config.column_to_column_cycles = 1u << dice.below(3);
-        const std::uint32_t bursts = std::max(1u, 1u << dice.below(4) >> 1);
-        config.row_to_column_cycles = within(12);
-        config.column_cycles = within(12);
-        config.precharge_cycles = within(12);
-        config.row_active_cycles = within(30);
-        config.activate_to_activate_cycles = within(8);
-        config.four_activates_cycles = dice.below(3) == 0 ? 1 + within(59) : 0;
-        config.read_to_precharge_cycles = within(8);
-        const Stream stream{.bursts = bursts};
-        const double ratio = measured(config, stream) / closed_form(config, stream);
-        INFO("timing " << i << ": " << described(config, stream));
-        CHECK(ratio > 0.99);
-        sum += ratio;
+    for (const Service& service : all_services()) {
+        if (service.queue != 64) continue;
+        Dice dice(21);
+        const auto within = [&](std::uint32_t most) {
+            return static_cast<std::uint32_t>(dice.below(most + 1));
+        };
+        double sum = 0;
+        for (int i = 0; i < Count; ++i) {
+            MemoryConfig config;
+            serve(service, config);
+            config.refresh_interval_cycles = 0;
+            config.banks = 1u << dice.below(4);
+            config.burst_cycles = config.column_to_column_cycles = 1u << dice.below(3);
+            const std::uint32_t bursts = std::max(1u, 1u << dice.below(4) >> 1);
+            config.row_to_column_cycles = within(12);
+            config.column_cycles = within(12);
+            config.precharge_cycles = within(12);
+            config.row_active_cycles = within(30);
+            config.activate_to_activate_cycles = within(8);
+            config.four_activates_cycles = dice.below(3) == 0 ? 1 + within(59) : 0;
+            config.read_to_precharge_cycles = within(8);
+            const Stream stream{.bursts = bursts};
+            const double ratio = measured(config, stream) / closed_form(config, stream);
+            INFO("timing " << i << ": " << described(config, stream));
+            CHECK(ratio > 0.99);
+            sum += ratio;
+        }
+        CHECK(sum / Count < 1.01);
     }
-    CHECK(sum / Count < 1.01);
 }
 
 } // namespace

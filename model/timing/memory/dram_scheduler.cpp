@@ -113,17 +113,6 @@ bool DramScheduler::is_bus_wanted(const Search& search) {
     return false;
 }
 
-// The oldest request's bank has no row open, and its activate could go out soon, but would have to
-// wait for its distance from one that goes out now.
-bool DramScheduler::is_oldest_due(const WaitingRequests& waiting,
-                                  const DramDevice& device,
-                                  MemoryCycle now) {
-    const std::uint32_t bank = waiting.front().request.bank;
-    if (device.open_row(bank) != DramDevice::NoRow) return false;
-    const MemoryCycle at = device.activate_ready_at(bank);
-    return at > now && device.is_too_near(now, at);
-}
-
 // An activate of `bank` that could go out now leaves the slot to the oldest request's that is due.
 bool DramScheduler::steps_back(std::uint32_t bank,
                                const WaitingRequests& waiting,
@@ -131,11 +120,7 @@ bool DramScheduler::steps_back(std::uint32_t bank,
                                MemoryCycle now) const {
     if (!is_oldest_due(waiting, device, now)) return false;
     if (waiting.front().passed >= limit_) return true;
-    const auto wait_for = [&](std::uint32_t wanted) {
-        return std::ranges::count_if(
-            waiting, [=](const WaitingRequest& it) { return it.request.bank == wanted; });
-    };
-    return wait_for(waiting.front().request.bank) > wait_for(bank) + backlog_;
+    return waiting.count_of(waiting.front().request.bank) > waiting.count_of(bank) + backlog_;
 }
 
 // A bank works for the oldest request that needs it, and leaves its row only when nobody waits for
@@ -279,8 +264,8 @@ std::optional<MemoryCycle> DramScheduler::soonest_of(const DramRequest& request,
 }
 
 // Behind the search for a column. Where one could go out and a row, too, the row goes if the bus
-// stood still before the column, which is then not what limits; else the column, unless another
-// column wants the bus no less; but now and then the other of the two.
+// stood still before the column, which is then not what limits; else the column. Now and then the
+// other of the two does, but never before a column that follows while others want the bus, too.
 template <class FindRow, class IsBusWanted>
 void DramScheduler::choose_row(Search& search,
                                const FindRow& find_row,

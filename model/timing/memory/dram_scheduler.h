@@ -108,8 +108,15 @@ private:
                           const DramDevice& device,
                           MemoryCycle now,
                           DramCommand& command) const;
+    // The oldest request's bank has no row open, and its activate could go out soon, but would have
+    // to wait for its distance from one that goes out now.
     static bool
-    is_oldest_due(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now);
+    is_oldest_due(const WaitingRequests& waiting, const DramDevice& device, MemoryCycle now) {
+        const std::uint32_t bank = waiting.front().request.bank;
+        if (device.open_row(bank) != DramDevice::NoRow) return false;
+        const MemoryCycle at = device.activate_ready_at(bank);
+        return at > now && device.is_too_near(now, at);
+    }
     bool steps_back(std::uint32_t bank,
                     const WaitingRequests& waiting,
                     const DramDevice& device,
@@ -130,7 +137,7 @@ private:
     const std::uint32_t limit_;
     const bool by_bits_, by_banks_;
     const std::uint32_t banks_;
-    const std::ptrdiff_t backlog_; // requests more than for another bank, for a bank that limits
+    const std::size_t backlog_; // requests more than for another bank, for a bank that limits
     std::uint32_t meetings_ = 0;
 };
 

@@ -79,6 +79,14 @@ public:
         note_hits(bank);
     }
 
+    // Looks at each.
+    std::size_t count_of(std::uint32_t bank) const {
+        return static_cast<std::size_t>(
+            std::count_if(begin(), end(), [bank](const WaitingRequest& waiting) {
+                return waiting.request.bank == bank;
+            }));
+    }
+
     // All bits are right where the queue never has more than MostWithBits requests.
     Bits all() const { return size() < MostWithBits ? (Bits{1} << size()) - 1 : ~Bits{0}; }
     Bits hits() const { return hits_; } // Their rows are open.
