@@ -200,14 +200,14 @@ bool TexelScan::runs_overlap() const {
     return false;
 }
 
-// Those of one piece and key stay in the order in which they came.
+bool TexelScan::Run::before(const Run& a, const Run& b) {
+    return std::tie(a.piece, a.key, a.begin) < std::tie(b.piece, b.key, b.begin);
+}
+
 void TexelScan::order_runs() {
-    const auto before = [](const Run& a, const Run& b) {
-        return std::tie(a.piece, a.key, a.begin) < std::tie(b.piece, b.key, b.begin);
-    };
-    if (std::is_sorted(runs_.begin(), runs_.end(), before)) return;
+    if (std::is_sorted(runs_.begin(), runs_.end(), Run::before)) return;
     if (runs_.size() < FewRuns) {
-        std::sort(runs_.begin(), runs_.end(), before);
+        std::sort(runs_.begin(), runs_.end(), Run::before);
         return;
     }
     const auto primitive = [](const Run& run) { return run.piece >> 32; };
@@ -226,19 +226,37 @@ void TexelScan::order_runs() {
     for (auto begin = runs_.begin(); begin != runs_.end();) {
         const auto of_another = [&](const Run& run) { return primitive(run) != primitive(*begin); };
         const auto end = std::find_if(begin, runs_.end(), of_another);
-        if (end - begin > 1) std::sort(begin, end, before);
+        if (end - begin > 1) std::sort(begin, end, Run::before);
         begin = end;
     }
+}
+
+// Runs that reach into each other stand behind each other, and become runs of a quad each.
+void TexelScan::take_apart_overlapping_runs() {
+    spare_runs_.clear();
+    for (auto begin = runs_.begin(); begin != runs_.end();) {
+        auto end = begin + 1;
+        std::uint32_t last_key = quads_[begin->end - 1].key;
+        for (; end != runs_.end() && end->piece == begin->piece && end->key <= last_key; ++end)
+            last_key = std::max(last_key, quads_[end->end - 1].key);
+        const auto added = static_cast<std::ptrdiff_t>(spare_runs_.size());
+        if (end - begin == 1) {
+            spare_runs_.push_back(*begin);
+        } else {
+            for (auto run = begin; run != end; ++run)
+                for (std::uint32_t quad = run->begin; quad < run->end; ++quad)
+                    spare_runs_.push_back({run->piece, quads_[quad].key, quad, quad + 1});
+            std::sort(spare_runs_.begin() + added, spare_runs_.end(), Run::before);
+        }
+        begin = end;
+    }
+    runs_.swap(spare_runs_);
 }
 
 // Quads of one place stay in the order in which they came.
 void TexelScan::sort_runs() {
     order_runs();
-    if (!runs_overlap()) return;
-    runs_.clear();
-    for (std::uint32_t quad = 0; quad < quads_.size(); ++quad)
-        runs_.push_back({quads_[quad].piece, quads_[quad].key, quad, quad + 1});
-    order_runs();
+    if (runs_overlap()) take_apart_overlapping_runs();
 }
 
 // The quads of one place of an image, each drawn by another of its pixels, become pieces.

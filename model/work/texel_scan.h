@@ -51,6 +51,9 @@ private:
         std::uint64_t piece = 0;
         std::uint32_t key = 0;            // of the first
         std::uint32_t begin = 0, end = 0; // of quads_
+
+        // Those of one piece and key stay in the order in which they came.
+        static bool before(const Run& a, const Run& b);
     };
     struct Places; // draw_places.h
 
@@ -69,6 +72,7 @@ private:
     void order_runs();
     void sort_runs();
     bool runs_overlap() const;
+    void take_apart_overlapping_runs();
     void tell();
     void tell(const Quad& quad);
 
