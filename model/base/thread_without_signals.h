@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "model/base/large_pages.h"
+
 #include <csignal>
 #include <functional>
 #include <thread>
@@ -14,7 +16,10 @@ inline std::thread thread_without_signals(std::function<void()> run) {
     sigset_t all, before;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
-    std::thread thread(std::move(run));
+    std::thread thread([run = std::move(run)] {
+        take_thread_heap_in_large_pages();
+        run();
+    });
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
     return thread;
 }

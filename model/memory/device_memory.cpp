@@ -1,6 +1,7 @@
 #include "model/memory/device_memory.h"
 
 #include "model/base/check.h"
+#include "model/base/large_pages.h"
 
 #include <new>
 
@@ -18,6 +19,7 @@ DeviceMemory::DeviceMemory(std::uint64_t bytes) {
                              0);
     if (range == MAP_FAILED) throw std::bad_alloc();
     bytes_ = {static_cast<std::byte*>(range), bytes};
+    advise_large_pages(bytes_);
 }
 
 DeviceMemory::~DeviceMemory() {

@@ -1,3 +1,4 @@
+#include "model/base/large_pages.h"
 #include "tools/commands/command_line.h"
 
 #include <csignal>
@@ -18,8 +19,9 @@ void occupy_standard_streams() {
 // What one batch of work was kept in is taken again by the next: given back to the system in
 // between its pages would be cleared anew, which was a fifth of the time of recording.
 void keep_freed_memory() {
-    ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
+    ::mallopt(M_TRIM_THRESHOLD, 512 << 20);
     ::mallopt(M_MMAP_THRESHOLD, 32 << 20); // the largest that glibc takes
+    ffgpu::take_heap_in_large_pages();
 }
 
 } // namespace
