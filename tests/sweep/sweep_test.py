@@ -109,6 +109,17 @@ class TableTest(SweepCase):
         self.assertEqual([row["cycles"] for row in self.rows("both")][:len(POINTS)], cycles)
         self.assertEqual({row["trace"] for row in self.rows("both")}, {"corridor", "chrome"})
 
+    def test_what_its_jobs_warn_of_is_told_once(self):
+        work = self.folder / "kept.ffw"
+        subprocess.run([FFGPU, "replay", TRACE, *FRAMES, "--save-work", work], check=True,
+                       stderr=subprocess.DEVNULL)
+        space = '[fixed]\ngpu.texture_filter = "elliptic"\n[grid]\ntexel_cache.sets = [16, 64]\n'
+        for told in (1, 0):  # Nothing is made again.
+            done = self.sweep("out", space=space, traces=[work], frames=[])
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.stderr.count("ffgpu: warning: "), told, done.stderr)
+            self.assertEqual(done.stderr.count("gpu.texture_filter"), told)
+
     def test_a_trace_is_drawn_with_values_where_a_point_needs_them(self):
         tour = SOURCE / "traces/tour.trace"
         usual = '[grid]\ndepth.test = ["as_gl_allows"]\n'

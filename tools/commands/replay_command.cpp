@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -127,6 +128,7 @@ void add_replay_command(CLI::App& application, Run& run) {
         ->type_name("RANGE")
         ->needs(verb->get_option("--fst"));
     verb->add_option("--benchmark", options.benchmark, "Time it; repeat the last frame N times")
+        ->check(CLI::Range(1u, std::numeric_limits<unsigned>::max()))
         ->type_name("N");
     verb->add_flag("--player-only", options.player_only, "With --benchmark: draw nothing");
     verb->add_flag("--verbose", options.report_errors, "Report each GL error with its call");

@@ -4,6 +4,7 @@
 #include "tools/sweep/sweep.h"
 
 #include <cstdio>
+#include <limits>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -28,6 +29,7 @@ void add_sweep_command(CLI::App& application, Run& run, const char* version) {
         ->type_name("A-B")
         ->each(check_frame_range);
     verb->add_option("--cores", options->cores, "Jobs at a time on this machine; all, if not told")
+        ->check(CLI::Range(1u, std::numeric_limits<unsigned>::max()))
         ->type_name("N");
     verb->add_option("--profile", options->profile, "slurm, or a profile of Snakemake's")
         ->type_name("NAME");

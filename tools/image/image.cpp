@@ -29,8 +29,8 @@ Image read_image(const std::string& path) {
     std::error_code error;
     if (!std::filesystem::exists(path, error))
         throw InputError(path + ": " + (error ? error.message() : "does not exist"));
-    if (std::filesystem::is_fifo(path, error)) // It is read from its beginning more than once.
-        throw InputError(path + ": is a pipe; a file was expected");
+    if (std::filesystem::is_other(path, error)) // It is read from its beginning more than once.
+        throw InputError(path + ": is a pipe or a device; a file was expected");
     if (is_png(path)) return read_png(path);
     static const ReadPicture read = load_picture_reader(path);
     Image image;

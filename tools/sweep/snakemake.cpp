@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int NotThere = 127; // as a shell says it
-constexpr std::string_view Complaint = "ffgpu: ", FullDisk = "No space left on device";
+constexpr std::string_view Complaint = "ffgpu: ", Warning = "ffgpu: warning: ";
+constexpr std::string_view FullDisk = "No space left on device";
 constexpr std::string_view OwnComplaint = "Error: "; // Snakemake's
 
 std::vector<std::string> command_line(const FlowOptions& options) {
@@ -100,6 +101,15 @@ private:
     ::_exit(NotThere);
 }
 
+// What begins behind `key`, if the line has it and nobody said so before.
+bool add_new(const std::string& line, std::string_view key, std::vector<std::string>& said) {
+    const std::size_t at = line.find(key);
+    if (at == std::string::npos) return false;
+    const std::string text = line.substr(at + key.size());
+    if (std::find(said.begin(), said.end(), text) == said.end()) said.push_back(text);
+    return true;
+}
+
 class Listener {
 public:
     explicit Listener(std::size_t jobs)
@@ -112,12 +122,9 @@ public:
     Listener& operator=(const Listener&) = delete;
 
     void hear(const std::string& line) {
-        const std::size_t at = line.find(Complaint);
-        if (at != std::string::npos && line.find("ffgpu: warning") == std::string::npos) {
-            const std::string complaint = line.substr(at + Complaint.size());
-            if (std::find(complaints.begin(), complaints.end(), complaint) == complaints.end())
-                complaints.push_back(complaint);
-        } else if (line.find(FullDisk) != std::string::npos)
+        if (add_new(line, Warning, said.warnings)) return;
+        if (add_new(line, Complaint, said.complaints)) return;
+        if (line.find(FullDisk) != std::string::npos)
             full_disk = true; // Snakemake's own
         else if (line.starts_with(OwnComplaint) && own_complaint.empty())
             own_complaint = "Snakemake: " + line.substr(OwnComplaint.size());
@@ -126,7 +133,7 @@ public:
             std::fprintf(stderr, "\r%u of %u jobs, %zu results to make\033[K", done, all, jobs_);
     }
 
-    std::vector<std::string> complaints;
+    FlowMessages said;
     std::string own_complaint; // the first
     bool full_disk = false;
 
@@ -176,7 +183,7 @@ fs::path find_flow_folder() {
                      (above / FFGPU_BUILT_FLOW).string());
 }
 
-std::vector<std::string> run_flow(const FlowOptions& options) {
+FlowMessages run_flow(const FlowOptions& options) {
     const std::vector<std::string> words = command_line(options);
     const fs::path logs = options.folder / "log";
     std::error_code ignored;
@@ -199,14 +206,14 @@ std::vector<std::string> run_flow(const FlowOptions& options) {
     if (WIFEXITED(status) && WEXITSTATUS(status) == NotThere)
         throw InputError("sweep: snakemake is not installed (Debian: apt install snakemake)");
     if (!options.profile.empty()) read_logs(logs, listener);
-    if (listener.full_disk && listener.complaints.empty())
-        listener.complaints.push_back(fmt::format("{}: {}", options.folder.string(), FullDisk));
-    if (!listener.own_complaint.empty() && listener.complaints.empty())
-        listener.complaints.push_back(listener.own_complaint);
-    if (WIFSIGNALED(status) && listener.complaints.empty())
-        listener.complaints.push_back(
-            fmt::format("Snakemake was ended by signal {}", WTERMSIG(status)));
-    return listener.complaints;
+    std::vector<std::string>& complaints = listener.said.complaints;
+    if (listener.full_disk && complaints.empty())
+        complaints.push_back(fmt::format("{}: {}", options.folder.string(), FullDisk));
+    if (!listener.own_complaint.empty() && complaints.empty())
+        complaints.push_back(listener.own_complaint);
+    if (WIFSIGNALED(status) && complaints.empty())
+        complaints.push_back(fmt::format("Snakemake was ended by signal {}", WTERMSIG(status)));
+    return listener.said;
 }
 
 } // namespace ffgpu::tools

@@ -19,8 +19,12 @@ struct FlowOptions {
 // Where the rules and the profiles lie, in an installation or in the build tree.
 std::filesystem::path find_flow_folder();
 
-// Returns when nothing more can be done: the lines of ffgpu's own complaints, each once. Throws
-// InputError where Snakemake is not installed.
-std::vector<std::string> run_flow(const FlowOptions& options);
+// What ffgpu's jobs said, each line once.
+struct FlowMessages {
+    std::vector<std::string> complaints, warnings;
+};
+
+// Returns when nothing more can be done. Throws InputError where Snakemake is not installed.
+FlowMessages run_flow(const FlowOptions& options);
 
 } // namespace ffgpu::tools

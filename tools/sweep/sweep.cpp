@@ -145,6 +145,18 @@ std::string left_out_text(const std::string& path, const DesignSpace& space) {
                        space.why);
 }
 
+// The first few; all of them are in the logs.
+void tell_warnings(const SweepPlan& plan, const std::vector<std::string>& warnings) {
+    constexpr std::size_t Told = 5;
+    for (std::size_t i = 0; i < std::min(Told, warnings.size()); ++i)
+        std::fprintf(stderr, "ffgpu: warning: %s\n", warnings[i].c_str());
+    if (warnings.size() > Told)
+        std::fprintf(stderr,
+                     "ffgpu: warning: %zu more of its jobs' warnings are in %s\n",
+                     warnings.size() - Told,
+                     (plan.folder / "log").c_str());
+}
+
 std::size_t count_missing(const SweepPlan& plan) {
     std::size_t missing = 0;
     for (const SweepTrace& trace : plan.traces)
@@ -169,10 +181,10 @@ std::string sweep(const SweepOptions& options) {
     plan.folder = fs::absolute(options.output);
     const FolderLock lock(plan.folder);
     const std::size_t missing = write_plan(plan, options.version);
-    std::vector<std::string> complaints;
+    FlowMessages said;
     if (missing > 0) {
         renew_marks(plan);
-        complaints = run_flow({plan.folder, options.profile, options.cores, missing});
+        said = run_flow({plan.folder, options.profile, options.cores, missing});
     }
     const std::size_t still_missing = count_missing(plan);
     const std::vector<SweepRow> rows = read_results(plan, units);
@@ -182,7 +194,8 @@ std::string sweep(const SweepOptions& options) {
     } catch (const InputError&) {
         if (still_missing == 0) throw;
     }
-    if (still_missing > 0) fail(plan, complaints, still_missing);
+    if (still_missing > 0) fail(plan, said.complaints, still_missing);
+    tell_warnings(plan, said.warnings);
     remove_unfinished(plan.folder);
     return summary(plan, rows, missing);
 }

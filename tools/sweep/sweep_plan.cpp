@@ -60,6 +60,9 @@ void check_version(const fs::path& plan, const std::string& version, const std::
 } // namespace
 
 std::string content_hash(const std::string& path, const std::string& choice) {
+    std::error_code ignored;
+    if (fs::is_other(path, ignored)) // Jobs read it, each from its beginning.
+        throw InputError(path + ": is a pipe or a device; a file was expected");
     std::ifstream file(path, std::ios::binary);
     std::array<char, 1 << 16> buffer;
     std::uint64_t hash = hash_on(HashStart, choice);
