@@ -52,7 +52,7 @@ private:
     void* volatile block_; // A compiler may leave out a block that nobody reads.
 };
 
-// Where small pages were touched there comes no large one: what is left of the first is kept back.
+// No large page comes where a small one was touched: what is left of the first is kept back.
 std::size_t rest_of_large_page(std::uintptr_t place) {
     return LargePage - place % LargePage;
 }

@@ -55,6 +55,23 @@ TEST_CASE("An empty value is one line and exit status 2, whatever the option") {
     CHECK_FALSE(fs::exists(folder / "o"));
 }
 
+TEST_CASE("A folder in the place of a file is refused before the work") {
+    const TemporaryFolder folder;
+    const std::string work = work_in(folder), there = folder / "there";
+    fs::create_directory(there);
+    const std::vector<std::vector<std::string>> cases{
+        {"time", work, "--totals", there},
+        {"export", work, "--format", "din", "-o", there},
+        {"explain", work, "--frame", "0", "--pixel", "1,1", "--footprint", there},
+    };
+    for (const std::vector<std::string>& words : cases) {
+        const std::string line = said(words);
+        INFO(words[0] << ": " << line);
+        CHECK_THAT(line, Contains(words[words.size() - 2] + " " + there + ": is a folder"));
+    }
+    CHECK(fs::is_empty(there));
+}
+
 TEST_CASE("A command that writes nothing leaves no folder") {
     const TemporaryFolder folder;
     const std::string work = work_in(folder), missing = folder / "missing.ffw";

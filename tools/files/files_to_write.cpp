@@ -76,6 +76,10 @@ void check_files(std::initializer_list<std::string> read,
     for (const FileToWrite& file : written) {
         const auto place = place_of(file.path);
         if (!place) continue;
+        std::error_code error;
+        if (fs::is_directory(*place, error))
+            throw InputError(
+                fmt::format("{} {}: is a folder; a file was expected", file.option, file.path));
         const auto [other, is_first] = seen.emplace(*place, file.option);
         if (is_first) continue;
         if (!other->second)

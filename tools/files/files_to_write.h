@@ -12,8 +12,8 @@ struct FileToWrite {
     const std::string& path; // empty: none is written
 };
 
-// Throws InputError where one is a file that is read, which would be gone, or two are one file: of
-// two writers, neither's would be left. `read`: empty ones are none.
+// Throws InputError where one is a folder, or a file that is read, which would be gone, or two are
+// one file: of two writers, neither's would be left. `read`: empty ones are none.
 void check_files(std::initializer_list<std::string> read,
                  std::initializer_list<FileToWrite> written);
 
