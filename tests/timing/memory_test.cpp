@@ -306,6 +306,32 @@ TEST_CASE("lost cycles have the cause that was arranged") {
     const double lost = 5 + 6 + turning.column_cycles;
     CHECK(share(run_memory(turning, list).figures, "turnaround") ==
           Approx(lost / (16 + lost)).epsilon(0.02));
+    // So of each kind of DRAM: a pair loses CL + tWTR and tRTW to turns. A read's column goes
+    // WL + tWTR behind the end of the write's own cycles, which tCCD alone may delay further.
+    for (const MemoryProfile profile :
+         {MemoryProfile::Sdr, MemoryProfile::Ddr, MemoryProfile::Gddr3})
+        for (const std::uint32_t farther : {0u, 1u, 3u, 9u}) {
+            MemoryConfig kind = one_channel(4);
+            kind.profile = profile;
+            kind.apply_profile();
+            kind.scheduler = SchedulerKind::InOrder;
+            kind.refresh_interval_cycles = 0;
+            kind.bytes_per_cycle = list[0].bytes / kind.burst_cycles; // of a request: one burst
+            kind.column_to_column_cycles = kind.burst_cycles + farther;
+            const Figures figures = run_memory(kind, list).figures;
+            const std::uint32_t turns =
+                kind.column_cycles + kind.write_to_read_cycles + kind.read_to_write_cycles;
+            INFO("profile " << static_cast<int>(profile) << ", farther " << farther);
+            const int to_read = static_cast<int>(farther - kind.write_column_cycles) -
+                                static_cast<int>(kind.write_to_read_cycles);
+            const int to_write = static_cast<int>(farther + kind.write_column_cycles) -
+                                 static_cast<int>(kind.column_cycles + kind.read_to_write_cycles);
+            CHECK(figures.at("memory_lost_turnaround_cycles") ==
+                  999 * turns + kind.read_to_write_cycles);
+            CHECK(figures.at("memory_lost_column_cycles") ==
+                  999u * static_cast<unsigned>(std::max(to_read, 0)) +
+                      1000u * static_cast<unsigned>(std::max(to_write, 0)));
+        }
     // Half of each burst is not asked for.
     MemoryConfig wide = one_channel(4);
     wide.burst_cycles = wide.column_to_column_cycles = 16;

@@ -180,7 +180,7 @@ inline void DramChannel::serve(std::size_t index, MemoryCycle now) {
         to_tell_ = std::min(now, charged_);
         if (!tells_when_asked_) tell();
         charge_until(data, request.bytes, turns ? LostTo::Turnaround : LostTo::NoRequest);
-        causes_.restart(now, LostTo::Column);
+        causes_.restart(now, waiting_.empty() ? LostTo::NoRequest : LostTo::Column);
         observer_.on_access(number_, request, result);
     }
 
@@ -224,7 +224,16 @@ inline void DramChannel::charge_until(const DataBurst& data, std::uint32_t bytes
     const auto lose = [&](LostTo cause, MemoryCycle cycles) { charge({false, cause, cycles}); };
     if (data.begin > charged_) {
         const MemoryCycle latency = device_.column_latency(device_.last_was_write());
-        causes_.charge(data.begin - latency, data.begin - charged_, before, lose);
+        const bool turns = before == LostTo::Turnaround;
+        MemoryCycle spaced = turns ? device_.spacing_beyond_turn() : NoCycle;
+        const auto lose_slots = [&](LostTo cause, MemoryCycle cycles) {
+            if (cause != LostTo::Column) return lose(cause, cycles);
+            const MemoryCycle by_spacing = std::min(cycles, spaced);
+            spaced -= by_spacing;
+            if (by_spacing > 0) lose(LostTo::Column, by_spacing);
+            if (cycles > by_spacing) lose(LostTo::Turnaround, cycles - by_spacing);
+        };
+        causes_.charge(data.begin - latency, data.begin - charged_, before, lose_slots);
     }
     const DramDevice::DataOf& of = device_.data_of(bytes);
     charge({true, {}, of.asked});

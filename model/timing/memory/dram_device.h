@@ -128,6 +128,15 @@ public:
     MemoryCycle column_latency(bool write) const {
         return write ? config_.write_column_cycles : config_.column_cycles;
     }
+    // The last column turned the bus: by how much tCCD held it longer than the turn itself.
+    MemoryCycle spacing_beyond_turn() const {
+        const MemoryCycle spacing = config_.column_spacing() - config_.burst_cycles;
+        const MemoryCycle to_read = config_.write_column_cycles + config_.write_to_read_cycles;
+        const MemoryCycle to_write = config_.column_cycles + config_.read_to_write_cycles -
+                                     std::min(config_.write_column_cycles,
+                                              config_.column_cycles + config_.read_to_write_cycles);
+        return spacing - std::min(spacing, last_was_write_ ? to_write : to_read);
+    }
     bool has_carried_data() const { return bus_free_ > 0; }
     bool last_was_write() const { return last_was_write_; }
     MemoryCycle last_column(std::uint32_t bank) const { return banks_[bank].last_column; }
