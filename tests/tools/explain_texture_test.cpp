@@ -250,8 +250,9 @@ TEST_CASE("ffgpu explain refuses what it cannot explain, and says why") {
     for (const std::string text : {"-1", "1x", "99999999999999999999"})
         frame(text, "--frame " + text + ": expected a frame's number, counted from 0");
     // No fragment reads a texture: that there will be no picture hides no wrong path.
-    for (const std::string wrong : {"/dev/null/picture.png", "/"})
-        explain({"--pixel", "0,0", "--footprint", wrong}, wrong + ": cannot be written");
+    const std::string in_a_device = "/dev/null/picture.png";
+    explain({"--pixel", "0,0", "--footprint", in_a_device}, in_a_device + ": cannot be written");
+    explain({"--pixel", "0,0", "--footprint", "/"}, "--footprint /: is a folder");
     for (const std::string option : {"--footprint", "--output", "--set"})
         explain({"--pixel", "0,0", option, ""}, option + ": expected a value");
     for (const std::string wrong : {"gpu.texture_filter=", "gpu.texture_filter", "=3"})
