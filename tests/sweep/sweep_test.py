@@ -109,6 +109,12 @@ class TableTest(SweepCase):
         self.assertEqual([row["cycles"] for row in self.rows("both")][:len(POINTS)], cycles)
         self.assertEqual({row["trace"] for row in self.rows("both")}, {"corridor", "chrome"})
 
+    def test_the_last_axis_of_the_grid_changes_fastest(self):
+        space = "[grid]\ntexel_cache.ways = [2, 1]\ntexel_cache.sets = [64, 16]\n"
+        self.swept("out", space=space)
+        got = [(row["texel_cache.ways"], row["texel_cache.sets"]) for row in self.rows("out")]
+        self.assertEqual(got, [("2", "64"), ("2", "16"), ("1", "64"), ("1", "16")])
+
     def test_what_its_jobs_warn_of_is_told_once(self):
         work = self.folder / "kept.ffw"
         subprocess.run([FFGPU, "replay", TRACE, *FRAMES, "--save-work", work], check=True,
@@ -282,6 +288,10 @@ class RefusalTest(SweepCase):
     def test_a_listed_point_or_a_whole_space_that_is_no_machine_and_a_base_that_there_is_not(self):
         listed = "[grid]\ntexel_cache.ways = [1]\n[[list]]\ncolor_cache.enable = false\nraster.quads_per_cycle = 4\n"
         self.assert_refused(self.sweep("out", space=listed), ".toml:4:", "list", "color_cache.enable")
+        # The grid leaves it out; who lists it is told.
+        also = ("[grid]\ncolor_cache.enable = [true, false]\nraster.quads_per_cycle = [1, 4]\n"
+                "[[list]]\ncolor_cache.enable = false\nraster.quads_per_cycle = 4\n")
+        self.assert_refused(self.sweep("out", space=also), ".toml:5:", "list", "color_cache.enable")
         whole = "[fixed]\ncolor_cache.enable = false\n[grid]\nraster.quads_per_cycle = [2, 4]\n"
         self.assert_refused(self.sweep("out", space=whole), "no point is a machine", "color_cache.enable")
         base = '\nbase = "preset:nope"\n[grid]\ntexel_cache.ways = [1]\n'

@@ -73,7 +73,8 @@ void CommandTrace::write(const IssuedCommand& command) {
 }
 
 void CommandTrace::write_chunk() {
-    writer_.push(1 + chunk_.size(), [this, chunk = std::exchange(chunk_, {})] {
+    const std::size_t weight = 1 + chunk_.size(); // An argument may move what another one asks.
+    writer_.push(weight, [this, chunk = std::exchange(chunk_, {})] {
         for (const IssuedCommand& command : chunk)
             print(command, out_);
     });

@@ -98,7 +98,8 @@ void MemoryTrace::write_chunk() {
     std::vector<TracedRequest> chunk;
     chunk.reserve(Chunk);
     chunk.swap(chunk_);
-    writer_.push(1 + chunk.size(), [this, chunk = std::move(chunk)] {
+    const std::size_t weight = 1 + chunk.size(); // An argument may move what another one asks.
+    writer_.push(weight, [this, chunk = std::move(chunk)] {
         for (const TracedRequest& traced : chunk) {
             const bool of_texture = traced.request.client == timing::Client::Texture;
             format_->write(

@@ -16,7 +16,8 @@ void TimelineTrace::changed(std::size_t unit, timing::Activity activity, std::ui
 }
 
 void TimelineTrace::write_changes() {
-    writer_.push(1 + changes_.size(), [this, changes = std::exchange(changes_, {})] {
+    const std::size_t weight = 1 + changes_.size(); // An argument may move what another one asks.
+    writer_.push(weight, [this, changes = std::exchange(changes_, {})] {
         for (const Change& change : changes)
             format_.change(change.unit, change.activity, change.time);
     });

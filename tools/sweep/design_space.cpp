@@ -15,6 +15,12 @@
 namespace ffgpu::tools {
 namespace {
 
+// Values that are right, each by itself, but not together.
+class NoMachine : public InputError {
+public:
+    using InputError::InputError;
+};
+
 class Builder {
 public:
     explicit Builder(const SpaceFile& file)
@@ -75,9 +81,19 @@ private:
                 if (is_profile(axes[i]) == profiles) set(point.configuration, axes[i], choice[i]);
         }
         point.id = text_hash(to_toml(point.configuration));
-        if (!ids_.insert(point.id).second) return;
-        timing::check_machine(point.configuration.timing);
-        space_.points.push_back(std::move(point));
+        const auto [known, is_new] = ids_.try_emplace(point.id);
+        if (is_new) known->second = why_no_machine(point.configuration.timing);
+        if (!known->second.empty()) throw NoMachine(known->second);
+        if (is_new) space_.points.push_back(std::move(point));
+    }
+
+    static std::string why_no_machine(const timing::TimingConfig& config) {
+        try {
+            timing::check_machine(config);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return {};
     }
 
     // Axes that are combined may contradict each other here and there: a point less.
@@ -85,18 +101,15 @@ private:
         const std::size_t before = ids_.size();
         try {
             add(axes, choice);
-        } catch (const InputError& error) {
-            if (ids_.size() == before) throw; // A value is wrong by itself.
-            if (space_.left_out++ == 0) space_.why = error.what();
+        } catch (const NoMachine& error) { // Not where a value is wrong by itself.
+            if (ids_.size() > before && space_.left_out++ == 0) space_.why = error.what();
         }
     }
 
     void add_listed(const std::vector<Axis>& axes) {
-        const std::size_t before = ids_.size();
         try {
             add(axes, std::vector<std::size_t>(axes.size(), 0));
-        } catch (const InputError& error) {
-            if (ids_.size() == before) throw;
+        } catch (const NoMachine& error) {
             throw InputError(
                 fmt::format("{}:{}: list: {}", file_.path, axes.front().line, error.what()));
         }
@@ -134,7 +147,8 @@ private:
 
     const SpaceFile& file_;
     Configuration base_;
-    std::set<std::string> parameters_, ids_;
+    std::set<std::string> parameters_;
+    std::map<std::string, std::string> ids_; // why it is no machine; empty: it is one
     DesignSpace space_;
 };
 

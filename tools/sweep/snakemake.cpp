@@ -94,7 +94,9 @@ private:
 
 [[noreturn]] void run_program(const std::vector<std::string>& words, int output) {
     ::setpgid(0, 0);
-    ::prctl(PR_SET_PDEATHSIG, SIGTERM); // A sweep that is killed takes Snakemake along.
+    // A sweep that is killed takes Snakemake along. Its handler of SIGTERM may wait for a lock that
+    // the thread it runs on holds, for ever, with the sweep's lock.
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     ::dup2(output, STDOUT_FILENO);
     ::dup2(output, STDERR_FILENO);
     become(words);

@@ -38,6 +38,9 @@ private:
     // Told before it is gone through: that of a few long axes takes minutes.
     void grid(const toml::node& node, const std::string& key) {
         file_.grid = axes(node, key, &Reader::all_values);
+        std::ranges::sort(file_.grid, {}, [](const Axis& axis) { // Tables know no order.
+            return std::pair(axis.line, axis.column);
+        });
         std::size_t points = 1;
         for (const Axis& axis : file_.grid) {
             points *= axis.values.size();
@@ -78,7 +81,8 @@ private:
                 all.push_back(
                     {parameter,
                      (this->*values)(entry.second, fmt::format("{}: {}", name, parameter)),
-                     entry.second.source().begin.line});
+                     entry.second.source().begin.line,
+                     entry.second.source().begin.column});
             }
         }
         if (all.empty()) fail(node, name + ": no parameter is named");

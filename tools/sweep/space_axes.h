@@ -10,9 +10,9 @@
 namespace ffgpu::tools {
 
 struct Axis {
-    std::string parameter;           // texel_cache.ways
-    std::vector<std::string> values; // as TOML writes them; never empty
-    std::size_t line = 1;            // of the file
+    std::string parameter;            // texel_cache.ways
+    std::vector<std::string> values;  // as TOML writes them; never empty
+    std::size_t line = 1, column = 1; // of the file
 };
 
 struct SpaceFile {
