@@ -224,6 +224,8 @@ inline void DramChannel::charge_until(const DataBurst& data, std::uint32_t bytes
     const auto lose = [&](LostTo cause, MemoryCycle cycles) { charge({false, cause, cycles}); };
     if (data.begin > charged_) {
         const MemoryCycle latency = device_.column_latency(device_.last_was_write());
+        // In slots that the request before held itself, a turn waits for itself but for tCCD's
+        // part.
         const bool turns = before == LostTo::Turnaround;
         MemoryCycle spaced = turns ? device_.spacing_beyond_turn() : NoCycle;
         const auto lose_slots = [&](LostTo cause, MemoryCycle cycles) {
